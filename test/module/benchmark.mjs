@@ -3,8 +3,8 @@
  * Times the ES module in Node beside other engines, and what only the module has: bindings, snapshots' bytes, memory. The benchmarks that players run
  * too are those of benchmarks.mjs.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: memory, cold, exact, distances, rays, peers, queries, bindings, snapshots, ground,
- *                                                         level
+ *   node test/module/benchmark.mjs [PART ...]      parts: memory, cold, exact, distances, rays, peers, boxes, queries, bindings, snapshots,
+ *                                                         ground, level
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
  * It is the time of the processors, of all threads of this process, so that other programs count as little as possible.
@@ -234,6 +234,25 @@ async function peers() {
 	const names = ["kdbush (2D, built anew)", "Rapier (WebAssembly)", "crashcat", "cannon-es"];
 	const head = ["spheres, all moving, ms a frame", "bins", "tightest fit", ...names, ...names.map(() => "times"), "pairs"];
 	print("Beside other engines", head, rows);
+}
+
+/** Cubes that move, each turned another way, as dense as the spheres: who touches whom. */
+async function boxes() {
+	const { askCrashcat, askRapier } = await import("./peers.mjs");
+	const rows = COUNTS.slice(0, 2).map((count) => {
+		const { agents, walk } = scatter(count, ["cube"]);
+		const fits = new TightestFitCollider(greatLand);
+		const out = [];
+		const others = [askRapier(agents), askCrashcat(agents)];
+		const times = measure([{ prepare: walk, run: () => fits.findCollisions(agents, out) }, ...others], 20);
+		// Rapier finds what touched before a step
+		others[0].run();
+		const pairs = [out.length / 2, ...others.map((each) => each.count())];
+		others[0].free();
+		return [count.toLocaleString("en"), ...times, ...times.slice(1).map((time) => time / times[0]), ...pairs.map(String)];
+	});
+	const names = ["Rapier (WebAssembly)", "crashcat"];
+	print("Cubes beside other engines", ["cubes, all moving, ms a frame", "tightest fit", ...names, "times", "times", "pairs", "Rapier's", "crashcat's"], rows);
 }
 
 /** Questions of each of 10,000 agents that all move, with the update, against a kd-tree that is made anew in every frame. */
@@ -469,4 +488,4 @@ function ground() {
 }
 
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [memory, cold, exact, distances, rays, peers, queries, bindings, snapshots, ground, level]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [memory, cold, exact, distances, rays, peers, boxes, queries, bindings, snapshots, ground, level]) if (parts.length === 0 || parts.includes(part.name)) await part();

@@ -1,6 +1,6 @@
 /**
  * The other engines that the benchmark measures, each asked in the fastest way that its documentation has: a world of agents that are unit
- * spheres, with what brings it up to date (`prepare`), what finds the pairs (`run`) and how many it found (`count`).
+ * spheres, or in Rapier and crashcat unit cubes that stand on the ground, with what brings it up to date (`prepare`), what finds the pairs (`run`) and how many it found (`count`).
  */
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
@@ -33,13 +33,20 @@ export function askKdbush(agents) {
 	return { run, count: () => near / 2 };
 }
 
+const isCube = ({ shape }) => shape === "cube";
+
+/** An agent's turn about the axis that points up, as a quaternion. */
+const turnOf = ({ heading }) => [0, 0, Math.sin(heading * Math.PI / 360), Math.cos(heading * Math.PI / 360)];
+
 /** Rapier: sensors on kinematic bodies, so nothing is pushed. Its step finds what touched before it. */
 export function askRapier(agents) {
 	const world = new RAPIER.World({ x: 0, y: 0, z: 0 });
 	const handles = agents.map((agent) => {
-		const body = world.createRigidBody(RAPIER.RigidBodyDesc.kinematicPositionBased().setTranslation(agent.x, agent.y, 0.5));
+		const [x, y, z, w] = turnOf(agent);
+		const body = world.createRigidBody(RAPIER.RigidBodyDesc.kinematicPositionBased().setTranslation(agent.x, agent.y, 0.5).setRotation({ x, y, z, w }));
 		const types = RAPIER.ActiveCollisionTypes.ALL;
-		return { body, collider: world.createCollider(RAPIER.ColliderDesc.ball(0.5).setSensor(true).setActiveCollisionTypes(types), body) };
+		const shape = isCube(agent) ? RAPIER.ColliderDesc.cuboid(0.5, 0.5, 0.5) : RAPIER.ColliderDesc.ball(0.5);
+		return { body, collider: world.createCollider(shape.setSensor(true).setActiveCollisionTypes(types), body) };
 	});
 	let touching = 0;
 	const prepare = () => agents.forEach((agent, i) => handles[i].body.setNextKinematicTranslation({ x: agent.x, y: agent.y, z: 0.5 }));
@@ -86,9 +93,11 @@ export function askCrashcat(agents) {
 	const layer = crashcat.addObjectLayer(settings, crashcat.addBroadphaseLayer(settings));
 	crashcat.enableCollision(settings, layer, layer);
 	const world = crashcat.createWorld(settings);
-	const shape = crashcat.sphere.create({ radius: 0.5 });
-	const bodies = agents.map((agent) => crashcat.rigidBody.create(world,
-		{ shape, motionType: crashcat.MotionType.KINEMATIC, objectLayer: layer, position: [agent.x, agent.y, 0.5], sensor: true }));
+	const [sphere, cube] = [crashcat.sphere.create({ radius: 0.5 }), crashcat.box.create({ halfExtents: [0.5, 0.5, 0.5], convexRadius: 0 })];
+	const bodies = agents.map((agent) => crashcat.rigidBody.create(world, {
+		shape: isCube(agent) ? cube : sphere, motionType: crashcat.MotionType.KINEMATIC, objectLayer: layer, position: [agent.x, agent.y, 0.5],
+		quaternion: turnOf(agent), sensor: true,
+	}));
 	let touching = 0;
 	const listener = { onContactAdded: () => touching++, onContactPersisted: () => touching++ };
 	const place = [0, 0, 0.5];

@@ -110,7 +110,7 @@ if (options.test === "" && options.order === "" && only.size > 0) {
 	failed++;
 	console.log(`FAILED: no such test, though not-here.mjs lists it: ${[...only].join(", ")}`);
 }
-if (passed + failed === 0) {
+if (passed + failed + skipped === 0) {
 	failed++;
 	console.log("FAILED: no test was run");
 }

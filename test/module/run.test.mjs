@@ -38,4 +38,7 @@ test("tests that were made in another folder are waited for, and skipped if they
 	assert.match(stdout, /FAILED LaterTest.waits: Error: it came/, stderr);
 	assert.match(stdout, /: 1 passed, 1 failed, 1 skipped,/);
 	assert.equal(status, 1);
+	const skipped = spawnSync(process.execPath, [path.join(here, "run.mjs"), path.join(folder, "tests.mjs"), "--order=LaterTest.isSkipped"], { encoding: "utf8" });
+	assert.match(skipped.stdout, /: 0 passed, 0 failed, 1 skipped,/);
+	assert.equal(skipped.status, 0);
 });

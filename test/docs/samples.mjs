@@ -126,7 +126,11 @@ function packaged(text) {
 function importLines(text, classes) {
 	const own = [...text.matchAll(/^import ([\w.]+);$/gm)].map(([, name]) => name);
 	const words = new Set(codeOf(text).match(/\b[A-Za-z]\w*/g));
-	const known = [...sourcesBelow('src/starlogo').map(definitionIn), ...FLASH, ...classes].filter((name) => words.has(name.split('.').pop()));
+	// what a text imports, or a sample shows, hides a class of the engine with the same name
+	const simple = (name) => name.split('.').pop();
+	const taken = new Set([...own, ...classes].map(simple));
+	const engine = sourcesBelow('src/starlogo').map(definitionIn).filter((name) => !taken.has(simple(name)));
+	const known = [...engine, ...FLASH, ...classes].filter((name) => words.has(simple(name)));
 	return [...new Set([...own, ...known])].filter((name) => name.includes('.')).sort().map((name) => `    import ${name};`).join('\n');
 }
 

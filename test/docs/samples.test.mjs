@@ -63,6 +63,13 @@ test('samples of a page follow one another in one test, and a class is a file', 
 	assert.throws(() => testClasses([page('var a:int;\n'), page('var b:int;\n')]), /another sample defines docs\.ASamplesTest/);
 });
 
+test('a class of a sample hides a class of the engine with its name', () => {
+	const own = 'package game\n{\n    public class Sphere\n    {\n    }\n}';
+	const generated = testClasses([page(own, 'var a:Sphere = new Sphere();\nvar b:Box = null;\n')]).get('docs/ASamplesTest.as');
+	assert.match(generated, /import game\.Sphere;\n {4}import starlogo\.bounding\.Box;/);
+	assert.doesNotMatch(generated, /starlogo\.bounding\.Sphere/);
+});
+
 test('every page with ActionScript has a test', () => {
 	const all = pages();
 	const shown = all.filter(({ fences }) => fences.some(({ language }) => language === 'actionscript'));

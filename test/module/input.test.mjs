@@ -271,7 +271,10 @@ test("a literal serves as options of a walk", () => {
 	assert.equal(queries.walk(walker, 0, 0, { fall: Infinity }).on, floor);
 	const at = walker.x;
 	refused(() => queries.walk(walker, 1, 0, 3), "AgentQueries.walk: options must be options, not 3");
-	refused(() => queries.walk(walker, 1, 0, { steps: 3 }), "options.steps must be an option that there is, not 3");
+	for (const [name, nearest] of [["stepheight", "stepHeight"], ["stepHeigth", "stepHeight"], ["slope", "slopeDegrees"], ["carry", "carried"], ["filters", "filter"]]) {
+		refused(() => queries.walk(walker, 1, 0, { [name]: 0.5 }), `AgentQueries.walk: options.${name} is no option; the nearest is ${nearest}, of `);
+	}
+	refused(() => queries.walk(walker, 1, 0, { steps: 3 }), "the nearest is stepHeight", "slopeDegrees", "snap", "fall", "carried", "filter");
 	assert.throws(() => queries.walk(walker, 1, 0, { slopeDegrees: 90 }), RangeError);
 	assert.throws(() => queries.walk(walker, 1, 0, { snap: "1" }), /snap must be a number/);
 	assert.equal(walker.x, at);

@@ -169,11 +169,34 @@ export function $bytes(target, name, value, isNullable) {
 	return ByteArray.from(value);
 }
 
+/** Throws an error for an option that is not among the names of all. It says which of these is the nearest. */
+function refuseOption(target, name, key, names) {
+	const farAway = names.map((each) => distanceOf(key.toLowerCase(), each.toLowerCase()));
+	const nearest = names[farAway.indexOf(Math.min(...farAway))];
+	throw new ArgumentError(`${target === null ? "" : `${target}: `}${name} is no option; the nearest is ${nearest}, of ${names.join(", ")}`);
+}
+
+/**
+ * How far one word is from another: how many letters have to be inserted, removed or replaced (Levenshtein, 1966), less two for each letter of a
+ * beginning that both have, because abbreviations are common.
+ */
+function distanceOf(word, other) {
+	let same = 0;
+	while (same < word.length && word[same] === other[same]) same++;
+	let counts = [...other, ""].map((_, i) => i);
+	[...word].forEach((letter, i) => {
+		const before = counts;
+		counts = [i + 1];
+		for (let j = 0; j < other.length; j++) counts.push(Math.min(before[j + 1] + 1, counts[j] + 1, before[j] + (letter === other[j] ? 0 : 1)));
+	});
+	return counts[other.length] - 2 * same;
+}
+
 /** Options that a public method receives as a literal: a copy, whose setters check the values. An undefined value counts as absent. */
 export function $options(target, name, value, options) {
 	if (typeof value !== "object" || Array.isArray(value)) $refuse(target, name, value, "options");
 	for (const key of Object.keys(value)) {
-		if (!(key in options)) $refuse(target, `${name}.${key}`, value[key], "an option that there is");
+		if (!(key in options)) refuseOption(target, `${name}.${key}`, key, Object.keys($stateOf(options)));
 		if (value[key] !== undefined) options[key] = value[key];
 	}
 	return options;

@@ -1,8 +1,10 @@
 /** Tests of the build files. */
 import assert from 'node:assert/strict';
-import { readdirSync } from 'node:fs';
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import path from 'node:path';
-import { test } from 'node:test';
+import { after, test } from 'node:test';
 import { read, root } from './sources.mjs';
 
 test('no property has two defaults: what one file means by it another would not', () => {
@@ -17,4 +19,27 @@ test('no property has two defaults: what one file means by it another would not'
 	}
 	assert.ok(defaults.size > 20);
 	assert.deepEqual([...defaults].filter(([, where]) => where.length > 1), []);
+});
+
+const home = mkdtempSync(path.join(tmpdir(), 'ant-'));
+after(() => rmSync(home, { recursive: true }));
+
+/** Runs antw with a program in Ant's place that prints some lines and ends with a status. */
+function runAnt(lines, status) {
+	mkdirSync(path.join(home, 'bin'), { recursive: true });
+	writeFileSync(path.join(home, 'bin/ant'), `#!/bin/sh\ncat <<'END'\n${lines.join('\n')}\nEND\nexit ${status}\n`, { mode: 0o755 });
+	// a copy, whose reports are none of a run that is going on
+	writeFileSync(path.join(home, 'antw'), read('antw'), { mode: 0o755 });
+	return spawnSync(path.join(home, 'antw'), ['compile'], { encoding: 'utf8', env: { ...process.env, ANT_HOME: home, IVY_JAR: path.join(home, 'antw') } });
+}
+
+test('a build that fails says why last, without the lines of Ant around it', () => {
+	const around = ['BUILD FAILED', '/a b/build.xml:260: The following error occurred while executing this line:', '/c d/build/x.xml:91: compc (Flex):',
+		'/c/src/A.as: Error: more than one definition', '', 'Total time: 8 seconds'];
+	const { stdout, status } = runAnt(['-compile:', 'FAILED ATest.is: 1, not 2', '  (no stack)', 'Java Result: 1', '', ...around], 3);
+	assert.equal(status, 3);
+	assert.equal(stdout.split('Total time: 8 seconds\n')[1], '\nFAILED ATest.is: 1, not 2\ncompc (Flex):\n/c/src/A.as: Error: more than one definition\n');
+	const good = runAnt(['BUILD SUCCESSFUL', 'Total time: 8 seconds'], 0);
+	assert.equal(good.status, 0);
+	assert.equal(good.stdout, 'BUILD SUCCESSFUL\nTotal time: 8 seconds\n');
 });

@@ -2,7 +2,7 @@ package starlogo.intersection
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
-    import starlogo.intersection.distance.CoreGap;
+    import starlogo.intersection.distance.RoundGap;
     import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.moveToSurfaces;
 
@@ -42,7 +42,7 @@ package starlogo.intersection
 
         // The edge that is tried, in the other box's axes, and its gap.
         private var _edge:BoxSegment = new BoxSegment();
-        private var _gap:CoreGap = new CoreGap();
+        private var _gap:RoundGap = new RoundGap();
 
         // In the other box's axes: half of the edges along axisX, then axisY, then axisZ, and the box's middle.
         private var _halves:Vector.<Number> = new Vector.<Number>(12, true);

@@ -8,7 +8,7 @@ package starlogo.intersection
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.LeastOverlap;
     import starlogo.intersection.contact.placeContact;
-    import starlogo.intersection.distance.CoreGap;
+    import starlogo.intersection.distance.RoundGap;
     import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.moveToSurfaces;
     import starlogo.intersection.sweep.NewtonSteps;
@@ -20,7 +20,7 @@ package starlogo.intersection
         // The motion of the start of the capsule's axis as seen from the box's middle, in the mirrored axes.
         private var _way:RelativeMotion = new RelativeMotion();
         private var _axis:BoxSegment = new BoxSegment();
-        private var _gap:CoreGap = new CoreGap();
+        private var _gap:RoundGap = new RoundGap();
         private var _steps:NewtonSteps = new NewtonSteps();
         private var _overlap:LeastOverlap = new LeastOverlap();
 
@@ -47,7 +47,7 @@ package starlogo.intersection
             var box:Box = b as Box;
             relate(capsule, box, displacement);
             measure();
-            var gap:CoreGap = _gap;
+            var gap:RoundGap = _gap;
             var squared:Number = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
             // If the gap is longer than this, it has a direction in spite of rounding.
             var least:Number = Tolerances.DIRECTION * gap.size;

@@ -12,7 +12,7 @@ package starlogo.intersection
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.Zonotope;
     import starlogo.intersection.contact.findPairContact;
-    import starlogo.intersection.distance.CoreGap;
+    import starlogo.intersection.distance.RoundGap;
     import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.moveToSurfaces;
     import starlogo.intersection.sweep.RelativeMotion;
@@ -84,7 +84,7 @@ package starlogo.intersection
 
         private var _box:TriangleBox = new TriangleBox();
         private var _closest:TrianglePairDistance = new TrianglePairDistance();
-        private var _core:CoreGap = new CoreGap();
+        private var _core:RoundGap = new RoundGap();
         private var _sweep:TriangleSweep = new TriangleSweep();
         private var _overlap:TriangleContactFinder = new TriangleContactFinder();
         private var _displacement:RelativeMotion = new RelativeMotion(0);

@@ -7,7 +7,7 @@ package starlogo.intersection
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.placeContact;
-    import starlogo.intersection.distance.CoreGap;
+    import starlogo.intersection.distance.RoundGap;
     import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.moveToSurfaces;
     import starlogo.intersection.sweep.NewtonSteps;
@@ -18,7 +18,7 @@ package starlogo.intersection
     {
         // The motion of the sphere's centre as seen from the box's middle, in the box's axes.
         private var _way:RelativeMotion = new RelativeMotion();
-        private var _gap:CoreGap = new CoreGap();
+        private var _gap:RoundGap = new RoundGap();
         private var _steps:NewtonSteps = new NewtonSteps();
 
         /** @inheritDoc */
@@ -62,7 +62,7 @@ package starlogo.intersection
             var x:Number = axisX.x * toX + axisX.y * toY + axisX.z * toZ;
             var y:Number = axisY.x * toX + axisY.y * toY + axisY.z * toZ;
             var z:Number = axisZ.x * toX + axisZ.y * toY + axisZ.z * toZ;
-            var gap:CoreGap = _gap;
+            var gap:RoundGap = _gap;
             gap.x = x;
             gap.y = y;
             gap.z = z;
@@ -138,14 +138,14 @@ package starlogo.intersection
             var halfY:Number = box.halfY;
             var halfZ:Number = box.halfZ;
             include "pointToBox.inc";
-            var gap:CoreGap = _gap;
+            var gap:RoundGap = _gap;
             gap.x = x;
             gap.y = y;
             gap.z = z;
         }
 
         // Points a contact's normal from a place inside of the box out through the nearest face. The depth is the distance to that face.
-        private static function pointThroughFace(box:Box, place:CoreGap, out:ContactPoint):void
+        private static function pointThroughFace(box:Box, place:RoundGap, out:ContactPoint):void
         {
             var axis:Vector3D = box.axisX;
             var along:Number = place.x;

@@ -7,7 +7,7 @@ package starlogo.intersection
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.placeContact;
-    import starlogo.intersection.distance.CoreGap;
+    import starlogo.intersection.distance.RoundGap;
     import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.moveToSurfaces;
     import starlogo.intersection.sweep.NewtonSteps;
@@ -18,7 +18,7 @@ package starlogo.intersection
     {
         // The motion of the sphere's centre as seen from the start of the capsule's axis.
         private var _way:RelativeMotion = new RelativeMotion();
-        private var _gap:CoreGap = new CoreGap();
+        private var _gap:RoundGap = new RoundGap();
         private var _steps:NewtonSteps = new NewtonSteps();
 
         /** @inheritDoc */
@@ -130,7 +130,7 @@ package starlogo.intersection
             var axisY:Number = end.y - start.y;
             var axisZ:Number = end.z - start.z;
             include "../geometry/pointToSegment.inc";
-            var gap:CoreGap = _gap;
+            var gap:RoundGap = _gap;
             gap.x = x;
             gap.y = y;
             gap.z = z;

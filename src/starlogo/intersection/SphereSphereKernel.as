@@ -5,7 +5,7 @@ package starlogo.intersection
     import starlogo.bounding.Sphere;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.placeContact;
-    import starlogo.intersection.distance.CoreGap;
+    import starlogo.intersection.distance.RoundGap;
     import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.moveToSurfaces;
     import starlogo.intersection.sweep.RelativeMotion;
@@ -18,16 +18,22 @@ package starlogo.intersection
      */
     public final class SphereSphereKernel extends PairKernel
     {
-        private var _gap:CoreGap = new CoreGap();
+        private var _gap:RoundGap = new RoundGap();
 
         /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            relate(a as Sphere, b as Sphere);
-            _gap.x += motion.startX;
-            _gap.y += motion.startY;
-            _gap.z += motion.startZ;
-            findSphereEntry(_gap, motion);
+            var sphere:Sphere = a as Sphere;
+            var other:Sphere = b as Sphere;
+            var center:Vector3D = sphere.center;
+            var middle:Vector3D = other.center;
+            var gap:RoundGap = _gap;
+            gap.x = center.x - middle.x + motion.startX;
+            gap.y = center.y - middle.y + motion.startY;
+            gap.z = center.z - middle.z + motion.startZ;
+            gap.radiusA = sphere.radius;
+            gap.radiusB = other.radius;
+            findSphereEntry(gap, motion);
         }
 
         /** @inheritDoc */
@@ -64,24 +70,19 @@ package starlogo.intersection
         override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
         {
             var sphere:Sphere = a as Sphere;
-            relate(sphere, b as Sphere);
-            var center:Vector3D = sphere.center;
-            out.aX = center.x;
-            out.aY = center.y;
-            out.aZ = center.z;
-            moveToSurfaces(_gap, out);
-        }
-
-        private function relate(sphere:Sphere, other:Sphere):void
-        {
-            var gap:CoreGap = _gap;
+            var other:Sphere = b as Sphere;
             var center:Vector3D = sphere.center;
             var middle:Vector3D = other.center;
+            var gap:RoundGap = _gap;
             gap.x = center.x - middle.x;
             gap.y = center.y - middle.y;
             gap.z = center.z - middle.z;
             gap.radiusA = sphere.radius;
             gap.radiusB = other.radius;
+            out.aX = center.x;
+            out.aY = center.y;
+            out.aZ = center.z;
+            moveToSurfaces(gap, out);
         }
     }
 }

@@ -1,7 +1,7 @@
 package starlogo.intersection
 {
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.distance.CoreGap;
+    import starlogo.intersection.distance.RoundGap;
     import starlogo.intersection.distance.DistanceResult;
 
     /**
@@ -29,7 +29,7 @@ package starlogo.intersection
         public var points:DistanceResult = new DistanceResult();
 
         private var _edges:SegmentPair = new SegmentPair();
-        private var _gap:CoreGap = new CoreGap();
+        private var _gap:RoundGap = new RoundGap();
 
         // For each corner of one triangle, its place over the other triangle: the share of the longest edge, the share of the height, and
         // the vector from that place to the corner.

@@ -166,7 +166,7 @@ package starlogo.intersection
             findBoxImpact(a, b, standing);
             return standing.time == 0;
         }
-        var overlap:Boolean = true;
+        var overlap:Boolean;
         include "boxEdges.inc";
         return overlap;
     }

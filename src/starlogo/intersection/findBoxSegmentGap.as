@@ -1,6 +1,6 @@
 package starlogo.intersection
 {
-    import starlogo.intersection.distance.CoreGap;
+    import starlogo.intersection.distance.RoundGap;
 
     /**
      * Finds the gap between a segment and a box.
@@ -9,7 +9,7 @@ package starlogo.intersection
      * @param out receives the vector from the box's closest point to the segment's, in the same axes, and the share of the segment. If several
      *     points are closest, the one in the middle of them is taken
      */
-    internal function findBoxSegmentGap(segment:BoxSegment, out:CoreGap):void
+    internal function findBoxSegmentGap(segment:BoxSegment, out:RoundGap):void
     {
         var px:Number = segment.x;
         var py:Number = segment.y;

@@ -1,7 +1,7 @@
 package starlogo.intersection
 {
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.distance.CoreGap;
+    import starlogo.intersection.distance.RoundGap;
 
     /**
      * Finds the gap between two segments (Ericson, "Real-Time Collision Detection", §5.1.9).
@@ -9,7 +9,7 @@ package starlogo.intersection
      * @param segments the segments, u and v
      * @param out receives the vector from the closest point of v to that of u, and the share of u
      */
-    internal function findSegmentGap(segments:SegmentPair, out:CoreGap):void
+    internal function findSegmentGap(segments:SegmentPair, out:RoundGap):void
     {
         var x:Number = segments.x;
         var y:Number = segments.y;

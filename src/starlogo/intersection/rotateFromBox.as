@@ -2,10 +2,10 @@ package starlogo.intersection
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
-    import starlogo.intersection.distance.CoreGap;
+    import starlogo.intersection.distance.RoundGap;
 
     /** Rotates a gap from a box's axes into the axes of the box's space. */
-    internal function rotateFromBox(box:Box, gap:CoreGap):void
+    internal function rotateFromBox(box:Box, gap:RoundGap):void
     {
         var axisX:Vector3D = box.axisX;
         var axisY:Vector3D = box.axisY;

@@ -10,7 +10,7 @@ package starlogo.search
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.SphereSphereKernel;
     import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.distance.CoreGap;
+    import starlogo.intersection.distance.RoundGap;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findSphereEntry;
 
@@ -30,7 +30,7 @@ package starlogo.search
         private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
 
         // The vector from the second middle to the first. Its radius A is the largest distance of the two at which the spheres touch.
-        private var _gap:CoreGap = new CoreGap();
+        private var _gap:RoundGap = new RoundGap();
         private var _kernel:SphereSphereKernel = new SphereSphereKernel();
         private var _displacement:RelativeMotion = new RelativeMotion();
 

@@ -18,11 +18,11 @@ package starlogo.intersection.contact
         private var _b:Zonotope = new Zonotope();
         private var _featureA:ContactFeature = new ContactFeature();
         private var _featureB:ContactFeature = new ContactFeature();
-
-        // The axis to try next, and the shortest separating displacement so far.
         private var _direction:Vector3D = new Vector3D();
-        private var _depth:Number = Infinity;
+
+        // The direction of the shortest displacement so far, and its length without the radius.
         private var _best:Vector3D = new Vector3D();
+        private var _depth:Number = Infinity;
 
         /**
          * Finds the contact of two boxes, or of a capsule and a box if the capsule's axis passes through the box.
@@ -35,10 +35,9 @@ package starlogo.intersection.contact
         public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
             findNormal(a, b, displacement, out);
-            var normal:Vector3D = _best;
-            _b.supportInto(_featureB, normal);
-            normal.negate();
-            _a.supportInto(_featureA, normal);
+            _b.supportInto(_featureB, _best);
+            _direction.setTo(-_best.x, -_best.y, -_best.z);
+            _a.supportInto(_featureA, _direction);
             _featureA.findCommonPoint(_featureB, out);
             // halfway between the two surfaces
             var radius:Number = _a.radius;
@@ -50,8 +49,12 @@ package starlogo.intersection.contact
         }
 
         /**
-         * Finds the normal of the contact of two structures. Each is a Box, or a Capsule whose axis is tested. If the two axes are
-         * parallel, the normal points upwards as far as possible.
+         * Finds the normal of the contact of two structures. If they are axes that are parallel, the normal points upwards as far as possible.
+         *
+         * @param a a Box, or a Capsule whose axis is meant
+         * @param b a Box, or a Capsule whose axis is meant
+         * @param displacement moves a from its stored place
+         * @param out receives the normal
          */
         public function findNormal(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
@@ -69,14 +72,16 @@ package starlogo.intersection.contact
             out.setNormal(_best.x, _best.y, _best.z);
         }
 
-        private function tryAcross(axis:Zonotope, out:ContactPoint):void
+        // Tries the direction across an axis that points upwards as far as possible.
+        private function tryAcross(axis:Zonotope, scratch:ContactPoint):void
         {
-            out.setNormal(axis.directions[0], axis.directions[1], axis.directions[2]);
-            out.makePerpendicular();
-            _direction.setTo(out.normalX, out.normalY, out.normalZ);
-            tryDirection();
+            scratch.setNormal(axis.directions[0], axis.directions[1], axis.directions[2]);
+            scratch.makePerpendicular();
+            _direction.setTo(scratch.normalX, scratch.normalY, scratch.normalZ);
+            tryAlong(_direction);
         }
 
+        // Tries the cross products of each two directions.
         private function tryAll(first:Zonotope, second:Zonotope):void
         {
             var u:Vector.<Number> = first.directions;
@@ -95,15 +100,14 @@ package starlogo.intersection.contact
                     direction.x = uy * vz - uz * vy;
                     direction.y = uz * vx - ux * vz;
                     direction.z = ux * vy - uy * vx;
-                    tryDirection();
+                    tryAlong(direction);
                 }
             }
         }
 
-        // The length of the direction is the sine of the angle between the two segments.
-        private function tryDirection():void
+        // Normalises a direction, and takes it if it is better. Its length is the sine of the angle between two segments.
+        private function tryAlong(direction:Vector3D):void
         {
-            var direction:Vector3D = _direction;
             var x:Number = direction.x;
             var y:Number = direction.y;
             var z:Number = direction.z;

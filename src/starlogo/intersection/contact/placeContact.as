@@ -1,6 +1,6 @@
 package starlogo.intersection.contact
 {
-    import starlogo.intersection.distance.CoreGap;
+    import starlogo.intersection.distance.RoundGap;
 
     /**
      * Moves a contact's point from the first structure's core to the middle of the overlap, against the normal. A depth that rounding has
@@ -10,7 +10,7 @@ package starlogo.intersection.contact
      * @param out has the normal, the depth and the first core's closest point; receives the point
      * @private
      */
-    public function placeContact(gap:CoreGap, out:ContactPoint):void
+    public function placeContact(gap:RoundGap, out:ContactPoint):void
     {
         out.depth = out.depth > 0 ? out.depth : 0;
         var back:Number = gap.radiusA - out.depth / 2;

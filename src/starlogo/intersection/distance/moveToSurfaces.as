@@ -8,7 +8,7 @@ package starlogo.intersection.distance
      * @param out has the first core's closest point in aX, aY, aZ; receives the distance and both points
      * @private
      */
-    public function moveToSurfaces(gap:CoreGap, out:DistanceResult):void
+    public function moveToSurfaces(gap:RoundGap, out:DistanceResult):void
     {
         var x:Number = gap.x;
         var y:Number = gap.y;

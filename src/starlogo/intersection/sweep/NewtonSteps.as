@@ -1,7 +1,7 @@
 package starlogo.intersection.sweep
 {
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.distance.CoreGap;
+    import starlogo.intersection.distance.RoundGap;
 
     /**
      * Applies Newton's method to the distance of two cores, one of which moves: finds when they are as far apart as the sum of the radii.
@@ -35,7 +35,7 @@ package starlogo.intersection.sweep
          * @param gap the gap at time 0, and the radii
          * @return whether the gap at the new time has to be measured. If not, the time is the time of impact, or RelativeMotion.NEVER
          */
-        public function begin(motion:RelativeMotion, way:RelativeMotion, gap:CoreGap):Boolean
+        public function begin(motion:RelativeMotion, way:RelativeMotion, gap:RoundGap):Boolean
         {
             motion.findRounding();
             way.rounding = motion.rounding;
@@ -78,7 +78,7 @@ package starlogo.intersection.sweep
          * @param gap the gap at the time of the step before, the radii and the size
          * @return see begin
          */
-        public function next(way:RelativeMotion, gap:CoreGap):Boolean
+        public function next(way:RelativeMotion, gap:RoundGap):Boolean
         {
             var x:Number = gap.x;
             var y:Number = gap.y;

@@ -6,7 +6,7 @@ package starlogo.intersection.distance
      *
      * @private
      */
-    public final class CoreGap
+    public final class RoundGap
     {
         /** The vector from the second core's closest point to the first core's. */
         public var x:Number = 0;

@@ -6,6 +6,7 @@ package
     import benchmark.FewMoveBenchmark;
     import benchmark.GroundBenchmark;
     import benchmark.MoveBenchmark;
+    import benchmark.PairBenchmark;
     import benchmark.QueriesBenchmark;
     import benchmark.RayBenchmark;
     import benchmark.ReadingBenchmark;
@@ -21,7 +22,7 @@ package
      */
     public class Benchmarks extends Sprite
     {
-        private static const BENCHMARKS:Array = [BroadPhaseBenchmark, FewMoveBenchmark, GroundBenchmark, TraversalBenchmark, DistanceBenchmark,
+        private static const BENCHMARKS:Array = [BroadPhaseBenchmark, FewMoveBenchmark, GroundBenchmark, TraversalBenchmark, PairBenchmark, DistanceBenchmark,
                 MoveBenchmark, QueriesBenchmark, RayBenchmark, ReadingBenchmark, CookedBenchmark];
 
         private var _pending:Array;

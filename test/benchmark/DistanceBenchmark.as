@@ -2,14 +2,10 @@ package benchmark
 {
     import evaluation.Measurement;
     import evaluation.Table;
-    import evaluation.pairs.RandomStructures;
     import evaluation.pairs.SeededRandom;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.intersection.distance.DistanceResult;
-    import starlogo.intersection.distance.findClosest;
-    import starlogo.intersection.intersects;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;
@@ -23,8 +19,8 @@ package benchmark
     use namespace engine;
 
     /**
-     * What the distance of two structures costs, beside the test whether they touch; and that of two trees, of bears and of dragons that lean and
-     * are apart: their nodes at depth 5, those and a box, and their triangles.
+     * What the distance of two trees costs, of bears and of dragons that lean and are apart: their nodes at depth 5, those and a box, and their
+     * triangles. PairBenchmark has the distances of structures.
      */
     public class DistanceBenchmark
     {
@@ -32,10 +28,8 @@ package benchmark
         public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/dragon.dae"];
 
         private static const ROUNDS:int = 15;
-        private static const STRUCTURES:int = 1000;
         private static const PAIRS:int = 100;
         private static const DEPTH:int = 5;
-        private static const KINDS:Array = ["sphere", "capsule", "box"];
 
         private var _random:SeededRandom = new SeededRandom(2210);
         private var _pair:TreePair = new TreePair();
@@ -48,13 +42,6 @@ package benchmark
         /** The table. */
         public function run():String
         {
-            for (var a:int = 0; a < 3; a++)
-            {
-                for (var b:int = a; b < 3; b++)
-                {
-                    addStructures(a, b);
-                }
-            }
             var bear:SolidHierarchy = built(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
             var dragon:SolidHierarchy = built(new ColladaModel("dragon", Fixtures.text(FIXTURES[1])));
             addTrees("bears", bear, 1.5);
@@ -68,34 +55,6 @@ package benchmark
                 table.add(_all[i].name, _all[i].samples.low.toFixed(0), _visits[i]);
             }
             return String(table);
-        }
-
-        private function addStructures(kindA:int, kindB:int):void
-        {
-            var shapes:RandomStructures = new RandomStructures(_random);
-            var firsts:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
-            var seconds:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
-            for (var i:int = 0; i < STRUCTURES; i++)
-            {
-                firsts.push(shapes.ofKind(kindA, 1, 2));
-                seconds.push(shapes.ofKind(kindB, 1, 2));
-            }
-            var name:String = KINDS[kindA] + " and " + KINDS[kindB];
-            _all.push(new Measurement(name, function():void
-                    {
-                        for (var k:int = 0; k < STRUCTURES; k++)
-                        {
-                            findClosest(firsts[k], seconds[k], _closest);
-                        }
-                    }, STRUCTURES));
-            _all.push(new Measurement("  whether they touch", function():void
-                    {
-                        for (var k:int = 0; k < STRUCTURES; k++)
-                        {
-                            intersects(firsts[k], seconds[k]);
-                        }
-                    }, STRUCTURES));
-            _visits.push("", "");
         }
 
         private function addTrees(name:String, tree:SolidHierarchy, spread:Number):void

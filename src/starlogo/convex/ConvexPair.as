@@ -156,7 +156,7 @@ package starlogo.convex
         private function relate(a:ConvexShape, b:ConvexShape):void
         {
             var cores:CorePair = _cores;
-            var isSwapped:Boolean = a.x > b.x || a.x == b.x && (a.y > b.y || a.y == b.y && a.z > b.z);
+            var isSwapped:Boolean = a.x == b.x && a.y == b.y && a.z == b.z ? isAfter(a, b) : a.x > b.x || a.x == b.x && (a.y > b.y || a.y == b.y && a.z > b.z);
             var first:ConvexShape = isSwapped ? b : a;
             var second:ConvexShape = isSwapped ? a : b;
             // Writing an object to a field costs Adobe's VM more than comparing it first.
@@ -174,6 +174,23 @@ package starlogo.convex
             cores.z = first.z - second.z;
             cores.enough = Infinity;
             cores.reach = (first.radius + second.radius) * Tolerances.TOUCHING + (first.gap + second.gap) + Tolerances.CORES * (first.size + second.size);
+        }
+
+        // Whether a shape comes after another one at the same place, by the numbers that they are made of.
+        private static function isAfter(a:ConvexShape, b:ConvexShape):Boolean
+        {
+            if (a.radius != b.radius || a.end != b.end)
+            {
+                return a.radius > b.radius || a.radius == b.radius && a.end > b.end;
+            }
+            for (var i:int = 0; i < a.end; i++)
+            {
+                if (a.points[i] != b.points[i])
+                {
+                    return a.points[i] > b.points[i];
+                }
+            }
+            return false;
         }
 
         // Sets the motion of the first core, and moves it to where the motion begins.

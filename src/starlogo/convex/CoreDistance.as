@@ -117,7 +117,8 @@ package starlogo.convex
             return _simplex.add(cores, i, k);
         }
 
-        // Keeps the simplex's nearest point as the result if it is nearer than all before. Sets the direction of the next step.
+        // Keeps the simplex's nearest point as the result if it is nearer than all before. Sets the direction of the next step. The vector between the
+        // points has that direction, which is the more precise one.
         private function keep(cores:CorePair, out:CoreGap):void
         {
             var simplex:Simplex = _simplex;
@@ -127,10 +128,12 @@ package starlogo.convex
             if (simplex.squared < _least)
             {
                 _least = simplex.squared;
-                out.x = simplex.x;
-                out.y = simplex.y;
-                out.z = simplex.z;
                 out.distance = Math.sqrt(_least);
+                var squared:Number = _along.x * _along.x + _along.y * _along.y + _along.z * _along.z;
+                var factor:Number = _least > 0 ? Math.sqrt(_least / squared) : 0;
+                out.x = factor * _along.x;
+                out.y = factor * _along.y;
+                out.z = factor * _along.z;
                 simplex.writePoint(cores, out);
             }
         }

@@ -178,17 +178,19 @@ package starlogo.convex
         // is none of them, because the fourth corner was nearer.
         private function isInside(isApart:Boolean):Boolean
         {
-            findShare(3, 0, 1, 2);
-            findShare(3, 1, 2, 0);
-            findShare(3, 2, 0, 1);
+            clearShares();
+            _shares[3] = 1;
+            findPlace();
+            findShares();
             var isFirst:Boolean = _shares[2] < 0;
             var isSecond:Boolean = _shares[0] < 0;
             var isThird:Boolean = _shares[1] < 0;
             var isNone:Boolean = !isFirst && !isSecond && !isThird;
-            var last:Number = 1 - _shares[0] - _shares[1] - _shares[2];
-            if (isNone && last >= 0 && !isApart)
+            if (isNone && _shares[3] >= 0 && !isApart)
             {
-                _shares[3] = last;
+                // In a nearly flat tetrahedron the shares have lost digits. From the place that they make it is not far.
+                findPlace();
+                findShares();
                 squared = x = y = z = 0;
                 return true;
             }
@@ -207,9 +209,30 @@ package starlogo.convex
             return false;
         }
 
-        // Finds a corner's share of the origin, from its distance to the tetrahedron's face i, j, k and that of the origin. It is -1 if the
-        // tetrahedron is flat.
-        private function findShare(i:int, j:int, k:int, corner:int):void
+        // Sets the place that all shares make.
+        private function findPlace():void
+        {
+            x = y = z = 0;
+            for (var i:int = 0; i < 4; i++)
+            {
+                x += _shares[i] * corners[int(3 * i)];
+                y += _shares[i] * corners[int(3 * i + 1)];
+                z += _shares[i] * corners[int(3 * i + 2)];
+            }
+        }
+
+        // Changes a tetrahedron's shares from those of the place to those of the origin.
+        private function findShares():void
+        {
+            changeShare(3, 0, 1, 2);
+            changeShare(3, 1, 2, 0);
+            changeShare(3, 2, 0, 1);
+            _shares[3] = 1 - _shares[0] - _shares[1] - _shares[2];
+        }
+
+        // Changes a corner's share from that of the place to that of the origin, by how far both are above the tetrahedron's face i, j, k, as parts
+        // of the corner's height. It becomes -1 if the tetrahedron is flat.
+        private function changeShare(i:int, j:int, k:int, corner:int):void
         {
             var w:Vector.<Number> = corners;
             i *= 3;
@@ -230,7 +253,7 @@ package starlogo.convex
             var nz:Number = ux * vy - uy * vx;
             var height:Number = nx * (w[l] - atX) + ny * (w[int(l + 1)] - atY) + nz * (w[int(l + 2)] - atZ);
             var isFlat:Boolean = height * height <= 4 * rounding * rounding * (nx * nx + ny * ny + nz * nz);
-            _shares[corner] = isFlat ? -1 : -(nx * atX + ny * atY + nz * atZ) / height;
+            _shares[corner] = isFlat ? -1 : _shares[corner] - (nx * x + ny * y + nz * z) / height;
         }
 
         private function tryCorner(i:int):void

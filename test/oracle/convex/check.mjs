@@ -98,8 +98,10 @@ function checkClosest(engine, each, [a, b], distance, slack, tally) {
 function checkContact(engine, each, [a, b], distance, slack, tally) {
 	const { normal, depth, point } = engine.contact(a, b);
 	const back = engine.contact(b, a);
-	const isSamePlace = String(extentsOf(each.a).middle) === String(extentsOf(each.b).middle);
-	if (depth !== back.depth || !isSamePlace && normal.some((at, k) => at !== -back.normal[k])) tally.add("swapped contact", each, `${normal} by ${depth}, ${back.normal} by ${back.depth}`);
+	// bodies in one place have no side from which they come
+	const [middleA, middleB] = [each.a, each.b].map((of) => extentsOf(of).middle);
+	const isSamePlace = Math.hypot(...middleA.map((at, k) => at - middleB[k])) <= CONTACT * slack.size;
+	if (!isSamePlace && (depth !== back.depth || normal.some((at, k) => at !== -back.normal[k]))) tally.add("swapped contact", each, `${normal} by ${depth}, ${back.normal} by ${back.depth}`);
 	tally.count("contacts");
 	const extent = Math.max(...extentsOf(each.a).half, ...extentsOf(each.b).half);
 	const more = CONTACT * extent + PLACES * slack.places;

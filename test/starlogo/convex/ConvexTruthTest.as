@@ -1,5 +1,6 @@
 package starlogo.convex
 {
+    import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
@@ -28,14 +29,17 @@ package starlogo.convex
 
         // of the larger extent
         private static const CONTACT:Number = 1e-9;
+        private static const CONTACT_POINT:Number = 1e-8;
 
         private var _pair:ConvexPair = new ConvexPair();
+        private var _draw:RandomConvex = new RandomConvex(new SeededRandom(7102));
         private var _wrong:Complaints = new Complaints();
 
         // of the pair at hand
         private var _size:Number;
         private var _extent:Number;
         private var _places:Number;
+        private var _offset:Vector3D;
 
         [Test]
         public function answersAreThoseOfExactArithmetic():void
@@ -78,25 +82,28 @@ package starlogo.convex
         private function measure(pairs:ConvexVectors):void
         {
             _size = _extent = _places = 0;
-            measureShape(pairs.a);
-            measureShape(pairs.b);
+            _offset = middleOf(pairs.a).subtract(middleOf(pairs.b));
         }
 
-        private function measureShape(shape:ConvexShape):void
+        // The middle of a shape. Its size, extent and place are counted.
+        private function middleOf(shape:ConvexShape):Vector3D
         {
-            var squared:Number = 0;
-            var axes:Array = [Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS];
-            for each (var axis:Vector3D in axes)
+            var middle:Vector3D = new Vector3D();
+            var half:Vector3D = new Vector3D();
+            for each (var axis:String in ["x", "y", "z"])
             {
-                var back:Vector3D = axis.clone();
-                back.negate();
-                var high:Number = RandomConvex.support(shape, axis);
-                var low:Number = -RandomConvex.support(shape, back);
-                squared += (high - low) * (high - low) / 4;
-                _extent = Math.max(_extent, (high - low) / 2);
-                _places += Math.abs(high + low) / 2;
+                var forth:Vector3D = new Vector3D();
+                forth[axis] = 1;
+                var high:Number = RandomConvex.support(shape, forth);
+                forth[axis] = -1;
+                var low:Number = -RandomConvex.support(shape, forth);
+                middle[axis] = (high + low) / 2;
+                half[axis] = (high - low) / 2;
+                _extent = Math.max(_extent, half[axis]);
+                _places += Math.abs(middle[axis]);
             }
-            _size += Math.sqrt(squared);
+            _size += half.length;
+            return middle;
         }
 
         private function checkVerdict(pairs:ConvexVectors):void
@@ -113,10 +120,13 @@ package starlogo.convex
             var swapped:ClosestPoints = new ClosestPoints();
             _pair.findClosest(pairs.a, pairs.b, points);
             _pair.findClosest(pairs.b, pairs.a, swapped);
-            _wrong.addIf(points.distance != swapped.distance, "swapped distance", pairs.what);
+            _wrong.addIf(points.distance != swapped.distance || points.aX != swapped.bX || points.aY != swapped.bY || points.aZ != swapped.bZ
+                    || points.bX != swapped.aX || points.bY != swapped.aY || points.bZ != swapped.aZ, "swapped distance", pairs.what);
             var off:Number = Math.abs(points.distance - Math.max(0, pairs.distance));
             var allowed:Number = DISTANCE * _size + PLACES * _places;
             _wrong.addIf(!(off <= allowed), "distance", pairs.what + ": " + points.distance + ", not " + pairs.distance);
+            var beside:Number = Math.max(_draw.outside(pairs.a, new Vector3D(points.aX, points.aY, points.aZ)), _draw.outside(pairs.b, new Vector3D(points.bX, points.bY, points.bZ)));
+            _wrong.addIf(!(beside <= allowed), "closest points", pairs.what + ": outside by " + beside);
             return off > 0 ? off / allowed : 0;
         }
 
@@ -126,6 +136,12 @@ package starlogo.convex
             var contact:ConvexContact = new ConvexContact();
             var points:ClosestPoints = new ClosestPoints();
             _pair.findContact(pairs.a, pairs.b, new ConvexMotion(), contact);
+            var swapped:ConvexContact = new ConvexContact();
+            _pair.findContact(pairs.b, pairs.a, new ConvexMotion(), swapped);
+            var isSame:Boolean = contact.depth == swapped.depth && contact.normalX == -swapped.normalX && contact.normalY == -swapped.normalY
+                && contact.normalZ == -swapped.normalZ;
+            // shapes in one place have no side from which they come
+            _wrong.addIf(!isSame && _offset.length > CONTACT * _size, "swapped contact", pairs.what + ": " + contact.depth + " and " + swapped.depth);
             var off:Number = Math.abs(contact.depth + pairs.distance);
             var allowed:Number = CONTACT * _extent + PLACES * _places;
             var text:String = pairs.what + ": " + contact.depth + ", not " + -pairs.distance;
@@ -136,6 +152,8 @@ package starlogo.convex
                 _pair.findClosest(RandomConvex.moved(pairs.a, by * contact.normalX, by * contact.normalY, by * contact.normalZ), pairs.b, points);
                 _wrong.addIf(!(points.distance > 0), "still touching", text);
             }
+            var beside:Number = Math.max(_draw.outside(pairs.a, new Vector3D(contact.x, contact.y, contact.z)), _draw.outside(pairs.b, new Vector3D(contact.x, contact.y, contact.z)));
+            _wrong.addIf(!(beside <= contact.depth + CONTACT_POINT * _extent + PLACES * _places), "contact point", pairs.what + ": outside by " + beside);
             return off > 0 ? off / allowed : 0;
         }
 

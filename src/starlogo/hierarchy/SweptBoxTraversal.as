@@ -23,7 +23,7 @@ package starlogo.hierarchy
         {
             var relative:Placement = pose.placement;
             var motion:RelativeMotion = pose.motion;
-            _sweep.readAxes(relative, 1);
+            _sweep.axes.readAxes(relative, 1);
             _sweep.motionX = motion.x;
             _sweep.motionY = motion.y;
             _sweep.motionZ = motion.z;

@@ -7,7 +7,7 @@ package starlogo.intersection
      *
      * @private
      */
-    public class BoxAxes
+    public final class BoxAxes
     {
         /**
          * The axes of b. The first letter is a's axis, the second is b's: xy is the component of b's axisY along a's axisX.

@@ -8,18 +8,21 @@ package starlogo.intersection.sweep
      * interval of time during which it does not separate them. The boxes first touch when the last interval begins, if that is before the
      * first one ends.
      *
-     * <p>All numbers are in the axes of box a. Many pairs of boxes may have the same rotation and motion. Then <code>measureAxes()</code>
-     * computes once what the pairs have in common.</p>
+     * <p>All numbers are in the axes of box a. Many pairs of boxes may have the same rotation and motion. Then <code>axes</code> is set once
+     * for all of them.</p>
      *
      * @private
      */
-    public final class BoxSweep extends BoxAxes
+    public final class BoxSweep
     {
         /** For tests that end before the next one begins. */
         internal static const SCRATCH:BoxSweep = new BoxSweep();
 
         /** The motion of a box that stands still. A test of it overwrites its time. */
         public static const STANDING:RelativeMotion = new RelativeMotion();
+
+        /** The axes of b. */
+        public var axes:BoxAxes = new BoxAxes();
 
         /** The motion of b from time 0 to 1 as seen from a, in a's axes. */
         public var motionX:Number = 0;
@@ -64,6 +67,7 @@ package starlogo.intersection.sweep
         {
             time = RelativeMotion.NEVER;
             var times:ContactInterval = _times;
+            var b:BoxAxes = axes;
             times.last = latest;
             times.reset();
             times.gap = gap;
@@ -75,42 +79,42 @@ package starlogo.intersection.sweep
             var halfZ:Number = bZ;
             times.at = fromX;
             times.speed = motionX;
-            times.reach = aX + halfX * absXx + halfY * absXy + halfZ * absXz;
+            times.reach = aX + halfX * b.absXx + halfY * b.absXy + halfZ * b.absXz;
             if (times.areSeparated())
             {
                 return;
             }
             times.at = fromY;
             times.speed = motionY;
-            times.reach = aY + halfX * absYx + halfY * absYy + halfZ * absYz;
+            times.reach = aY + halfX * b.absYx + halfY * b.absYy + halfZ * b.absYz;
             if (times.areSeparated())
             {
                 return;
             }
             times.at = fromZ;
             times.speed = motionZ;
-            times.reach = aZ + halfX * absZx + halfY * absZy + halfZ * absZz;
+            times.reach = aZ + halfX * b.absZx + halfY * b.absZy + halfZ * b.absZz;
             if (times.areSeparated())
             {
                 return;
             }
-            times.at = fromX * xx + fromY * yx + fromZ * zx;
-            times.speed = xx * motionX + yx * motionY + zx * motionZ;
-            times.reach = halfX + aX * absXx + aY * absYx + aZ * absZx;
+            times.at = fromX * b.xx + fromY * b.yx + fromZ * b.zx;
+            times.speed = b.xx * motionX + b.yx * motionY + b.zx * motionZ;
+            times.reach = halfX + aX * b.absXx + aY * b.absYx + aZ * b.absZx;
             if (times.areSeparated())
             {
                 return;
             }
-            times.at = fromX * xy + fromY * yy + fromZ * zy;
-            times.speed = xy * motionX + yy * motionY + zy * motionZ;
-            times.reach = halfY + aX * absXy + aY * absYy + aZ * absZy;
+            times.at = fromX * b.xy + fromY * b.yy + fromZ * b.zy;
+            times.speed = b.xy * motionX + b.yy * motionY + b.zy * motionZ;
+            times.reach = halfY + aX * b.absXy + aY * b.absYy + aZ * b.absZy;
             if (times.areSeparated())
             {
                 return;
             }
-            times.at = fromX * xz + fromY * yz + fromZ * zz;
-            times.speed = xz * motionX + yz * motionY + zz * motionZ;
-            times.reach = halfZ + aX * absXz + aY * absYz + aZ * absZz;
+            times.at = fromX * b.xz + fromY * b.yz + fromZ * b.zz;
+            times.speed = b.xz * motionX + b.yz * motionY + b.zz * motionZ;
+            times.reach = halfZ + aX * b.absXz + aY * b.absYz + aZ * b.absZz;
             if (!times.areSeparated())
             {
                 time = times.touch < times.last ? times.touch : times.last;
@@ -125,16 +129,17 @@ package starlogo.intersection.sweep
          */
         public function meetEdges():void
         {
+            var b:BoxAxes = axes;
             var edges:Vector.<Number> = _edges;
-            edges[0] = xx;
-            edges[1] = yx;
-            edges[2] = zx;
-            edges[3] = xy;
-            edges[4] = yy;
-            edges[5] = zy;
-            edges[6] = xz;
-            edges[7] = yz;
-            edges[8] = zz;
+            edges[0] = b.xx;
+            edges[1] = b.yx;
+            edges[2] = b.zx;
+            edges[3] = b.xy;
+            edges[4] = b.yy;
+            edges[5] = b.zy;
+            edges[6] = b.xz;
+            edges[7] = b.yz;
+            edges[8] = b.zz;
             var halves:Vector.<Number> = _halves;
             for (var i:int = 0; i < 3; i++)
             {

@@ -2,6 +2,7 @@ package starlogo.intersection.sweep
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
+    import starlogo.intersection.BoxAxes;
 
     /**
      * Finds when a moving box first touches another box, by separating axes over time (see BoxSweep).
@@ -23,25 +24,26 @@ package starlogo.intersection.sweep
         var fromY:Number = b.center.y - a.center.y - motion.startY;
         var fromZ:Number = b.center.z - a.center.z - motion.startZ;
         var sweep:BoxSweep = BoxSweep.SCRATCH;
+        var axes:BoxAxes = sweep.axes;
         var axis:Vector3D = a.axisX;
-        sweep.xx = axis.x * x.x + axis.y * x.y + axis.z * x.z;
-        sweep.xy = axis.x * y.x + axis.y * y.y + axis.z * y.z;
-        sweep.xz = axis.x * z.x + axis.y * z.y + axis.z * z.z;
+        axes.xx = axis.x * x.x + axis.y * x.y + axis.z * x.z;
+        axes.xy = axis.x * y.x + axis.y * y.y + axis.z * y.z;
+        axes.xz = axis.x * z.x + axis.y * z.y + axis.z * z.z;
         sweep.motionX = -(axis.x * motionX + axis.y * motionY + axis.z * motionZ);
         sweep.x = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
         axis = a.axisY;
-        sweep.yx = axis.x * x.x + axis.y * x.y + axis.z * x.z;
-        sweep.yy = axis.x * y.x + axis.y * y.y + axis.z * y.z;
-        sweep.yz = axis.x * z.x + axis.y * z.y + axis.z * z.z;
+        axes.yx = axis.x * x.x + axis.y * x.y + axis.z * x.z;
+        axes.yy = axis.x * y.x + axis.y * y.y + axis.z * y.z;
+        axes.yz = axis.x * z.x + axis.y * z.y + axis.z * z.z;
         sweep.motionY = -(axis.x * motionX + axis.y * motionY + axis.z * motionZ);
         sweep.y = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
         axis = a.axisZ;
-        sweep.zx = axis.x * x.x + axis.y * x.y + axis.z * x.z;
-        sweep.zy = axis.x * y.x + axis.y * y.y + axis.z * y.z;
-        sweep.zz = axis.x * z.x + axis.y * z.y + axis.z * z.z;
+        axes.zx = axis.x * x.x + axis.y * x.y + axis.z * x.z;
+        axes.zy = axis.x * y.x + axis.y * y.y + axis.z * y.z;
+        axes.zz = axis.x * z.x + axis.y * z.y + axis.z * z.z;
         sweep.motionZ = -(axis.x * motionX + axis.y * motionY + axis.z * motionZ);
         sweep.z = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
-        sweep.measureAxes();
+        axes.measureAxes();
         sweep.aX = a.halfX;
         sweep.aY = a.halfY;
         sweep.aZ = a.halfZ;

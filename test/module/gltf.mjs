@@ -96,3 +96,13 @@ export function difference(own, other, tolerance, bothSides = false) {
 	}
 	return null;
 }
+
+/** What an action returns, or the error of a class that it throws. */
+export function attempt(action, ErrorClass) {
+	try {
+		return action();
+	} catch (error) {
+		if (error instanceof ErrorClass) return error;
+		throw error;
+	}
+}

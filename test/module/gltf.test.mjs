@@ -7,7 +7,7 @@ import { existsSync, readFileSync, readdirSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
-import { buffersOf, difference, drawnOf, partsOf, stlOf, trianglesOfModel } from "./gltf.mjs";
+import { attempt, buffersOf, difference, drawnOf, partsOf, stlOf, trianglesOfModel } from "./gltf.mjs";
 import { randomGltf } from "./random-gltf.mjs";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
@@ -23,15 +23,6 @@ function read(bytes, buffers = {}) {
 	return GltfModel.fromBytes("model", bytes, "z", Model.AS_GIVEN, given);
 }
 
-function attempt(action) {
-	try {
-		return action();
-	} catch (error) {
-		if (error instanceof ModelError) return error;
-		throw error;
-	}
-}
-
 async function compareFile(file) {
 	const bytes = readFileSync(file);
 	let buffers = {};
@@ -40,7 +31,7 @@ async function compareFile(file) {
 	} catch {
 		// the engine says what is missing, or that it is no such file
 	}
-	const found = attempt(() => read(bytes, buffers));
+	const found = attempt(() => read(bytes, buffers), ModelError);
 	if (found instanceof ModelError && !/no vertices/.test(found.message)) return `refused: ${found.message}`;
 	const drawn = await drawnOf(bytes, buffers);
 	if (found instanceof ModelError) return drawn.length === 0 ? null : `refused: ${found.message}`;

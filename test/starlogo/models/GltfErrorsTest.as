@@ -21,6 +21,10 @@ package starlogo.models
                 {
                     json.asset.version = "1.0";
                 });
+            refuses("asset.version", "found \"2\"", function(json:Object):void
+                {
+                    json.asset.version = "2";
+                });
             refuses("asset.version", "found \"2.5\"", function(json:Object):void
                 {
                     json.asset.minVersion = "2.5";

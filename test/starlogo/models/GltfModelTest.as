@@ -32,6 +32,18 @@ package starlogo.models
             assertTrue(Surfaces.volume(binary) > 0);
         }
 
+        /** A later 2.x may be read, because it only adds to 2.0, unless the file says that it needs more than 2.0. */
+        [Test]
+        public function readsLaterMinorVersions():void
+        {
+            for each (var asset:Object in [ {version: "2.1"}, {version: "2.1", minVersion: "2.0"}])
+            {
+                _file = Gltf.tetrahedron();
+                _file.json.asset = asset;
+                assertEquals(12, read().triangles.length);
+            }
+        }
+
         [Test]
         public function takesAnotherAxisUpOrATransform():void
         {

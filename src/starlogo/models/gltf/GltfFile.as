@@ -191,9 +191,10 @@ package starlogo.models.gltf
             _meter = null;
             json = new GltfJson(budget.name, root);
             var asset:Object = json.objectIn(root, "asset", "");
+            // a file of a later 2.x can be read, unless it says that it needs one
             var version:String = asset == null ? "none" : String(asset.minVersion || asset.version);
-            refuseIf(!/^2\.0/.test(version), budget.name, "expected glTF 2.0, but found \"" + TextTokens.shorten(version) +
-                    "\": save the model as 2.0", "asset.version");
+            refuseIf(!/^2\.\d/.test(version) || asset.minVersion && !/^2\.0/.test(version), budget.name,
+                    "expected glTF 2.0, but found \"" + TextTokens.shorten(version) + "\": save the model as 2.0", "asset.version");
             for each (var extension:* in json.listIn(root, "extensionsRequired", ""))
             {
                 checkExtension(String(extension));

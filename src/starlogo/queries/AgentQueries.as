@@ -333,7 +333,7 @@ package starlogo.queries
          *
          * <p>A tree's surface is the nodes at which a test of the tree ends. In exact mode it is the triangles, if the model has some. A
          * greater depth never gives a smaller distance. Exact mode never gives a smaller distance than another system, except the
-         * BinCollider.</p>
+         * BinCollider, if both models have triangles. Otherwise the leaves of both trees are their surfaces in exact mode.</p>
          *
          * <p>The first agent is seen where it is now. The second is seen as of the last update, or of its last <code>refresh()</code>. If it is
          * not in the list, it is seen where it is now. If both are seen where they are now, <code>distance(b, a)</code> is the same number.</p>
@@ -384,8 +384,8 @@ package starlogo.queries
          * edge or corner of triangles.</p>
          *
          * <p>If a ray meets an agent in exact mode, it meets the agent in every other system too, at the same distance or nearer. Only the
-         * BinCollider is an exception. If a ray meets an agent at one depth, it meets the agent at every smaller depth too, at the same
-         * distance or nearer.</p>
+         * BinCollider is an exception, and models without triangles, which a ray meets at their leaves. If a ray meets an agent at one depth,
+         * it meets the agent at every smaller depth too, at the same distance or nearer.</p>
          *
          * <p>In exact mode a model's triangles have to be prepared for rays. This happens when the first ray meets the extents of an agent with
          * the model, or when the model is added if GreatLand.prepareExact is set. It takes a fifth of a second for 400,000 triangles, and 38
@@ -532,8 +532,8 @@ package starlogo.queries
          * only move in a direction that does not make the overlap deeper: not against the normal of their contact. Otherwise it stays. The
          * other agents are seen as of the last update, or of their last <code>refresh()</code>.</p>
          *
-         * <p>The free part is never greater than it would be in exact mode, except with the BinCollider, or if the agent overlaps another at the
-         * beginning.</p>
+         * <p>The free part is never greater than it would be in exact mode, except with the BinCollider, if a model has no triangles, or if the agent
+         * overlaps another at the beginning.</p>
          *
          * @param agent the agent that moves. While its model is loading it touches nothing
          * @param dx how far along x, in patches

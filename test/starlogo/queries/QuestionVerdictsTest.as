@@ -28,8 +28,8 @@ package starlogo.queries
         // As far as rounding may lead.
         private static const NEAR:Number = 1e-9;
 
-        // Distances have a rounding error of 1e-12 of the agents' sizes, which are up to 8.
-        private static const NESTED:Number = 1e-11;
+        // Distances of structures and triangles are exact to 1e-15 of the sizes, which are up to 8.
+        private static const NESTED:Number = 1e-14;
 
         private var _wrong:Complaints = new Complaints();
         private var _checks:int = 0;
@@ -56,7 +56,7 @@ package starlogo.queries
                 {
                     trace("  " + _checks + " checks of answers");
                     _wrong.assertNone();
-                    for each (var rule:String in ["touch", "apart", "edge", "ground", "nested touch", "nested ray", "nested way", "free move", "move", "triangles", "ball", "sight"])
+                    for each (var rule:String in ["touch", "apart", "edge", "ground", "nested touch", "nested distance", "nested ray", "nested way", "free move", "move", "triangles", "ball", "sight"])
                     {
                         assertTrue(rule + " " + _met[rule], _met[rule] >= count / 6);
                     }
@@ -295,14 +295,19 @@ package starlogo.queries
             }
         }
 
-        // What has to be nested: who touches, how far rays go, distances, and how far the agent may go.
+        // What has to be nested: who touches, how far rays go, distances, and how far the agent may go; and about whom triangles decide in exact
+        // mode, because all models in question have some.
         private static function verdictsOf(world:QuestionWorld):Object
         {
-            var verdicts:Object = {touch: new Object(), ray: new Object(), distance: new Object(), free: NaN};
+            var verdicts:Object = {touch: new Object(), ray: new Object(), distance: new Object(), free: NaN, hasTriangles: {all: true}};
             for (var i:int = 0; i < world.agents.length; i++)
             {
+                var hasTriangles:Boolean = QuestionModels.of(world.agents[i].shape).triangles != null;
+                verdicts.hasTriangles[i] = verdicts.hasTriangles[i + " edges"] = hasTriangles;
+                verdicts.hasTriangles.all &&= hasTriangles;
                 for (var k:int = i + 1; k < world.agents.length; k++)
                 {
+                    verdicts.hasTriangles[i + " " + k] = hasTriangles && QuestionModels.of(world.agents[k].shape).triangles != null;
                     verdicts.touch[i + " " + k] = world.collider.areColliding(world.agents[i], world.agents[k]);
                     verdicts.distance[i + " " + k] = world.queries.distance(world.agents[i], world.agents[k]);
                 }
@@ -355,38 +360,41 @@ package starlogo.queries
             var exact:Object = _verdicts["triangles"];
             for each (var system:String in QuestionWorld.SYSTEMS.slice(1))
             {
-                checkOuter(exact, _verdicts[system], what + ": triangles and " + system);
+                _what = what + ": triangles and " + system;
+                checkOuter(exact, _verdicts[system], true);
             }
-            checkOuter(_verdicts["hierarchies"], _verdicts["hierarchies to level 2"], what + ": levels 5 and 2");
+            _what = what + ": levels 5 and 2";
+            checkOuter(_verdicts["hierarchies"], _verdicts["hierarchies to level 2"], false);
         }
 
-        // What the inner system reports, the outer one does too, at the same distance or nearer.
-        private function checkOuter(inner:Object, outer:Object, what:String):void
+        // What the inner system reports, the outer one does too, at the same distance or nearer. Triangles say so only of models that have some.
+        private function checkOuter(inner:Object, outer:Object, isExact:Boolean):void
         {
-            _what = what;
-            for (var pair:String in inner.touch)
+            for (var key:String in inner.hasTriangles)
             {
-                check(!inner.touch[pair] || outer.touch[pair], "touches are nested", pair);
-                if (outer.touch[pair] && !inner.touch[pair])
+                if (isExact && !inner.hasTriangles[key])
+                {
+                    continue;
+                }
+                if (inner.touch[key] != outer.touch[key])
                 {
                     meet("nested touch");
+                    check(outer.touch[key], "touches are nested", key);
                 }
-            }
-            for (pair in inner.distance)
-            {
-                check(outer.distance[pair] <= inner.distance[pair] + NESTED, "distances are nested", pair + ": " + outer.distance[pair] + " and " + inner.distance[pair]);
-            }
-            if (inner.free < 1 && outer.free <= 1)
-            {
-                meet("nested way");
-                check(outer.free <= inner.free + NEAR, "ways are nested", outer.free + " and " + inner.free);
-            }
-            for (var agent:String in inner.ray)
-            {
-                check(outer.ray[agent] <= inner.ray[agent], "rays are nested", agent + ": " + outer.ray[agent] + " and " + inner.ray[agent]);
-                if (outer.ray[agent] < inner.ray[agent])
+                if (inner.distance[key] != outer.distance[key])
+                {
+                    meet("nested distance");
+                    check(outer.distance[key] < inner.distance[key] + NESTED, "distances are nested", key + ": " + outer.distance[key] + " and " + inner.distance[key]);
+                }
+                if (inner.ray[key] != outer.ray[key])
                 {
                     meet("nested ray");
+                    check(outer.ray[key] < inner.ray[key], "rays are nested", key + ": " + outer.ray[key] + " and " + inner.ray[key]);
+                }
+                if (key == "all" && inner.free < 1 && outer.free <= 1)
+                {
+                    meet("nested way");
+                    check(outer.free <= inner.free + NEAR, "ways are nested", outer.free + " and " + inner.free);
                 }
             }
         }

@@ -175,24 +175,24 @@ package starlogo.convex
         }
 
         // Whether the origin is inside of the tetrahedron. If not, tries the faces that the origin is beyond; the face of the first three corners
-        // is none of them, because the fourth corner was nearer.
+        // is none of them, because the fourth corner was nearer. The shares are those of the nearest place in that face until now.
         private function isInside(isApart:Boolean):Boolean
         {
-            clearShares();
-            _shares[3] = 1;
-            findPlace();
-            findShares();
+            _shares[3] = 0;
+            changeShares();
             var isFirst:Boolean = _shares[2] < 0;
             var isSecond:Boolean = _shares[0] < 0;
             var isThird:Boolean = _shares[1] < 0;
             var isNone:Boolean = !isFirst && !isSecond && !isThird;
-            if (isNone && _shares[3] >= 0 && !isApart)
+            if (isNone && !isApart)
             {
-                // In a nearly flat tetrahedron the shares have lost digits. From the place that they make it is not far.
-                findPlace();
-                findShares();
-                squared = x = y = z = 0;
-                return true;
+                changeShare(0, 1, 2, 3);
+                if (_shares[3] >= 0)
+                {
+                    correctShares();
+                    squared = x = y = z = 0;
+                    return true;
+                }
             }
             if (isFirst || isNone)
             {
@@ -209,25 +209,28 @@ package starlogo.convex
             return false;
         }
 
-        // Sets the place that all shares make.
-        private function findPlace():void
+        // Corrects the shares of the origin. In a nearly flat tetrahedron they have lost digits, but the place that they make is close to it.
+        private function correctShares():void
         {
+            var w:Vector.<Number> = corners;
+            _shares[3] = 1 - _shares[0] - _shares[1] - _shares[2];
             x = y = z = 0;
             for (var i:int = 0; i < 4; i++)
             {
-                x += _shares[i] * corners[int(3 * i)];
-                y += _shares[i] * corners[int(3 * i + 1)];
-                z += _shares[i] * corners[int(3 * i + 2)];
+                x += _shares[i] * w[int(3 * i)];
+                y += _shares[i] * w[int(3 * i + 1)];
+                z += _shares[i] * w[int(3 * i + 2)];
             }
+            changeShares();
+            _shares[3] = 1 - _shares[0] - _shares[1] - _shares[2];
         }
 
-        // Changes a tetrahedron's shares from those of the place to those of the origin.
-        private function findShares():void
+        // Changes the shares of a tetrahedron's first three corners from those of the place to those of the origin.
+        private function changeShares():void
         {
             changeShare(3, 0, 1, 2);
             changeShare(3, 1, 2, 0);
             changeShare(3, 2, 0, 1);
-            _shares[3] = 1 - _shares[0] - _shares[1] - _shares[2];
         }
 
         // Changes a corner's share from that of the place to that of the origin, by how far both are above the tetrahedron's face i, j, k, as parts

@@ -21,6 +21,9 @@ const CONTACT_POINT = 1e-8;
 /** Of the sizes: how deep a motion may go into what it touches. */
 const THROUGH = 1e-15;
 
+/** The same where a motion that grazes is not stopped. */
+const GRAZING = 1e-9;
+
 /** Of a way: how far apart moving shapes may be that touch. */
 const MOTION = 2e-14;
 
@@ -56,10 +59,13 @@ export class Tally {
 /** A point as a body. */
 const pointBody = (at) => body("sphere", [...at, 0]);
 
+/** The radius of a body around its middle, or around the origin of a hull's corners. */
+const reachOf = (each) => (each.kind === "hull" ? Math.max(0, ...each.numbers.slice(3).map(Math.abs)) * Math.SQRT2 : sizeOf(each));
+
 function slackOf({ a, b }) {
 	const size = sizeOf(a) + sizeOf(b);
 	const places = [a, b].flatMap((each) => extentsOf(each).middle).reduce((sum, each) => sum + Math.abs(each), 0);
-	return { size, places, length: DISTANCE * size + PLACES * places, touching: TOUCHING * size + TOUCHING_PLACES * places };
+	return { size, places, length: DISTANCE * size + PLACES * places, touching: TOUCHING * (reachOf(a) + reachOf(b)) + TOUCHING_PLACES * places };
 }
 
 /** Checks all answers about a pair: { family, a, b, seed, motion }. */
@@ -119,9 +125,14 @@ function checkContact(engine, each, [a, b], distance, slack, tally) {
 
 function checkSweep(engine, each, [a, b], slack, tally) {
 	const { start, way } = each.motion;
+	const swept = (part) => new Pair(each.a, each.b, start, scaled(way, part));
+	// what is in another body may leave it
+	if (engine.mayGraze && swept(0).areTouching()) return;
 	const time = engine.timeOf(a, b, start, way);
-	const back = engine.timeOf(b, a, start.map((at) => -at), way.map((at) => -at));
-	if (time !== back) tally.add("swapped time", each, `${time}, ${back}`);
+	if (!engine.mayGraze) {
+		const back = engine.timeOf(b, a, start.map((at) => -at), way.map((at) => -at));
+		if (time !== back) tally.add("swapped time", each, `${time}, ${back}`);
+	}
 	tally.count("sweeps");
 	if (!(time <= 1) && time !== Infinity) {
 		tally.add("no time", each, time);
@@ -129,14 +140,13 @@ function checkSweep(engine, each, [a, b], slack, tally) {
 	}
 	const text = `time ${time}, ${JSON.stringify(each.motion)}`;
 	const ways = Math.hypot(...start) + Math.hypot(...way);
-	const swept = (part) => new Pair(each.a, each.b, start, scaled(way, part));
 	if (time <= 1) {
 		tally.count("hits");
 		const there = new Pair(each.a, each.b, placeAt(start, way, time));
 		tally.note("early", Math.max(0, there.separation), slack.length + slack.touching + MOTION * ways, each, text);
 	}
 	// what it goes through before the time, or to the end
-	const most = THROUGH * (slack.size + ways + slack.places);
+	const most = (engine.mayGraze ? GRAZING : THROUGH) * (slack.size + ways + slack.places);
 	const before = time <= 1 ? Math.max(0, time - most / Math.hypot(...way)) : 1;
 	if (time > 0 && swept(before).areTouching()) tally.note("through", Math.max(0, -swept(Math.min(time, 1)).signedDistance), most, each, text);
 }

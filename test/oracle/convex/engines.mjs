@@ -2,6 +2,7 @@
  * What is checked: the same four questions to different parts of the compiled engine. Bodies are those of bodies.mjs.
  *
  * - kinds: the bodies that it takes
+ * - mayGraze: motions run along what they touch, and leave it
  * - shapeOf(body): the engine's shape
  * - areTouching(a, b), closest(a, b), timeOf(a, b, start, way), contact(a, b): the answers for two shapes, a the one that moves
  */
@@ -117,6 +118,66 @@ function setMotion(motion, start, way) {
 	motion.latest = 1;
 }
 
+/** What a game asks: agents whose structures are given, and models of one triangle that the triangles decide about. */
+export class Game {
+	name = "game";
+	mayGraze = true;
+	kinds = ["sphere", "capsule", "box", "triangle"];
+
+	constructor(engine) {
+		const { AgentQueries, CombinationCollider, Fitter, GreatLand, ShapeHit } = engine;
+		const game = this;
+		this.engine = engine;
+		this.land = new GreatLand();
+		this.land.boundingStructures.fitters = [new class extends Fitter {
+			findStructure() {
+				return game.structure;
+			}
+		}()];
+		this.collider = Object.assign(new CombinationCollider(this.land), { exact: true });
+		this.queries = new AgentQueries(this.collider);
+		this.hit = new ShapeHit();
+		this.count = 0;
+	}
+
+	shapeOf(each) {
+		const { Agent, Model } = this.engine;
+		// two models at a time
+		const name = `shape ${this.count++ % 2}`;
+		const isTriangle = each.kind === "triangle";
+		this.land.loadHierarchies = isTriangle;
+		this.land.loadTightestFit = !isTriangle;
+		if (!isTriangle) this.structure = structureOf(this.engine, each);
+		const points = isTriangle ? each.numbers : each.numbers.slice(0, 3);
+		this.land.removeModel(name);
+		this.land.addModel(new Model(name, [...points], isTriangle ? [0, 1, 2] : null, Model.AS_GIVEN));
+		return Object.assign(new Agent(name, "shapes"), { hierarchical: isTriangle });
+	}
+
+	areTouching(a, b) {
+		return this.collider.areColliding(a, b);
+	}
+
+	closest(a, b) {
+		const [pointA, pointB] = [new this.engine.Vector3D(), new this.engine.Vector3D()];
+		const distance = this.queries.distance(a, b, pointA, pointB);
+		return { distance, a: [pointA.x, pointA.y, pointA.z], b: [pointB.x, pointB.y, pointB.z] };
+	}
+
+	timeOf(a, b, start, way) {
+		a.jumpTo(...start);
+		this.queries.update([a, b]);
+		const hit = this.queries.castAgent(a, ...way, null, this.hit);
+		a.jumpTo(0, 0, 0);
+		return hit === null ? Infinity : hit.time;
+	}
+
+	contact(a, b) {
+		const { point, normal, depth } = this.collider.contactOf(a, b);
+		return { point: [point.x, point.y, point.z], normal: [normal.x, normal.y, normal.z], depth };
+	}
+}
+
 const pointsOf = ({ distance, aX, aY, aZ, bX, bY, bZ }) => ({ distance, a: [aX, aY, aZ], b: [bX, bY, bZ] });
 const contactOf = ({ x, y, z, normalX, normalY, normalZ, depth }) => ({ point: [x, y, z], normal: [normalX, normalY, normalZ], depth });
 
@@ -132,4 +193,4 @@ function structureOf({ Box, Capsule, Sphere, Vector3D }, { kind, numbers }) {
 	}
 }
 
-export const ENGINES = { core: Core, kernels: Kernels };
+export const ENGINES = { core: Core, game: Game, kernels: Kernels };

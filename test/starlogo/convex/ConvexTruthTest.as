@@ -79,6 +79,22 @@ package starlogo.convex
             assertTrue(touching + " touch of " + count, touching < 0.8 * count);
         }
 
+        /** A triangle of 1e-6 by 1e-1 crosses the corner of another one, 1e-11 deep. The shares of a tetrahedron's corners are as small as that. */
+        [Test]
+        public function aSliverThroughACornerIsFound():void
+        {
+            var triangle:ConvexShape = new ConvexShape();
+            triangle.setTriangle(new <Number>[-0.3647521698033146, -1.9543226977463313, 0.16865706655802915, 0.562821130363174, -1.9543226977463313,
+                        0.16865706655802915, 0.04187362231233882, -0.01954341464413331, 0.16865706655802915], 0);
+            var sliver:ConvexShape = new ConvexShape();
+            sliver.setTriangle(new <Number>[0.0418736222934219, -0.01954341464955382, 0.1686570665758107, 0.04187454616595583, -0.019544422597270784,
+                        0.16865672039627866, -0.04187397375630608, 0.019543798096618974, -0.16865693488095854], 0);
+            var points:ClosestPoints = new ClosestPoints();
+            assertTrue(_pair.areTouching(triangle, sliver));
+            _pair.findClosest(triangle, sliver, points);
+            assertTrue(points.distance <= 1e-15);
+        }
+
         private function measure(pairs:ConvexVectors):void
         {
             _size = _extent = _places = 0;

@@ -41,6 +41,10 @@ package starlogo.queries
         // Another row is large if its largest half-extent is at least this many times the largest of the row that moves.
         private static const LARGE:Number = 8;
 
+        // A row is flat if its core's nearest faces are in front of its own by less than this fraction of a slop. A slop is at least a hundred
+        // times as wide as the gaps across which shapes touch.
+        private static const FLAT:Number = 0.01;
+
         // A time after the end of the motion.
         private static const AFTER:Number = 1 + 1e-15;
 
@@ -49,6 +53,9 @@ package starlogo.queries
 
         /** How far before a touch a slide ends, in patches. It is less than the slop, so the row can enter a place as wide as itself. */
         public var clearance:Number = 0;
+
+        /** Whether the row is too flat for its core to be narrower. */
+        public var isFlat:Boolean = false;
 
         /** When the core meets the first row that was found, as a part of the motion. If none was found, it is greater than 1. */
         public var time:Number = 0;
@@ -128,6 +135,7 @@ package starlogo.queries
                 + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             clearance = slop / 4;
             setCoreInset(slop);
+            isFlat = _shrink * _body.leastHalf < FLAT * slop;
         }
 
         /** Whether the row touches another when it stands at a place. */
@@ -135,6 +143,34 @@ package starlogo.queries
         {
             put(at, 0);
             return touches(_seen.table.bodyOf(other));
+        }
+
+        /**
+         * Whether a row that stands at a place is closer to another, along an axis, than half of the clearance.
+         *
+         * @param out receives the place beside it where the two touch
+         */
+        public function isCloseAt(other:int, at:Vector3D, out:Vector3D):Boolean
+        {
+            for (var side:Number = -clearance / 2; side <= clearance / 2; side += clearance)
+            {
+                out.setTo(at.x, at.y, at.z + side);
+                if (wholeTouchesAt(other, out))
+                {
+                    return true;
+                }
+                out.setTo(at.x, at.y + side, at.z);
+                if (wholeTouchesAt(other, out))
+                {
+                    return true;
+                }
+                out.setTo(at.x + side, at.y, at.z);
+                if (wholeTouchesAt(other, out))
+                {
+                    return true;
+                }
+            }
+            return false;
         }
 
         /** Whether the core touches another row when it stands at a place. The whole row is tested first: mostly it does not

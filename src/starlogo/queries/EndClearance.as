@@ -4,8 +4,8 @@ package starlogo.queries
     import starlogo.intersection.contact.ContactPoint;
 
     /**
-     * Lifts a row by the clearance off the rows that it only touches at the end of a motion. In a hollow, a lift off one side leads a part of the way
-     * into another, so this takes several rounds.
+     * Lifts a row by the clearance off the rows that it only touches at the end of a motion, and a flat row off those that it is close to. In a
+     * hollow, a lift off one side leads a part of the way into another, so this takes several rounds.
      *
      * @private
      */
@@ -21,6 +21,10 @@ package starlogo.queries
 
         private var _before:Vector3D = new Vector3D();
         private var _contact:ContactPoint = new ContactPoint();
+
+        // The place where the row touches another, and its way from there.
+        private var _touching:Vector3D = new Vector3D();
+        private var _beside:Vector3D = new Vector3D();
 
         // The contact of the last lift, and whether the row is between that one and an opposite one.
         private var _last:ContactPoint = new ContactPoint();
@@ -57,22 +61,31 @@ package starlogo.queries
             var isFree:Boolean = true;
             for (var i:int = 0; i < count; i++)
             {
-                if (rows[i] != clear && sweep.wholeTouchesAt(rows[i], at))
+                if (rows[i] != clear && isClose(sweep, at, rows[i]))
                 {
                     isFree = false;
-                    sweep.findContact(rows[i], at, _contact);
+                    sweep.findContact(rows[i], _touching, _contact);
                     var cosine:Number = _contact.normalX * _last.normalX + _contact.normalY * _last.normalY + _contact.normalZ * _last.normalZ;
                     _isBetween = cosine < -SAME;
                     if (cosine > SAME && _contact.depth >= _last.depth)
                     {
                         // the contact of two parts leads into another part
-                        sweep.findContact(rows[i], at, _contact, true);
+                        sweep.findContact(rows[i], _touching, _contact, true);
                     }
                     _last.copyFrom(_contact);
-                    _contact.push(at, Math.min(_contact.depth, MOST_SLOPS * sweep.slop) + sweep.clearance);
+                    _beside.copyFrom(at);
+                    _beside.decrementBy(_touching);
+                    _contact.push(at, Math.min(_contact.depth, MOST_SLOPS * sweep.slop) + sweep.clearance - _contact.along(_beside));
                 }
             }
             return isFree;
+        }
+
+        // Whether the row touches another at a place, or is flat and so close to it that it touches it beside. Writes where it touches it.
+        private function isClose(sweep:CoreSweep, at:Vector3D, row:int):Boolean
+        {
+            _touching.copyFrom(at);
+            return sweep.wholeTouchesAt(row, at) || sweep.isFlat && sweep.isCloseAt(row, at, _touching);
         }
     }
 }

@@ -34,7 +34,7 @@ package starlogo.queries
         private var _end:Vector3D = new Vector3D();
 
         // The lift out of all rows near the way, with which the body begins, and whether there may be one.
-        private var _lift:Vector3D = new Vector3D();
+        private var _lift:StartLift = new StartLift();
         private var _mayLift:Boolean = false;
 
         /** @param questions what questions work with */
@@ -180,7 +180,7 @@ package starlogo.queries
         // Finds the rows that stop the body, each as if the others were not there. If one is wanted, the body ends at _end.
         private function collect(wanted:int, ending:int):void
         {
-            _lift.setTo(0, 0, 0);
+            _lift.clear();
             collectLifted(wanted, ending);
             if (_mayLift)
             {
@@ -200,6 +200,7 @@ package starlogo.queries
             _mayLift = false;
             _end.setTo(body.placement.x, body.placement.y, body.placement.z);
             _end.incrementBy(_way);
+            _lift.keepDepth(_end, body.placement.x, body.placement.y, body.placement.z);
             _set.found.begin(wanted, Infinity, null, null);
             for (var i:int = 0; i < near.count && _set.found.limit > 0; i++)
             {

@@ -34,6 +34,9 @@ package starlogo.queries
         // If the next row is met within this many slops, this is the same corner.
         private static const NEXT:Number = 4;
 
+        // If a motion leads this many slops deeper into what it was lifted out of, the row has left the surface. Otherwise its core met it.
+        private static const MOST_SLOPS:Number = 2;
+
         // A normal is vertical if the square of its horizontal part is at most this. The rest is a rounding error.
         private static const UPRIGHT:Number = 1e-20;
 
@@ -74,11 +77,8 @@ package starlogo.queries
         /** The place of the row's agent at the end. */
         public var at:Vector3D = new Vector3D();
 
-        /** The deepest overlap that <code>findDeepest()</code> has found. */
-        public var deepest:ContactPoint = new ContactPoint();
-
-        /** The sum of the depths of all overlaps that it has found. */
-        public var overlap:Number = 0;
+        /** The overlap that <code>findDeepest()</code> has found. */
+        public var overlap:DeepestOverlap = new DeepestOverlap();
 
         private var _sweep:CoreSweep;
         private var _rest:SlidePlanes = new SlidePlanes();
@@ -88,9 +88,10 @@ package starlogo.queries
         private var _others:NumberList = new NumberList();
         private var _count:int = 0;
 
-        // The place of the row before it was lifted, and the lift.
+        // The place of the row before it was lifted, the lift, and a place or a way.
         private var _before:Vector3D = new Vector3D();
-        private var _lift:Vector3D = new Vector3D();
+        private var _lift:StartLift = new StartLift();
+        private var _tried:Vector3D = new Vector3D();
 
         // How far the rest of the motion goes along the contact's normal, which is less than 0.
         private var _along:Number = 0;
@@ -135,11 +136,12 @@ package starlogo.queries
          * @param out receives the lift: 0 if the body overlaps nothing, or does not get free
          * @return whether there is a lift
          */
-        public function findLift(motion:Vector3D, out:Vector3D):Boolean
+        public function findLift(motion:Vector3D, out:StartLift):Boolean
         {
             start(motion);
-            out.copyFrom(at);
-            out.decrementBy(_before);
+            out.copyFrom(_lift);
+            out.way.copyFrom(at);
+            out.way.decrementBy(_before);
             return isLifted;
         }
 
@@ -150,7 +152,7 @@ package starlogo.queries
          * @param ending TOUCH or SHORT
          * @param lift the lift of <code>findLift()</code>; null for none
          */
-        public function goUntilTouch(motion:Vector3D, ending:int, lift:Vector3D = null):void
+        public function goUntilTouch(motion:Vector3D, ending:int, lift:StartLift = null):void
         {
             if (!start(motion, lift))
             {
@@ -163,8 +165,7 @@ package starlogo.queries
                 endTouching();
                 return;
             }
-            at.copyFrom(_before);
-            _rest.advance(at, isStopped ? Math.max(0, fraction + _sweep.clearance / _along) : fraction);
+            goFromStart(isStopped ? Math.max(0, fraction + _sweep.clearance / _along) : fraction);
         }
 
         /**
@@ -221,7 +222,7 @@ package starlogo.queries
         }
 
         // Begins a motion at a place that is lifted out of what the row overlaps there. Returns whether there is any motion.
-        private function start(motion:Vector3D, lift:Vector3D = null, widest:Number = Infinity, steepness:Number = -1):Boolean
+        private function start(motion:Vector3D, lift:StartLift = null, widest:Number = Infinity, steepness:Number = -1):Boolean
         {
             _rest.begin(motion, widest, steepness);
             contactRow = -1;
@@ -235,13 +236,23 @@ package starlogo.queries
                 _rest.advance(at, 1);
                 return false;
             }
+            _lift.clear();
             if (lift != null)
             {
-                at.incrementBy(lift);
+                _lift.copyFrom(lift);
+                at.incrementBy(lift.way);
             }
+            _lift.most = MOST_SLOPS * _sweep.slop;
             _count = _others.count;
             liftOut();
             isDeep = _rest.count > 0;
+            if (_sweep.isFlat && !isDeep)
+            {
+                // its core is as flat, and a sweep touches across a wider gap than a row that stands
+                _tried.copyFrom(at);
+                restoreClearance(false);
+                isLifted ||= at.x != _tried.x || at.y != _tried.y || at.z != _tried.z;
+            }
             _rest.beginCorner();
             return true;
         }
@@ -256,6 +267,7 @@ package starlogo.queries
                 if (round == LIFTING_ROUNDS)
                 {
                     at.copyFrom(_before);
+                    _lift.clear();
                 }
                 for (var i:int = _count - 1; i >= 0; i--)
                 {
@@ -276,6 +288,7 @@ package starlogo.queries
             if (isShallow && round < LIFTING_ROUNDS)
             {
                 _standing.push(at, _standing.depth + _sweep.clearance);
+                _lift.add(_standing);
                 isLifted = true;
                 return;
             }
@@ -292,27 +305,10 @@ package starlogo.queries
             }
         }
 
-        /**
-         * Finds the deepest overlap of the body at <code>at</code>. An overlap that a motion only lifts out of does not count. Neither does an
-         * overlap with a tree that is deeper than the middle of the body, because the shortest way out may lead through a wall of the tree.
-         *
-         * @return whether there is one
-         */
+        /** Finds the deepest overlap of the body at <code>at</code>. Returns whether there is one. */
         public function findDeepest():Boolean
         {
-            deepest.depth = overlap = 0;
-            for (var i:int = 0; i < _others.count; i++)
-            {
-                if (_sweep.isDeepIn(_others.numbers[i], at, _standing))
-                {
-                    overlap += _standing.depth;
-                    if (_standing.depth > deepest.depth)
-                    {
-                        deepest.copyFrom(_standing);
-                    }
-                }
-            }
-            return overlap > 0;
+            return overlap.find(_sweep, at, _others.numbers, _others.count);
         }
 
         // Finds when the row touches another first, and which.
@@ -329,9 +325,9 @@ package starlogo.queries
             {
                 _sweep.findWhole(contactRow, _along, contact);
                 // without the lift the row would have touched earlier
-                _lift.copyFrom(at);
-                _lift.decrementBy(_before);
-                var time:Number = _sweep.wholeTime + contact.along(_lift) / _along;
+                _tried.copyFrom(at);
+                _tried.decrementBy(_before);
+                var time:Number = _sweep.wholeTime + contact.along(_tried) / _along;
                 fraction = time > 0 ? (time < 1 ? time : 1) : 0;
                 if (-fraction * _along < _sweep.slop && _sweep.wholeTouchesAt(contactRow, _before))
                 {
@@ -346,13 +342,20 @@ package starlogo.queries
         private function endTouching():void
         {
             var motion:Vector3D = _rest.motion;
-            _lift.setTo(at.x + _sweep.time * motion.x, at.y + _sweep.time * motion.y, at.z + _sweep.time * motion.z);
-            at.copyFrom(_before);
-            _rest.advance(at, fraction);
+            _tried.setTo(at.x + _sweep.time * motion.x, at.y + _sweep.time * motion.y, at.z + _sweep.time * motion.z);
+            goFromStart(fraction);
             if (!stepIntoTouch())
             {
-                at.copyFrom(_lift);
+                at.copyFrom(_tried);
             }
+        }
+
+        // Moves the row by a part of the motion from its place before the lift, but no deeper into what it was lifted out of.
+        private function goFromStart(part:Number):void
+        {
+            at.copyFrom(_before);
+            _rest.advance(at, part);
+            _lift.keepDepth(at, _before.x, _before.y, _before.z);
         }
 
         // Tries several places, from half a margin before the contact on. The margin is the gap across which the two still touch. Returns whether

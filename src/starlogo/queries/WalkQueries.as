@@ -229,15 +229,15 @@ package starlogo.queries
             {
                 return 0;
             }
-            var left:Number = _mover.overlap;
+            var left:Number = _mover.overlap.sum;
             findNear(agent, left);
             beginAt(_start, -1);
             for (var i:int = 0; i < MOST_PUSHES && left > 0 && _mover.findDeepest(); i++)
             {
-                var length:Number = Math.min(left, _mover.deepest.depth);
+                var length:Number = Math.min(left, _mover.overlap.contact.depth);
                 left -= length;
                 _way.setTo(0, 0, 0);
-                _mover.deepest.push(_way, length);
+                _mover.overlap.contact.push(_way, length);
                 _mover.slide(_way);
             }
             _way.copyFrom(at);

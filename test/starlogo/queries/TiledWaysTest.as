@@ -72,16 +72,14 @@ package starlogo.queries
                             expectShallow(mover);
                             // a little in the floor, as from numbers of single precision
                             var sunk:Number = depths.pick([0, 0, 1e-9, 1e-7, 0.9e-6]);
-                            // only a sweep sees that a sheet touches the floor if it is a rounding above it
-                            var rise:Number = shape == "sheet" && Math.abs(way[2]) < 1e-12 ? 0 : way[2];
                             mover.moveTo(0, 0, -sunk);
                             for (var k:int = 0; k < 20; k++)
                             {
-                                _queries.moveUntilTouch(mover, way[0], 0, rise);
+                                _queries.moveUntilTouch(mover, way[0], 0, way[2]);
                             }
-                            expect(mover.x > 5.999 || rise < -1e-13, "stops", mover, way.concat(sunk));
-                            // a motion shorter than a slop may lead deeper into what is overlapped already; for a sheet a touch is an overlap
-                            expectShallow(mover, sunk > 0 || shape == "sheet" ? sunk + 20 * HAIR : 0);
+                            expect(mover.x > 5.999 || way[2] < -1e-13, "stops", mover, way.concat(sunk));
+                            // a motion shorter than a slop may lead deeper into what is overlapped already
+                            expectShallow(mover, sunk > 0 ? sunk + 20 * HAIR : 0);
                         }
                     }
                 });
@@ -149,6 +147,28 @@ package starlogo.queries
                         step(mover, way, 2000, false);
                         expect(_collider.areColliding(mover, wall), "no touch", mover, way);
                         expectShallow(mover);
+                    }
+                });
+        }
+
+        // Each step is shorter than the clearance between an agent and what it is lifted out of.
+        [Test]
+        public function neverCreepsByShortSteps():void
+        {
+            eachSystem(function(isBins:Boolean):void
+                {
+                    for each (var shape:String in isBins ? [] : some(MOVERS.concat("plate", "sheet"), 3))
+                    {
+                        for each (var sunk:Number in [0, 1e-8])
+                        {
+                            var mover:Agent = put(shape, 0, 0, 0, _random.pick([0, 30]));
+                            floor(2, 1);
+                            mover.moveTo(0, 0, -sunk);
+                            var way:Array = [_random.pick([0, 1e-6]), 0, -_random.logBetween(1e-12, 1e-9)];
+                            step(mover, way, Effort.choose(200, 1000), false);
+                            expectShallow(mover, sunk);
+                            expect(mover.z <= 0 && Math.abs(mover.x) < 0.01, "elsewhere", mover, way);
+                        }
                     }
                 });
         }

@@ -174,7 +174,12 @@ package starlogo.search
         {
             var outwards:Vector3D = _outwards[edge];
             // the extents of a tree are larger than its shape
-            var least:Number = Tolerances.SEPARATION / 5 * (_largest > 0 ? _largest : 1);
+            var extent:Number = _largest;
+            if (extent == 0)
+            {
+                extent = 1;
+            }
+            var least:Number = Tolerances.SEPARATION / 5 * extent;
             var by:Number = Math.max(0, _penetration[edge]);
             by = edge == _nearest ? Math.max(by, least) : by + least;
             out.setNormal(out.normalX - by * outwards.x, out.normalY - by * outwards.y, out.normalZ - by * outwards.z);

@@ -202,13 +202,18 @@ package starlogo.fitting.hull
             var corner:int = _points.length / 3;
             _points.push(point.x, point.y, point.z);
             var first:int = faceCount;
+            var made:int = first;
             for (i = 0; i < count; i++)
             {
                 var edge:int = _outline[i];
-                var made:int = addFace(startOf(edge), endOf(edge), corner);
+                made = addFace(startOf(edge), endOf(edge), corner);
                 join(4 * made, _across[edge]);
-                join(4 * made + 1, 4 * (i + 1 < count ? made + 1 : first) + 2);
+                if (made > first)
+                {
+                    join(4 * made + 2, 4 * (made - 1) + 1);
+                }
             }
+            join(4 * first + 2, 4 * made + 1);
             return first;
         }
 

@@ -36,7 +36,7 @@ package starlogo.models
         [Test]
         public function readsLaterMinorVersions():void
         {
-            for each (var asset:Object in [ {version: "2.1"}, {version: "2.1", minVersion: "2.0"}])
+            for each (var asset:Object in [ {version:"2.1"}, {version:"2.1", minVersion:"2.0"}])
             {
                 _file = Gltf.tetrahedron();
                 _file.json.asset = asset;

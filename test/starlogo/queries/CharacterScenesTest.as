@@ -331,7 +331,7 @@ package starlogo.queries
                 vertices.push((i & 1) == 0 ? -halfX : halfX, (i & 2) == 0 ? -halfY : halfY, (i & 4) == 0 ? -halfZ : halfZ);
             }
             return new Model("a", vertices, new <uint>[0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2,
-                    1, 3, 7, 1, 7, 5], Model.AS_GIVEN);
+                        1, 3, 7, 1, 7, 5], Model.AS_GIVEN);
         }
 
         // Upright and level faces alone. They rise along y, from the origin on.

@@ -12,8 +12,8 @@ package starlogo.models
      * document has no scene, all geometries of its library are read.</p>
      *
      * <p>The document's up axis is turned to z. The reader recognises elements by their names, in any namespace or none. Numbers may have
-     * a decimal comma. The unit is ignored, because a model is scaled anyway. Materials, lights, cameras, animations, splines and solids
-     * are ignored too.</p>
+     * a decimal comma. The unit is ignored, because a model is scaled anyway. The unit and up axis that single elements have of their own,
+     * materials, lights, cameras, animations, splines and solids are ignored too. A reference into another document is an error.</p>
      *
      * <p>If the scene has surfaces, points that no surface uses are left out. If it has none, the points of the geometries make a model
      * without triangles. In a mirrored node, the corner order of each triangle is reversed, so that triangles still face outwards.</p>

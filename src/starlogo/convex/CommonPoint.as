@@ -83,33 +83,69 @@ package starlogo.convex
         // Writes the found corners in order around the normal (gift wrapping). Returns how many numbers they are.
         private function wrap(end:int, contact:ConvexContact, out:Vector.<Number>):int
         {
-            var found:Vector.<Number> = _found;
             // the first is farthest from another one
-            var first:int = end == 3 ? 0 : farthestFromFirst(end);
-            var at:int = first;
-            var count:int = 0;
-            do
+            var first:int = farthestFrom(0, end);
+            var last:int = farthestFrom(first, end);
+            writeCorner(first, out, 0);
+            if (first == last)
             {
-                out[count] = found[at];
-                out[int(count + 1)] = found[int(at + 1)];
-                out[int(count + 2)] = found[int(at + 2)];
-                count += 3;
-                at = end == 3 ? first : nextOf(at, end, contact);
+                return 3;
             }
-            while (at != first && count < end);
+            if (areOnLine(first, last, end))
+            {
+                writeCorner(last, out, 3);
+                return 6;
+            }
+            var count:int = 3;
+            for (var at:int = nextOf(first, end, contact); at != first && count < end; at = nextOf(at, end, contact))
+            {
+                writeCorner(at, out, count);
+                count += 3;
+            }
             return count;
         }
 
-        private function farthestFromFirst(end:int):int
+        private function writeCorner(corner:int, out:Vector.<Number>, at:int):void
+        {
+            out[at] = _found[corner];
+            out[int(at + 1)] = _found[int(corner + 1)];
+            out[int(at + 2)] = _found[int(corner + 2)];
+        }
+
+        // Whether all found corners are as near to the line through two of them as rounding.
+        private function areOnLine(first:int, last:int, end:int):Boolean
         {
             var found:Vector.<Number> = _found;
-            var best:int = 0;
+            var x:Number = found[last] - found[first];
+            var y:Number = found[int(last + 1)] - found[int(first + 1)];
+            var z:Number = found[int(last + 2)] - found[int(first + 2)];
+            var most:Number = _slack * _slack * (x * x + y * y + z * z);
+            for (var i:int = 0; i < end; i += 3)
+            {
+                var ux:Number = found[i] - found[first];
+                var uy:Number = found[int(i + 1)] - found[int(first + 1)];
+                var uz:Number = found[int(i + 2)] - found[int(first + 2)];
+                var crossX:Number = y * uz - z * uy;
+                var crossY:Number = z * ux - x * uz;
+                var crossZ:Number = x * uy - y * ux;
+                if (crossX * crossX + crossY * crossY + crossZ * crossZ > most)
+                {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        private function farthestFrom(corner:int, end:int):int
+        {
+            var found:Vector.<Number> = _found;
+            var best:int = corner;
             var most:Number = 0;
             for (var i:int = 0; i < end; i += 3)
             {
-                var x:Number = found[i] - found[0];
-                var y:Number = found[int(i + 1)] - found[1];
-                var z:Number = found[int(i + 2)] - found[2];
+                var x:Number = found[i] - found[corner];
+                var y:Number = found[int(i + 1)] - found[int(corner + 1)];
+                var z:Number = found[int(i + 2)] - found[int(corner + 2)];
                 var squared:Number = x * x + y * y + z * z;
                 if (squared > most)
                 {
@@ -234,7 +270,8 @@ package starlogo.convex
             _endA = count;
         }
 
-        // Reduces a's segment to the place where it crosses b's. If they are parallel, to the middle of what they share.
+        // Reduces a's segment to the place where it crosses b's, seen along the normal, or comes nearest to it. If they are parallel, to the middle of what
+        // they share.
         private function cross():void
         {
             var a:Vector.<Number> = _a;
@@ -258,7 +295,9 @@ package starlogo.convex
             var other:Number;
             if (squared > Tolerances.DIRECTION * Tolerances.DIRECTION * uu * vv)
             {
-                one = ((gapY * vz - gapZ * vy) * crossX + (gapZ * vx - gapX * vz) * crossY + (gapX * vy - gapY * vx) * crossZ) / squared;
+                var onB:Number = ((gapY * uz - gapZ * uy) * crossX + (gapZ * ux - gapX * uz) * crossY + (gapX * uy - gapY * ux) * crossZ) / squared;
+                onB = onB > 0 ? (onB < 1 ? onB : 1) : 0;
+                one = ((gapX + onB * vx) * ux + (gapY + onB * vy) * uy + (gapZ + onB * vz) * uz) / uu;
                 other = one;
             }
             else

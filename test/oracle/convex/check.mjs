@@ -15,8 +15,8 @@ const TOUCHING_PLACES = 2 * 6e-16;
 /** Of the larger extent: how much farther than its depth a contact's displacement may have to be. */
 const CONTACT = 1e-9;
 
-/** Of the larger extent: how much farther than its depth a contact's point may be outside of one of the two. */
-const CONTACT_POINT = 1e-8;
+/** Of the larger extent: how much farther than its depth a contact's point may be outside of one of the two. Of the sizes: how far a common point may be. */
+const COMMON_POINT = 1e-8;
 
 /** Of the sizes: how deep a motion may go into what it touches. */
 const THROUGH = 1e-15;
@@ -31,7 +31,7 @@ const MOTION = 2e-14;
 export class Tally {
 	counts = new Map();
 	wrong = new Map();
-	worst = { distance: 0, point: 0, early: 0, through: 0, contact: 0, "contact point": 0 };
+	worst = { distance: 0, point: 0, "common point": 0, early: 0, through: 0, contact: 0, "contact point": 0 };
 
 	count(what) {
 		this.counts.set(what, (this.counts.get(what) ?? 0) + 1);
@@ -98,7 +98,8 @@ function checkClosest(engine, each, [a, b], distance, slack, tally) {
 	tally.note("distance", Math.abs(found.distance - right), slack.length, each, `${found.distance}, not ${right}`);
 	const off = [[found.a, each.a], [found.b, each.b]].map(([point, of]) => Math.max(0, new Pair(pointBody(point), of).separation));
 	off.push(Math.abs(Math.hypot(...found.a.map((at, k) => at - found.b[k])) - right));
-	tally.note("point", Math.max(...off), slack.length, each, `off by ${off}`);
+	if (found.distance > 0) tally.note("point", Math.max(...off), slack.length, each, `off by ${off}`);
+	else tally.note("common point", Math.max(...off), COMMON_POINT * slack.size + slack.length, each, `off by ${off}`);
 }
 
 function checkContact(engine, each, [a, b], distance, slack, tally) {
@@ -120,7 +121,7 @@ function checkContact(engine, each, [a, b], distance, slack, tally) {
 		if (depth > more && !new Pair(each.a, each.b, scaled(normal, depth - more)).areTouching()) tally.add("too long", each, `${depth} along ${normal}`);
 	}
 	const off = Math.max(0, ...[each.a, each.b].map((of) => new Pair(pointBody(point), of).separation));
-	tally.note("contact point", off, depth + CONTACT_POINT * extent + slack.length, each, `off by ${off}`);
+	tally.note("contact point", off, depth + COMMON_POINT * extent + slack.length, each, `off by ${off}`);
 }
 
 function checkSweep(engine, each, [a, b], slack, tally) {

@@ -4,6 +4,8 @@ package starlogo.convex
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
     import support.Complaints;
     import support.ConvexVectors;
     import support.Effort;
@@ -93,6 +95,48 @@ package starlogo.convex
             assertTrue(_pair.areTouching(triangle, sliver));
             _pair.findClosest(triangle, sliver, points);
             assertTrue(points.distance <= 1e-15);
+        }
+
+        /** Boxes with sides of 1e-5 and of 1e5: several corners are as far along the normal as one, within rounding. */
+        [Test]
+        public function contactsOfThinBoxesAreOnThem():void
+        {
+            var thin:ConvexShape = box(-243794.49822304933, -623962.2599381781, -505792.53296245047, -0.6072789193041779, -0.1448510499985012,
+                    0.7811725081459802, -0.1335474819608308, 0.9878600295666053, 0.07935762122560652, -0.7831841317536197, -0.056131410983485605,
+                    -0.6192510641656837, 7.449646276716685, 0.00011499683362131183, 485611.8264801672);
+            var other:ConvexShape = box(0, 0, 0, 0.9281416320788382, 0.2917982233356066, -0.2310993458671268, 0.21197594260122957, -0.9246963708783567,
+                    -0.3162322270780079, -0.3059727284585192, 0.24452079368139631, -0.920103402285346, 0.000007769775640176905, 645564.7776618146,
+                    1015.4566864851663);
+            checkContactPoint(thin, other, 1);
+            var needle:ConvexShape = box(28355.344745380266, -32531.242031778675, 71825.59927500102, 0.35919591419254837, -0.9061318444362062,
+                    0.22339063482164723, -0.5513912146703119, -0.012930719074066899, 0.8341465847730996, -0.7529581818479547, -0.42279767856844563,
+                    -0.5042777998141063, 4.443023827606398, 0.000023186407971213918, 45562.39164223907);
+            var capsule:ConvexShape = new ConvexShape();
+            capsule.setCapsule(new Capsule(new Vector3D(-90107.6704399277, -54208.699588471034, -12601.417580838483),
+                        new Vector3D(90107.6704399277, 54208.699588471034, 12601.417580838483), 66635.3380510143));
+            checkContactPoint(needle, capsule, 1e-3);
+            _wrong.assertNone();
+        }
+
+        private static function box(...numbers):ConvexShape
+        {
+            var shape:ConvexShape = new ConvexShape();
+            var vectors:Array = [];
+            for (var i:int = 0; i < 12; i += 3)
+            {
+                vectors.push(new Vector3D(numbers[i], numbers[i + 1], numbers[i + 2]));
+            }
+            shape.setBox(new Box(vectors[0], vectors[1], vectors[2], vectors[3], numbers[12], numbers[13], numbers[14]));
+            return shape;
+        }
+
+        private function checkContactPoint(a:ConvexShape, b:ConvexShape, allowed:Number):void
+        {
+            var contact:ConvexContact = new ConvexContact();
+            _pair.findContact(a, b, new ConvexMotion(), contact);
+            var point:Vector3D = new Vector3D(contact.x, contact.y, contact.z);
+            var beside:Number = Math.max(_draw.outside(a, point), _draw.outside(b, point));
+            _wrong.addIf(!(beside <= allowed), "contact point", point + ", outside by " + beside);
         }
 
         private function measure(pairs:ConvexVectors):void

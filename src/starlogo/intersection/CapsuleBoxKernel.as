@@ -101,29 +101,28 @@ package starlogo.intersection
             var along:Number = axis.x * toX + axis.y * toY + axis.z * toZ;
             var sign:Number = along < 0 ? -1 : 1;
             segment.alongX = sign * along;
-            way.startX = sign * (axis.x * x + axis.y * y + axis.z * z + (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ));
+            way.startX = segment.x = sign * (axis.x * x + axis.y * y + axis.z * z + (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ));
             way.x = sign * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             segment.signX = sign;
             axis = box.axisY;
             along = axis.x * toX + axis.y * toY + axis.z * toZ;
             sign = along < 0 ? -1 : 1;
             segment.alongY = sign * along;
-            way.startY = sign * (axis.x * x + axis.y * y + axis.z * z + (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ));
+            way.startY = segment.y = sign * (axis.x * x + axis.y * y + axis.z * z + (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ));
             way.y = sign * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             segment.signY = sign;
             axis = box.axisZ;
             along = axis.x * toX + axis.y * toY + axis.z * toZ;
             sign = along < 0 ? -1 : 1;
             segment.alongZ = sign * along;
-            way.startZ = sign * (axis.x * x + axis.y * y + axis.z * z + (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ));
+            way.startZ = segment.z = sign * (axis.x * x + axis.y * y + axis.z * z + (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ));
             way.z = sign * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             segment.signZ = sign;
             segment.halfX = box.halfX;
             segment.halfY = box.halfY;
             segment.halfZ = box.halfZ;
-            way.time = 0;
             _gap.radiusA = capsule.radius;
-            findGap();
+            findBoxSegmentGap(segment, _gap);
         }
 
         // Finds the gap at the way's time, in the mirrored axes.

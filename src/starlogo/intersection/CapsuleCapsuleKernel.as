@@ -106,14 +106,13 @@ package starlogo.intersection
             var startA:Vector3D = capsule.start;
             var startB:Vector3D = other.start;
             var way:RelativeMotion = _way;
-            way.startX = startA.x - startB.x + motion.startX;
-            way.startY = startA.y - startB.y + motion.startY;
-            way.startZ = startA.z - startB.z + motion.startZ;
+            var axes:SegmentPair = _axes;
+            way.startX = axes.x = startA.x - startB.x + motion.startX;
+            way.startY = axes.y = startA.y - startB.y + motion.startY;
+            way.startZ = axes.z = startA.z - startB.z + motion.startZ;
             way.x = motion.x;
             way.y = motion.y;
             way.z = motion.z;
-            way.time = 0;
-            var axes:SegmentPair = _axes;
             var end:Vector3D = capsule.end;
             axes.ux = end.x - startA.x;
             axes.uy = end.y - startA.y;
@@ -124,7 +123,7 @@ package starlogo.intersection
             axes.vz = end.z - startB.z;
             _gap.radiusA = capsule.radius;
             _gap.radiusB = other.radius;
-            findGap();
+            findSegmentGap(axes, _gap);
         }
 
         // Finds the gap at the way's time.

@@ -38,8 +38,8 @@ package starlogo.ground
         /** A lower bound for the length of every way out of the last contact; 0 if none is known. */
         public var leastDepth:Number = 0;
 
-        // The contact with the last triangle; the contact that leads out of its plane; the triangle of the ground that the last contact was with, if there was one;
-        // and the distance of the nearest triangle so far.
+        // The contact with the last triangle; the contact that leads out of its plane; the triangle of the ground that the last contact was with, if
+        // there was one; and the distance of the nearest triangle so far.
         private var _tried:ContactPoint = new ContactPoint();
         private var _behind:ContactPoint = new ContactPoint();
         private var _part:Vector.<Number> = new Vector.<Number>(9, true);

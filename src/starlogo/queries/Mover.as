@@ -225,6 +225,7 @@ package starlogo.queries
         private function start(motion:Vector3D, lift:StartLift = null, widest:Number = Infinity, steepness:Number = -1):Boolean
         {
             _rest.begin(motion, widest, steepness);
+            _lift.clear();
             contactRow = -1;
             metWall = isDeep = isLifted = false;
             contact.setNormal(0, 0, 0);
@@ -236,7 +237,6 @@ package starlogo.queries
                 _rest.advance(at, 1);
                 return false;
             }
-            _lift.clear();
             if (lift != null)
             {
                 _lift.copyFrom(lift);

@@ -129,7 +129,7 @@ package starlogo.convex
                 _cores.wayX = _cores.wayY = _cores.wayZ = 0;
             }
             _distance.find(_cores, _gap);
-            if (_gap.distance > Tolerances.DIRECTION * (a.size + b.size))
+            if (_gap.distance > Tolerances.GAP * (a.size + b.size))
             {
                 out.normalX = _gap.x / _gap.distance;
                 out.normalY = _gap.y / _gap.distance;

@@ -178,6 +178,7 @@ package starlogo.convex
         // is none of them, because the fourth corner was nearer. The shares are those of the nearest place in that face until now.
         private function isInside(isApart:Boolean):Boolean
         {
+            var before:Number = x * x + y * y + z * z;
             _shares[3] = 0;
             changeShares();
             var isFirst:Boolean = _shares[2] < 0;
@@ -189,7 +190,15 @@ package starlogo.convex
                 changeShare(0, 1, 2, 3);
                 if (_shares[3] >= 0)
                 {
-                    correctShares();
+                    // In a nearly flat tetrahedron the shares have lost digits, but the place that they make is close to the origin.
+                    findPlace();
+                    changeShares();
+                    findPlace();
+                    if (x * x + y * y + z * z > before)
+                    {
+                        // too flat: the nearest place until now is closer
+                        tryTriangle(0, 1, 2);
+                    }
                     squared = x = y = z = 0;
                     return true;
                 }
@@ -209,8 +218,8 @@ package starlogo.convex
             return false;
         }
 
-        // Corrects the shares of the origin. In a nearly flat tetrahedron they have lost digits, but the place that they make is close to it.
-        private function correctShares():void
+        // Finds the place that the shares make, of which the fourth one is the rest.
+        private function findPlace():void
         {
             var w:Vector.<Number> = corners;
             _shares[3] = 1 - _shares[0] - _shares[1] - _shares[2];
@@ -221,8 +230,6 @@ package starlogo.convex
                 y += _shares[i] * w[int(3 * i + 1)];
                 z += _shares[i] * w[int(3 * i + 2)];
             }
-            changeShares();
-            _shares[3] = 1 - _shares[0] - _shares[1] - _shares[2];
         }
 
         // Changes the shares of a tetrahedron's first three corners from those of the place to those of the origin.

@@ -184,6 +184,13 @@ package starlogo.geometry
         public static const DIRECTION:Number = 1e-9;
 
         /**
+         * If two convex cores are farther apart than this fraction of their sizes, the direction of the gap between them is the normal of their contact.
+         * The gap is perpendicular to the edges and faces that it ends at. Smaller than 1e-12: rounding turns the normal by more than 4e-4. Larger:
+         * depths have an error of that fraction.
+         */
+        public static const GAP:Number = 1e-11;
+
+        /**
          * The squared sine of the angle to z within which an axis counts as upright. A contact's normal that is perpendicular to an
          * upright axis is along x. A normal that is perpendicular to another axis points upwards as far as possible. Smaller than 1e-14:
          * that normal has no digits left. Larger: normals jump at axes that lean more.

@@ -3,10 +3,11 @@
  *
  * - kinds: the bodies that it takes
  * - mayGraze: motions run along what they touch, and leave it
+ * - asMade(body): what the engine makes of it exactly, because rounding moves a hull's corners. Optional
  * - shapeOf(body): the engine's shape
  * - areTouching(a, b), closest(a, b), timeOf(a, b, start, way), contact(a, b): the answers for two shapes, a the one that moves
  */
-import { KINDS } from "./bodies.mjs";
+import { KINDS, body } from "./bodies.mjs";
 
 /** The structures' own tests, distances, sweeps and contacts. */
 export class Kernels {
@@ -53,21 +54,28 @@ export class Core {
 
 	constructor(engine) {
 		this.engine = engine;
+		this.hulls = new WeakMap();
 		this.pair = new engine.ConvexPair();
 		this.motion = new engine.ConvexMotion();
 		this.result = new engine.ClosestPoints();
 		this.touch = new engine.ConvexContact();
 	}
 
+	asMade(each) {
+		if (each.kind !== "hull") return each;
+		const hull = structureOf(this.engine, each);
+		const made = body("hull", [hull.center.x, hull.center.y, hull.center.z, ...hull.$points]);
+		if (made.points.length !== each.points.length) throw new Error(`a hull lost corners: ${each.numbers}`);
+		this.hulls.set(made, hull);
+		return made;
+	}
+
 	shapeOf(each) {
-		const { ConvexHull, ConvexShape, Vector3D } = this.engine;
+		const { ConvexShape } = this.engine;
 		const shape = new ConvexShape();
 		if (each.kind === "triangle") shape.setTriangle([...each.numbers], 0);
-		else if (each.kind === "hull") {
-			const hull = new ConvexHull(each.numbers.slice(3));
-			if (hull.points.length !== each.numbers.length - 3) throw new Error(`a hull lost corners: ${each.numbers}`);
-			shape.setHull(new Vector3D(...each.numbers), hull.points, ...topologyOf(hull));
-		} else shape.setStructure(structureOf(this.engine, each));
+		else if (each.kind === "hull") shape.setStructure(this.hulls.get(each));
+		else shape.setStructure(structureOf(this.engine, each));
 		return shape;
 	}
 
@@ -90,25 +98,6 @@ export class Core {
 		this.pair.findContact(a, b, new this.engine.ConvexMotion(), this.touch);
 		return contactOf(this.touch);
 	}
-}
-
-/** A hull's faces and edges, as ConvexShape.setHull() takes them. Those of flat ones are any that have their directions. */
-function topologyOf({ points, triangles }) {
-	const all = Array.from({ length: points.length / 3 }, (_, i) => 3 * i);
-	if (triangles.length === 0) {
-		const [first] = all;
-		return [all.slice(2).flatMap((corner, i) => [first, all[i + 1], corner]), all.flatMap((i) => all.slice(0, i / 3).flatMap((k) => [i, k, i, i]))];
-	}
-	const edges = [];
-	const apexes = new Map();
-	triangles.forEach((from, i) => {
-		const first = i - i % 3;
-		const to = triangles[first + (i + 1) % 3];
-		const apex = triangles[first + (i + 2) % 3];
-		if (apexes.has(`${to} ${from}`)) edges.push(3 * from, 3 * to, 3 * apex, 3 * apexes.get(`${to} ${from}`));
-		else apexes.set(`${from} ${to}`, apex);
-	});
-	return [[...triangles].map((corner) => 3 * corner), edges];
 }
 
 function setMotion(motion, start, way) {
@@ -181,13 +170,18 @@ export class Game {
 const pointsOf = ({ distance, aX, aY, aZ, bX, bY, bZ }) => ({ distance, a: [aX, aY, aZ], b: [bX, bY, bZ] });
 const contactOf = ({ x, y, z, normalX, normalY, normalZ, depth }) => ({ point: [x, y, z], normal: [normalX, normalY, normalZ], depth });
 
-function structureOf({ Box, Capsule, Sphere, Vector3D }, { kind, numbers }) {
+function structureOf({ Box, Capsule, Hull, Sphere, Vector3D }, { kind, numbers }) {
 	const vector = (i) => new Vector3D(...numbers.slice(i, i + 3));
 	switch (kind) {
 	case "sphere":
 		return new Sphere(vector(0), numbers[3]);
 	case "capsule":
 		return new Capsule(vector(0), vector(3), numbers[6]);
+	case "hull": {
+		const hull = new Hull(numbers.slice(3));
+		hull.translate(vector(0));
+		return hull;
+	}
 	default:
 		return new Box(vector(0), vector(3), vector(6), vector(9), numbers[12], numbers[13], numbers[14]);
 	}

@@ -28,7 +28,8 @@ export function checkMany(engine, count, seed, families = FAMILIES) {
 				const from = seed + 1000003 * FAMILIES.indexOf(family) + 10007 * i * 17 + k;
 				const [first, second] = k % 2 === 0 ? pair : [pair[1], pair[0]];
 				const drawn = drawPair(family, first, second, from);
-				checkPair(engine, { ...drawn, motion: drawMotion(drawn) }, tally);
+				const [a, b] = [drawn.a, drawn.b].map((one) => engine.asMade?.(one) ?? one);
+				checkPair(engine, { ...drawn, a, b, motion: drawMotion(drawn) }, tally);
 			}
 		}
 	}

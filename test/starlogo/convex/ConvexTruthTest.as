@@ -118,6 +118,21 @@ package starlogo.convex
             _wrong.assertNone();
         }
 
+        /** The gap of the cores is 4e-9 of the longer one. The way out is along it, and shorter than all ways across a face or two edges. */
+        [Test]
+        public function theShortestWayOutOfANeedleIsAlongATinyGap():void
+        {
+            var capsule:ConvexShape = new ConvexShape();
+            capsule.setCapsule(new Capsule(new Vector3D(0.0000025034947588320478, -0.3430067765085749, -9.470828950530752e-7),
+                        new Vector3D(3.377203041665666e-7, -0.34300726683642435, 5.337812969408162e-10), 2.732622363985613e-9));
+            var needle:ConvexShape = new ConvexShape();
+            needle.setTriangle(new <Number>[-3.366928442494316e-7, -0.34300726614292376, 0, 3.366928442494316e-7, -0.34300726614292376, 0,
+                        1.4118034968611342e-8, 0.34300726614292376, 0], 0);
+            var contact:ConvexContact = new ConvexContact();
+            _pair.findContact(capsule, needle, new ConvexMotion(), contact);
+            assertTrue("depth " + contact.depth, Math.abs(contact.depth - 1.382978180131195e-9) < 1e-12);
+        }
+
         private static function box(...numbers):ConvexShape
         {
             var shape:ConvexShape = new ConvexShape();

@@ -130,10 +130,11 @@ package starlogo.convex
                 _least = simplex.squared;
                 out.distance = Math.sqrt(_least);
                 var squared:Number = _along.x * _along.x + _along.y * _along.y + _along.z * _along.z;
-                var factor:Number = _least > 0 ? Math.sqrt(_least / squared) : 0;
-                out.x = factor * _along.x;
-                out.y = factor * _along.y;
-                out.z = factor * _along.z;
+                // of a vector as short as rounding nothing may be left across an edge
+                var factor:Number = squared > 0 ? Math.sqrt(_least / squared) : 0;
+                out.x = factor > 0 ? factor * _along.x : simplex.x;
+                out.y = factor > 0 ? factor * _along.y : simplex.y;
+                out.z = factor > 0 ? factor * _along.z : simplex.z;
                 simplex.writePoint(cores, out);
             }
         }

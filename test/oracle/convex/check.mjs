@@ -94,6 +94,10 @@ function checkClosest(engine, each, [a, b], distance, slack, tally) {
 	const found = engine.closest(a, b);
 	const back = engine.closest(b, a);
 	if (found.distance !== back.distance || String([found.a, found.b]) !== String([back.b, back.a])) tally.add("swapped distance", each, `${found.distance} ${found.a} ${found.b}, ${back.distance} ${back.b} ${back.a}`);
+	if (![found.distance, ...found.a, ...found.b].every(Number.isFinite)) {
+		tally.add("not finite", each, `distance ${found.distance}, ${found.a}, ${found.b}`);
+		return;
+	}
 	const right = Math.max(0, distance);
 	tally.note("distance", Math.abs(found.distance - right), slack.length, each, `${found.distance}, not ${right}`);
 	const off = [[found.a, each.a], [found.b, each.b]].map(([point, of]) => Math.max(0, new Pair(pointBody(point), of).separation));
@@ -105,6 +109,10 @@ function checkClosest(engine, each, [a, b], distance, slack, tally) {
 function checkContact(engine, each, [a, b], distance, slack, tally) {
 	const { normal, depth, point } = engine.contact(a, b);
 	const back = engine.contact(b, a);
+	if (![depth, ...normal, ...point].every(Number.isFinite)) {
+		tally.add("not finite", each, `${normal} by ${depth} at ${point}`);
+		return;
+	}
 	// bodies in one place have no side from which they come
 	const [middleA, middleB] = [each.a, each.b].map((of) => extentsOf(of).middle);
 	const isSamePlace = Math.hypot(...middleA.map((at, k) => at - middleB[k])) <= CONTACT * slack.size;

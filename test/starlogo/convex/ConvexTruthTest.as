@@ -118,6 +118,18 @@ package starlogo.convex
             _wrong.assertNone();
         }
 
+        /** The origin is on an edge between two corners, but for 1e-28. Nothing is left of that across the edge. */
+        [Test]
+        public function pointsOfAGapAsShortAsRoundingAreNumbers():void
+        {
+            var points:ClosestPoints = new ClosestPoints();
+            _pair.findClosest(box(-8, 16, -10, 1, 0, 0, 0, 1, 0, 0, 0, 1, 2.00000000000016, 4.00000000000016, 2.00000000000016),
+                    box(0, 8, -2, 1, 0, 0, 0, 1, 0, 0, 0, 1, 6.00000000000032, 4.00000000000032, 6.00000000000032), points);
+            assertTrue(points.distance < 1e-27);
+            assertTrue(new Vector3D(points.aX, points.aY, points.aZ).subtract(new Vector3D(-6, 12, -8)).length < 1e-12);
+            assertTrue(new Vector3D(points.bX, points.bY, points.bZ).subtract(new Vector3D(-6, 12, -8)).length < 1e-12);
+        }
+
         /** The gap of the cores is 4e-9 of the longer one. The way out is along it, and shorter than all ways across a face or two edges. */
         [Test]
         public function theShortestWayOutOfANeedleIsAlongATinyGap():void

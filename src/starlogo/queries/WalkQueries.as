@@ -338,7 +338,7 @@ package starlogo.queries
             _mover.contactRow = -1;
             for (var piece:Number = 1; left > 0 && _mover.contactRow < 0; piece *= 2)
             {
-                if (piece > Agent.LARGEST_COORDINATE)
+                if (_mover.at.z - Math.min(left, piece) < -Agent.LARGEST_COORDINATE)
                 {
                     _mover.at.copyFrom(_above);
                     return false;

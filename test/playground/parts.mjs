@@ -35,14 +35,16 @@ export const parts = await import(pathToFileURL(write('playground-world.mjs', te
 /** The turtle and the wall, which are made by the page. */
 export const made = new Map(['turtle', 'wall'].map((name) => [name, parts[name]()]));
 
-/** The models of all shapes that programs have. */
+/** The models of all shapes that programs have, by their names. */
+export const models = new Map([...made, ['sphere', parts.BuiltInModel.sphere()], ['cylinder', parts.BuiltInModel.cylinder()], ...FILES.map((file) => {
+	const [name] = file.split('.');
+	const bytes = new Uint8Array(readFileSync(path.join(root, 'assets', file)));
+	return [name, file.endsWith('.obj') ? parts.ObjModel.fromBytes(name, bytes) : parts.ColladaModel.fromBytes(name, bytes)];
+})]);
+
+/** A land of all these models. */
 export function makeLand() {
 	const greatLand = new parts.GreatLand();
-	for (const model of [parts.BuiltInModel.sphere(), parts.BuiltInModel.cylinder(), ...made.values()]) greatLand.addModel(model);
-	for (const file of FILES) {
-		const [name] = file.split('.');
-		const bytes = new Uint8Array(readFileSync(path.join(root, 'assets', file)));
-		greatLand.addModel(file.endsWith('.obj') ? parts.ObjModel.fromBytes(name, bytes) : parts.ColladaModel.fromBytes(name, bytes));
-	}
+	for (const model of models.values()) greatLand.addModel(model);
 	return greatLand;
 }

@@ -2,7 +2,8 @@
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
@@ -11,9 +12,8 @@ import { deflateRawSync } from 'node:zlib';
 import { models } from '../../assets/generator/models/index.mjs';
 import { palette } from '../../assets/generator/palette.mjs';
 import { flatten } from '../../assets/generator/scene.mjs';
-import { serve } from '../headless/server.mjs';
 import { root } from './browser.mjs';
-import { made, makeLand, parts } from './parts.mjs';
+import { made, makeLand, models as shapes, parts } from './parts.mjs';
 
 const { number, chain, program, start, each, create, move: forward } = parts.notation;
 const inside = (...blocks) => ({ DO: parts.notation.inside(...blocks) });
@@ -739,14 +739,13 @@ const everything = () => {
 };
 
 test('a program as JavaScript is a module on the package that plays the same game', async () => {
-	const assets = await serve(null, { '/assets': path.join(root, 'assets') });
 	const folder = path.join(root, 'bin/generated/javascript');
 	mkdirSync(folder, { recursive: true });
 	const engine = pathToFileURL(path.join(root, 'bin/module/starlogo-collision.js')).href;
 	const written = (name, state) => {
 		const file = path.join(folder, `${name}.mjs`);
-		const text = parts.javascriptOf(state, name, made);
-		writeFileSync(file, text.replace('"starlogo-collision"', JSON.stringify(engine)).replace('"assets/"', JSON.stringify(`${assets.url}assets/`)));
+		const text = parts.javascriptOf(state, name, shapes, name);
+		writeFileSync(file, text.replace('"starlogo-collision"', JSON.stringify(engine)));
 		return { file, text };
 	};
 	const all = { everything: everything(), ...parts.GAMES, ...Object.fromEntries(Object.entries(parts.LESSONS).map(([name, { program: state }]) => [`lesson-${name}`, state])) };
@@ -754,38 +753,51 @@ test('a program as JavaScript is a module on the package that plays the same gam
 	assert.deepEqual(parts.DEFINITIONS.map(({ type }) => type).filter((type) => !types.has(type) && type !== 'math_number'), [], 'every block is tried');
 	const seen = ({ agents, score, frame, ended }) => [frame, score ?? 0, ended?.how, ...agents.map(({ breed, x, y, z, heading, size, color }) => [breed, x, y, z, heading, size, color].join(' '))].join('\n');
 	const keys = ['up', 'left', 'space', 'right', 'down'];
-	try {
-		// a part of them; all with -Dfull
-		const tried = Object.entries(all).filter(([name]) => process.env.FULL_TESTS === 'true' || /everything|pinball|hills|starts/.test(name));
-		assert.ok(tried.length >= 3);
-		for (const [name, state] of tried) {
-			const { file } = written(name, state);
-			// the same without the ten seconds that it plays by itself
-			writeFileSync(file, readFileSync(file, 'utf8').replace(/^for \(let i = 0; i < 600 .*\nconsole\.log.*$/m, ''));
-			const world = played(state, 0);
-			const module = await import(pathToFileURL(file).href);
-			let moved = 0;
-			for (let frame = 0; frame < 300; frame++) {
-				if (frame % 25 === 0) {
-					const key = keys[(frame / 25) % keys.length];
-					for (const each of keys) [world, module].forEach((game) => game.release(each));
-					[world, module].forEach((game) => game.press(key));
-				}
-				if (frame === 40) [world, module].forEach((game) => game.click(game.agents[0]));
-				if (frame === 60 && module.mouse) [world, module].forEach(({ mouse }) => Object.assign(mouse, { x: 3 }));
-				const places = () => world.agents.map(({ x, y, z }) => `${x} ${y} ${z}`).join();
-				const before = places();
-				world.step();
-				module.step();
-				moved += places() === before ? 0 : 1;
-				assert.equal(seen({ ...module.game, agents: module.agents }), seen(world), `${name}, frame ${frame + 1}`);
+	// a part of them; all with -Dfull
+	const tried = Object.entries(all).filter(([name]) => process.env.FULL_TESTS === 'true' || /everything|pinball|hills|starts/.test(name));
+	assert.ok(tried.length >= 3);
+	for (const [name, state] of tried) {
+		const { file } = written(name, state);
+		// the same without the ten seconds that it plays by itself
+		writeFileSync(file, readFileSync(file, 'utf8').replace(/^for \(let i = 0; i < 600 .*\nconsole\.log.*$/m, ''));
+		const world = played(state, 0);
+		const module = await import(pathToFileURL(file).href);
+		let moved = 0;
+		for (let frame = 0; frame < 300; frame++) {
+			if (frame % 25 === 0) {
+				const key = keys[(frame / 25) % keys.length];
+				for (const each of keys) [world, module].forEach((game) => game.release(each));
+				[world, module].forEach((game) => game.press(key));
 			}
-			if (name in parts.GAMES || name === 'everything') assert.ok(moved > 30, `${name}: ${moved} frames in which somebody moved`);
+			if (frame === 40) [world, module].forEach((game) => game.click(game.agents[0]));
+			if (frame === 60 && module.mouse) [world, module].forEach(({ mouse }) => Object.assign(mouse, { x: 3 }));
+			const places = () => world.agents.map(({ x, y, z }) => `${x} ${y} ${z}`).join();
+			const before = places();
+			world.step();
+			module.step();
+			moved += places() === before ? 0 : 1;
+			assert.equal(seen({ ...module.game, agents: module.agents }), seen(world), `${name}, frame ${frame + 1}`);
 		}
-		// as its user runs it
-		const { stdout } = await promisify(execFile)(process.execPath, [written('chase', parts.GAMES.chase).file]);
-		assert.match(stdout, /^\d+ agents after \d+ frames/);
+		if (name in parts.GAMES || name === 'everything') assert.ok(moved > 30, `${name}: ${moved} frames in which somebody moved`);
+	}
+});
+
+test('a program as JavaScript runs in Node as its first line says, with the package beside it and no other file', async () => {
+	const folder = path.join(mkdtempSync(path.join(tmpdir(), 'game-')), 'here');
+	mkdirSync(path.join(folder, 'node_modules'), { recursive: true });
+	symlinkSync(path.join(root, 'bin/module'), path.join(folder, 'node_modules/starlogo-collision'));
+	try {
+		for (const name of ['chase', 'hills']) {
+			// a model of the user's own, with a name that is none of JavaScript
+			const state = JSON.parse(JSON.stringify(parts.GAMES[name]).replaceAll('"SHAPE":"bear"', '"SHAPE":"my bear"'));
+			assert.match(JSON.stringify(state), /my bear/);
+			const text = parts.javascriptOf(state, name, new Map([...shapes, ['my bear', shapes.get('bear')]]), name);
+			const [, command] = /picture: node (.+)$/m.exec(text);
+			writeFileSync(path.join(folder, command), text);
+			const { stdout } = await promisify(execFile)(process.execPath, [command], { cwd: folder });
+			assert.match(stdout, /^\d+ agents after \d+ frames/);
+		}
 	} finally {
-		assets.close();
+		rmSync(path.dirname(folder), { recursive: true });
 	}
 });

@@ -17,7 +17,7 @@ const words = texts.play.javascript;
  * @param {Map} models by their names
  */
 export function showJavascript(program, title, file, models) {
-	const text = javascriptOf(program, title, models);
+	const text = javascriptOf(program, title, models, file);
 	const code = h("code", {}, text);
 	const [copy, said] = copying(code, { class: "primary" });
 	const dialog = openDialog("dialog.ask.javascript", words.title,

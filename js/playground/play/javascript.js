@@ -3,7 +3,7 @@
  * same places.
  */
 import { Collision, CollisionBlocks } from "starlogo-collision";
-import { BUILT_IN, MADE, fileOf } from "../shared/assets.js";
+import { BUILT_IN } from "../shared/assets.js";
 import { INSTALL } from "../shared/names.js";
 import { COLOURS } from "./colours.js";
 import { BEING, ENGINE, HELPERS, hex } from "./javascriptparts.js";
@@ -14,7 +14,7 @@ const text = JSON.stringify;
 const NAME = /^[a-z_$][\w$]*$/i;
 
 /** The classes that a module may import from the package. */
-const CLASSES = ["Agent", "AgentFilter", "BuiltInModel", "Collision", "CollisionBlocks", "DetectionBlocks", "GreatLand", "Model", "ModelLoader", "Terrain", "TraitBlocks"];
+const CLASSES = ["Agent", "AgentFilter", "BuiltInModel", "Collision", "CollisionBlocks", "DetectionBlocks", "GreatLand", "Model", "Terrain", "TraitBlocks"];
 
 const RESERVED = { anyone: "Collision.ANY_BREED", [Collision.TERRAIN]: "Collision.TERRAIN" };
 const breedOf = (field) => RESERVED[field] ?? text(field);
@@ -228,16 +228,20 @@ function shapesOf(program) {
 	return [...found].sort();
 }
 
-/** A line that adds a shape's model. */
-function adding(name) {
-	if (BUILT_IN.includes(name)) return `greatLand.addModel(BuiltInModel.${name}());`;
-	if (MADE.includes(name)) return `greatLand.addModel(${name}());`;
-	return `await loader.loadAsync(${text(name)}, assets + ${text(fileOf(name) ?? `${name}.obj`)});${fileOf(name) ? "" : " // your own file"}`;
+/** Numbers in lines that can be read beside a program. */
+const numbers = (all) => JSON.stringify(Array.from(all)).replaceAll(/(.{100}[^,]*,)/g, "$1\n\t\t");
+
+/** A model as an expression: as its file had it, or else as it is. */
+function making(name, { given, vertices, triangles }) {
+	const parts = [text(name), numbers(given?.vertices ?? vertices), ...(triangles ? [numbers(given?.triangles ?? triangles)] : ["null"]), ...(given ? [] : ["Model.AS_GIVEN"])];
+	return `new Model(${parts.join(", ")})`;
 }
 
-/** A model that the page makes itself, by its vertices and triangles. */
-const making = ({ name, given: { vertices, triangles } }) => `function ${name}() {
-	return new Model(${text(name)}, [${vertices.join(", ")}], [${triangles.join(", ")}]);
+/** The function with the models that a module brings along, so that it needs no other file. */
+const MODELS = (all) => `/** The models: vertices, and the vertices of triangles. */
+function models() {
+	return [${all.map((each) => `\n\t\t${each},`).join("")}
+	];
 }`;
 
 /**
@@ -246,9 +250,10 @@ const making = ({ name, given: { vertices, triangles } }) => `function ${name}()
  * @param {object} program in Blockly's notation
  * @param {string} title the program's title
  * @param {Map} models by their names
+ * @param {string} file the file's name without its ending
  * @returns {string}
  */
-export function javascriptOf(program, title, models) {
+export function javascriptOf(program, title, models, file = "game") {
 	const writer = new Writer(program);
 	const scripts = (program.blocks?.blocks ?? []).filter(({ type }) => type in EVENTS).map((block) => {
 		const isAlone = block.type === "starlogo_start";
@@ -258,8 +263,8 @@ export function javascriptOf(program, title, models) {
 		return `${EVENTS[block.type](block, seconds)}function* (${isAlone ? "" : isPair ? "me, collidee" : "me"}) {\n${writer.body(block, "DO", place).join("\n")}\n});`;
 	}).map((lines) => lines.replace("{\n\n}", "{}"));
 	const shapes = shapesOf(program);
-	const addModels = shapes.map(adding);
-	const made = shapes.filter((name) => MADE.includes(name)).map((name) => making(models.get(name)));
+	const brought = shapes.filter((name) => models.has(name) && !BUILT_IN.includes(name)).map((name) => making(name, models.get(name)));
+	const addModels = [...shapes.filter((name) => BUILT_IN.includes(name)).map((name) => `greatLand.addModel(BuiltInModel.${name}());`), ...(brought.length > 0 ? ["for (const model of models()) greatLand.addModel(model);"] : [])];
 	const system = systemOf(program);
 	const main = [...addModels, ...scripts].join("\n");
 	const helpers = neededBy(`${main}\n${ENGINE}`);
@@ -286,15 +291,13 @@ export function javascriptOf(program, title, models) {
 		...(has("detection") ? ["const detection = new DetectionBlocks(collisions);", "let areSensesOld = true;"] : []),
 		...(has("systemsOfNow") ? ["const systemsOfNow = new CollisionBlocks(greatLand, []);"] : []),
 	];
-	const whole = [main, BEING, ENGINE, ...helpers, ...made, ...blocks, has("loader") ? "new ModelLoader" : "", "new GreatLand"].join("\n");
+	const whole = [main, BEING, ENGINE, ...helpers, ...blocks, brought.length > 0 ? "new Model" : "", "new GreatLand"].join("\n");
 	return [
-		`// “${title.replaceAll(/\s+/g, " ")}”: a program of blocks as a module. It plays without a picture: run node with this file.`,
+		`// “${title.replaceAll(/\s+/g, " ")}”: a program of blocks as a module, with its models. It plays without a picture: node ${file}.mjs`,
 		INSTALL,
 		`import { ${CLASSES.filter((name) => new RegExp(`\\b${name}\\b`).test(whole.replaceAll(/\/\*\*.*?\*\/|"[^"]*"/gs, ""))).join(", ")} } from "starlogo-collision";`,
 		"",
-		...(addModels.some((line) => line.includes("assets")) ? ["/** Where the models are: the address of the project’s folder of this name; in Node an absolute one. */", "const assets = \"assets/\";"] : []),
 		"const greatLand = new GreatLand();",
-		...(has("loader") ? ["const loader = new ModelLoader(greatLand);"] : []),
 		...addModels, "",
 		...state, "", BEING, "", ...blocks, "",
 		"// the program", "",
@@ -304,7 +307,8 @@ export function javascriptOf(program, title, models) {
 		`for (let i = 0; i < ${10 * FRAMES_A_SECOND} && !game.ended; i++) step();`,
 		"console.log(`${agents.length} agents after ${game.frame} frames`, game);", "",
 		"// what makes it a game", "",
-		[ENGINE, ...helpers, ...made].map(fill).join("\n\n"), "",
+		[ENGINE, ...helpers].map(fill).join("\n\n"), "",
+		...(brought.length > 0 ? [MODELS(brought), ""] : []),
 	].join("\n");
 }
 

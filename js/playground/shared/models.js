@@ -9,7 +9,7 @@ const loaded = new Map();
 
 /**
  * A model by its name. It is loaded once; after a failure, the next call tries again. Its `colours` are those of its triangles, in their
- * order: pairs of a count and a colour.
+ * order: pairs of a count and a colour. `given` has the numbers of its file.
  */
 export function loadModel(name) {
 	if (!loaded.has(name)) {
@@ -33,7 +33,7 @@ export const loadLand = async (names) => landOf(new Map(await Promise.all(names.
 async function read(name) {
 	if (name in BUILT_IN) return BUILT_IN[name]();
 	const { vertices, triangles, colours } = JSON.parse(await readModel(name));
-	return Object.assign(new Model(name, vertices, triangles), { colours });
+	return Object.assign(new Model(name, vertices, triangles), { colours, given: { vertices, triangles } });
 }
 
 /**

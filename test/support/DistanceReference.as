@@ -7,7 +7,6 @@ package support
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.intersection.TrianglePairDistance;
     import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.findClosest;
     import starlogo.solid.SolidHierarchy;
@@ -42,17 +41,17 @@ package support
         /** Of surfaces. */
         public function ofTriangles(a:Agent, b:Agent):Number
         {
-            var triangles:TrianglePairDistance = new TrianglePairDistance();
+            var distance:Number = Infinity;
             var cornersA:Vector.<Number> = cornersOf(a, b);
             var cornersB:Vector.<Number> = cornersOf(b, b);
             for (var i:int = 0; i < cornersA.length; i += 9)
             {
                 for (var k:int = 0; k < cornersB.length; k += 9)
                 {
-                    triangles.add(cornersA, i, cornersB, k);
+                    distance = Math.min(distance, PlainDistance.ofTriangles(cornersA, i, cornersB, k));
                 }
             }
-            return Math.sqrt(triangles.squared);
+            return distance;
         }
 
         /** Of a point and an agent's hierarchy. */
@@ -64,7 +63,7 @@ package support
         /** Of a point and an agent's surface. */
         public function fromTriangles(agent:Agent, point:Vector3D):Number
         {
-            var triangles:TrianglePairDistance = new TrianglePairDistance();
+            var distance:Number = Infinity;
             var corners:Vector.<Number> = cornersOf(agent, agent);
             var x:Number = point.x - agent.x;
             var y:Number = point.y - agent.y;
@@ -72,9 +71,9 @@ package support
             var points:Vector.<Number> = new <Number>[x, y, z, x, y, z, x, y, z];
             for (var i:int = 0; i < corners.length; i += 9)
             {
-                triangles.add(corners, i, points, 0);
+                distance = Math.min(distance, PlainDistance.ofTriangles(corners, i, points, 0));
             }
-            return Math.sqrt(triangles.squared);
+            return distance;
         }
 
         // Relative to another agent's place, to be as precise far away.

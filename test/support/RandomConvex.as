@@ -74,7 +74,7 @@ package support
             out.y = shape.y + y;
             out.z = shape.z + z;
             out.radius = shape.radius;
-            out.gap = shape.gap;
+            out.margin = shape.margin;
             out.size = shape.size;
             out.points = shape.points;
             out.end = shape.end;

@@ -23,7 +23,8 @@ package starlogo.convex
         private var _overlap:CoreOverlap = new CoreOverlap();
         private var _common:CommonPoint = new CommonPoint();
         private var _cores:CorePair = new CorePair();
-        private var _gap:CoreGap = new CoreGap();
+        private var _witness:CoreWitness = new CoreWitness();
+        private var _exact:ConvexContact = new ConvexContact();
 
         // Where the motion begins: the vector from b's origin to a's. The latest time at which the shapes touch within rounding.
         private var _from:Vector3D = new Vector3D();
@@ -34,8 +35,8 @@ package starlogo.convex
         {
             relate(a, b);
             _cores.enough = _cores.reach;
-            _distance.find(_cores, _gap);
-            return _gap.distance <= _cores.reach;
+            _distance.find(_cores, _witness);
+            return _witness.distance <= _cores.reach;
         }
 
         /** Finds the distance and the closest points of two shapes. */
@@ -55,8 +56,8 @@ package starlogo.convex
         {
             relate(a, b);
             _cores.enough = out.distance + (a.radius + b.radius);
-            _distance.find(_cores, _gap);
-            var distance:Number = _gap.distance - (a.radius + b.radius);
+            _distance.find(_cores, _witness);
+            var distance:Number = _witness.distance - (a.radius + b.radius);
             distance = distance > 0 ? distance : 0;
             if (!(distance < out.distance))
             {
@@ -72,7 +73,7 @@ package starlogo.convex
          * steps over its first zero (van den Bergen, "Ray casting against general convex objects with application to continuous collision
          * detection", 2004). A step ends when no gap is left along the line between the closest points.
          *
-         * @param motion the motion of a, and the latest time that counts; receives the time: 0 if they touch at the beginning, or
+         * @param motion the motion of a, and the earliest and the latest time that count; receives the time: 0 if they touch at the beginning, or
          *     ConvexMotion.NEVER
          */
         public function findTime(a:ConvexShape, b:ConvexShape, motion:ConvexMotion):void
@@ -82,9 +83,10 @@ package starlogo.convex
             _from.x = _cores.x;
             _from.y = _cores.y;
             _from.z = _cores.z;
-            _cores.reach += Touching.gapOfMotion(motion.startX, motion.startY, motion.startZ) + Touching.gapOfMotion(motion.x, motion.y, motion.z);
+            _cores.reach += Touching.marginOfMotion(motion.startX, motion.startY, motion.startZ) + Touching.marginOfMotion(motion.x, motion.y, motion.z);
             _touch = ConvexMotion.NEVER;
             skipToBalls(motion);
+            motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;
             for (var step:int = 0; step < MOST_STEPS && motion.time <= motion.latest; step++)
             {
                 _cores.x = _from.x + motion.time * _cores.wayX;
@@ -92,11 +94,11 @@ package starlogo.convex
                 _cores.z = _from.z + motion.time * _cores.wayZ;
                 if (step == 0)
                 {
-                    _distance.find(_cores, _gap);
+                    _distance.find(_cores, _witness);
                 }
                 else
                 {
-                    _distance.findAgain(_cores, _gap);
+                    _distance.findAgain(_cores, _witness);
                 }
                 if (isFirstTouch(motion))
                 {
@@ -128,13 +130,13 @@ package starlogo.convex
             {
                 _cores.wayX = _cores.wayY = _cores.wayZ = 0;
             }
-            _distance.find(_cores, _gap);
-            if (_gap.distance > Tolerances.GAP * (a.size + b.size))
+            _distance.find(_cores, _witness);
+            if (_witness.distance > Tolerances.GAP * (a.size + b.size))
             {
-                out.normalX = _gap.x / _gap.distance;
-                out.normalY = _gap.y / _gap.distance;
-                out.normalZ = _gap.z / _gap.distance;
-                out.depth = -_gap.distance;
+                out.normalX = _witness.x / _witness.distance;
+                out.normalY = _witness.y / _witness.distance;
+                out.normalZ = _witness.z / _witness.distance;
+                out.depth = -_witness.distance;
             }
             else
             {
@@ -173,7 +175,7 @@ package starlogo.convex
             cores.y = first.y - second.y;
             cores.z = first.z - second.z;
             cores.enough = Infinity;
-            cores.reach = (first.radius + second.radius) * Tolerances.TOUCHING + (first.gap + second.gap) + Tolerances.CORES * (first.size + second.size);
+            cores.reach = (first.radius + second.radius) * Tolerances.TOUCHING + (first.margin + second.margin) + Tolerances.CORES * (first.size + second.size);
         }
 
         // Whether a shape comes after another one at the same place, by the numbers that they are made of.
@@ -224,17 +226,17 @@ package starlogo.convex
         // Whether the motion's time is that of the first touch. If not, sets the time of the next step.
         private function isFirstTouch(motion:ConvexMotion):Boolean
         {
-            var gap:CoreGap = _gap;
+            var witness:CoreWitness = _witness;
             var cores:CorePair = _cores;
             var radii:Number = cores.a.radius + cores.b.radius;
-            var areTouching:Boolean = gap.distance <= cores.reach;
+            var areTouching:Boolean = witness.distance <= cores.reach;
             if (_touch <= 1)
             {
                 // the last step counts only if they still touch after it
                 motion.time = areTouching ? motion.time : _touch;
                 return true;
             }
-            if (areTouching && (motion.time == 0 || gap.distance <= radii))
+            if (areTouching && (motion.time == 0 || witness.distance <= radii))
             {
                 return true;
             }
@@ -243,8 +245,12 @@ package starlogo.convex
                 // one more step, to where they touch without the gap for rounding
                 _touch = motion.time;
             }
-            var speed:Number = -(gap.normalX * cores.wayX + gap.normalY * cores.wayY + gap.normalZ * cores.wayZ);
-            var next:Number = speed > 0 ? motion.time + (gap.separation - radii) / speed : ConvexMotion.NEVER;
+            if (!areTouching && witness.separation <= radii)
+            {
+                refine();
+            }
+            var speed:Number = -(witness.normalX * cores.wayX + witness.normalY * cores.wayY + witness.normalZ * cores.wayZ);
+            var next:Number = speed > 0 ? motion.time + (witness.separation - radii) / speed : ConvexMotion.NEVER;
             if (!(next > motion.time))
             {
                 return true;
@@ -253,14 +259,29 @@ package starlogo.convex
             return false;
         }
 
+        // Replaces the direction that keeps the cores apart. A short line between two points is too imprecise where an edge or a face is nearly
+        // perpendicular to it. The normals of faces and pairs of edges are precise.
+        private function refine():void
+        {
+            var witness:CoreWitness = _witness;
+            _overlap.find(_cores, _exact);
+            if (-_exact.depth > witness.separation)
+            {
+                witness.separation = -_exact.depth;
+                witness.normalX = _exact.normalX;
+                witness.normalY = _exact.normalY;
+                witness.normalZ = _exact.normalZ;
+            }
+        }
+
         // Writes the points of the surfaces from the gap between the cores. If the shapes overlap, both are in the middle of the part of the line
         // through the cores' closest points that is inside of both.
         private function writePoints(out:ClosestPoints):void
         {
-            var gap:CoreGap = _gap;
+            var witness:CoreWitness = _witness;
             var a:ConvexShape = _cores.a;
             var b:ConvexShape = _cores.b;
-            var length:Number = gap.distance;
+            var length:Number = witness.distance;
             // how far the two points are from a's core, along the gap
             var atA:Number = a.radius;
             var atB:Number = length - b.radius;
@@ -272,17 +293,17 @@ package starlogo.convex
             }
             var first:Number = _cores.isSwapped ? atB : atA;
             var second:Number = _cores.isSwapped ? atA : atB;
-            out.aX = out.bX = a.x + gap.pointX;
-            out.aY = out.bY = a.y + gap.pointY;
-            out.aZ = out.bZ = a.z + gap.pointZ;
+            out.aX = out.bX = a.x + witness.pointX;
+            out.aY = out.bY = a.y + witness.pointY;
+            out.aZ = out.bZ = a.z + witness.pointZ;
             if (length > 0)
             {
-                out.aX -= first * (gap.x / length);
-                out.aY -= first * (gap.y / length);
-                out.aZ -= first * (gap.z / length);
-                out.bX -= second * (gap.x / length);
-                out.bY -= second * (gap.y / length);
-                out.bZ -= second * (gap.z / length);
+                out.aX -= first * (witness.x / length);
+                out.aY -= first * (witness.y / length);
+                out.aZ -= first * (witness.z / length);
+                out.bX -= second * (witness.x / length);
+                out.bY -= second * (witness.y / length);
+                out.bZ -= second * (witness.z / length);
             }
         }
 

@@ -14,7 +14,7 @@ package starlogo.convex
     /**
      * A convex shape where it stands: a core and a radius around it. The core is the convex hull of points: one for a sphere, two for a capsule,
      * three for a triangle, eight for a box. Any number of points is a hull. A shape is set once for a body, and then takes part in any number of
-     * questions. Its fields are read only.
+     * questions. Its fields are read only but for the margin.
      *
      * <p>The points are relative to an origin near them, so nothing is lost far from the origin of the world.</p>
      *
@@ -41,8 +41,11 @@ package starlogo.convex
         /** The radius around the core. */
         public var radius:Number = 0;
 
-        /** How far beyond its surface other shapes still touch it, because its place or its surface is rounded. Distances do not include it. */
-        public var gap:Number = 0;
+        /**
+         * How far beyond its surface other shapes still touch it, because its place or its surface is rounded (see Touching). Distances do not include
+         * it. Who sets the shape adds to it afterwards.
+         */
+        public var margin:Number = 0;
 
         /** An upper bound for the core's diameter, at most 4 times as large. Rounding is relative to it. */
         public var size:Number = 0;
@@ -159,13 +162,7 @@ package starlogo.convex
             begin(points.length, faces, edges);
             this.points = points;
             measure();
-            gap = (Tolerances.TOUCHING - 1) * size / 2;
-        }
-
-        /** Enlarges the gap by what the shape's place and its surface are rounded by. See Touching. */
-        public function addGap(by:Number):void
-        {
-            gap += by;
+            margin = (Tolerances.TOUCHING - 1) * size / 2;
         }
 
         /** Returns the index of the first number of the core's point that is farthest along a direction, or against it if the side is -1. */
@@ -223,7 +220,7 @@ package starlogo.convex
             this.faces = faces;
             this.edges = edges;
             isBox = false;
-            radius = gap = 0;
+            radius = margin = 0;
         }
 
         // Writes a coordinate of a box's corners, from that of half its edges.

@@ -23,7 +23,7 @@ package starlogo.convex
         private var _least:Number = 0;
 
         /** Finds the closest points. */
-        public function find(cores:CorePair, out:CoreGap):void
+        public function find(cores:CorePair, out:CoreWitness):void
         {
             _simplex.begin(cores);
             _along.x = cores.x;
@@ -34,7 +34,7 @@ package starlogo.convex
         }
 
         /** Finds the closest points after a has moved. The last call must have been about the same two cores. It goes on from their simplex. */
-        public function findAgain(cores:CorePair, out:CoreGap):void
+        public function findAgain(cores:CorePair, out:CoreWitness):void
         {
             _simplex.move(cores);
             begin(out);
@@ -42,14 +42,14 @@ package starlogo.convex
             search(cores, out);
         }
 
-        private function begin(out:CoreGap):void
+        private function begin(out:CoreWitness):void
         {
             _least = Infinity;
             out.overlaps = false;
             out.separation = -Infinity;
         }
 
-        private function search(cores:CorePair, out:CoreGap):void
+        private function search(cores:CorePair, out:CoreWitness):void
         {
             for (var step:int = 0; step < MOST_STEPS; step++)
             {
@@ -77,7 +77,7 @@ package starlogo.convex
         }
 
         // Adds the corner that is farthest towards the origin. Returns false if it does not bring the simplex nearer.
-        private function addFarthest(cores:CorePair, out:CoreGap):Boolean
+        private function addFarthest(cores:CorePair, out:CoreWitness):Boolean
         {
             var along:Vector3D = _along;
             var x:Number = along.x;
@@ -119,7 +119,7 @@ package starlogo.convex
 
         // Keeps the simplex's nearest point as the result if it is nearer than all before. Sets the direction of the next step. The vector between the
         // points has that direction, which is the more precise one.
-        private function keep(cores:CorePair, out:CoreGap):void
+        private function keep(cores:CorePair, out:CoreWitness):void
         {
             var simplex:Simplex = _simplex;
             _along.x = simplex.alongX;

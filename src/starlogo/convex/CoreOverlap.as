@@ -19,10 +19,12 @@ package starlogo.convex
         private var _edge:Vector.<Number> = new Vector.<Number>(PER_EDGE, true);
         private var _edges:Vector.<Number> = new Vector.<Number>();
 
-        // The direction to try, of any length. How far a core extends along it.
+        // The direction to try, of any length. How far a core extends along it, and how long the displacements along it and against it are.
         private var _along:Vector3D = new Vector3D();
         private var _low:Number = 0;
         private var _high:Number = 0;
+        private var _forth:Number = 0;
+        private var _back:Number = 0;
 
         /** Finds the displacement of a. Its length is less than 0 if the cores are apart. Only normal and depth are written. */
         public function find(cores:CorePair, out:ConvexContact):void
@@ -233,15 +235,44 @@ package starlogo.convex
         private function tryUpwards(cores:CorePair, out:ConvexContact):void
         {
             // up for the shape that was asked about first
-            var side:int = cores.isSwapped ? -1 : 1;
-            _along.x *= side;
-            _along.y *= side;
-            _along.z *= side;
-            tryDirection(cores, out);
+            var up:int = cores.isSwapped ? -1 : 1;
+            _along.x *= up;
+            _along.y *= up;
+            _along.z *= up;
+            measure(cores);
+            keep(_back < _forth - Tolerances.ROUNDING * (cores.a.size + cores.b.size) ? -1 : 1, cores, out);
         }
 
         // Tries a displacement along the direction, and the one against it.
         private function tryDirection(cores:CorePair, out:ConvexContact):void
+        {
+            measure(cores);
+            var rounding:Number = Tolerances.ROUNDING * (cores.a.size + cores.b.size);
+            var side:int = _back < _forth ? -1 : 1;
+            if (_back - _forth <= rounding && _forth - _back <= rounding)
+            {
+                // rounding hides on which side they are, but not where a comes from
+                var speed:Number = _along.x * cores.wayX + _along.y * cores.wayY + _along.z * cores.wayZ;
+                side = speed > 0 ? -1 : speed < 0 ? 1 : side;
+            }
+            keep(side, cores, out);
+        }
+
+        // Keeps the displacement along the direction, or against it if the side is -1, if it is the shortest so far.
+        private function keep(side:int, cores:CorePair, out:ConvexContact):void
+        {
+            var depth:Number = side < 0 ? _back : _forth;
+            if (depth < out.depth - Tolerances.ROUNDING * (cores.a.size + cores.b.size))
+            {
+                out.depth = depth;
+                out.normalX = side * _along.x;
+                out.normalY = side * _along.y;
+                out.normalZ = side * _along.z;
+            }
+        }
+
+        // Finds how long the displacements along the direction and against it are. The direction gets a length of 1.
+        private function measure(cores:CorePair):void
         {
             var along:Vector3D = _along;
             var length:Number = Math.sqrt(along.x * along.x + along.y * along.y + along.z * along.z);
@@ -253,23 +284,8 @@ package starlogo.convex
             var highA:Number = _high;
             project(cores.b);
             var from:Number = along.x * cores.x + along.y * cores.y + along.z * cores.z;
-            var forth:Number = _high - lowA - from;
-            var back:Number = highA - _low + from;
-            var rounding:Number = Tolerances.ROUNDING * (cores.a.size + cores.b.size);
-            var side:int = back < forth ? -1 : 1;
-            if (back - forth <= rounding && forth - back <= rounding)
-            {
-                // rounding would decide
-                side = along.x * cores.wayX + along.y * cores.wayY + along.z * cores.wayZ > 0 ? -1 : 1;
-            }
-            var depth:Number = side < 0 ? back : forth;
-            if (depth < out.depth - rounding)
-            {
-                out.depth = depth;
-                out.normalX = side * along.x;
-                out.normalY = side * along.y;
-                out.normalZ = side * along.z;
-            }
+            _forth = _high - lowA - from;
+            _back = highA - _low + from;
         }
 
         // Finds how far a core extends along the direction, which has a length of 1.

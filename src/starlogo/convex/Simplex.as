@@ -119,7 +119,7 @@ package starlogo.convex
         }
 
         /** Writes a's point at the nearest place. */
-        public function writePoint(cores:CorePair, out:CoreGap):void
+        public function writePoint(cores:CorePair, out:CoreWitness):void
         {
             var p:Vector.<Number> = cores.a.points;
             var pointX:Number = 0;

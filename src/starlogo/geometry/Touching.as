@@ -9,9 +9,9 @@ package starlogo.geometry
      *
      * <ul>
      * <li>the two radii, times Tolerances.TOUCHING. For two boxes and for hulls, half-extents count as radii</li>
-     * <li>for each of the two, the gap of its place (<code>gapOfPlace()</code>)</li>
-     * <li>for each of the two that is a model's triangle or node, the gap of its surface (<code>gapOfSurface()</code>)</li>
-     * <li>while one of the two moves, the gap of its motion (<code>gapOfMotion()</code>). The time of impact does not include any gap: the gaps decide
+     * <li>for each of the two, the margin of its place (<code>marginOfPlace()</code>)</li>
+     * <li>for each of the two that is a model's triangle or node, the margin of its surface (<code>marginOfSurface()</code>)</li>
+     * <li>while one of the two moves, the margin of its motion (<code>marginOfMotion()</code>). The time of impact includes no margin: margins decide
      *     whether two shapes touch at all</li>
      * </ul>
      *
@@ -19,24 +19,24 @@ package starlogo.geometry
      */
     public final class Touching
     {
-        /** The gap that rounding a place causes. */
-        public static function gapOfPlace(x:Number, y:Number, z:Number):Number
+        /** The margin that rounding a place causes. */
+        public static function marginOfPlace(x:Number, y:Number, z:Number):Number
         {
             return Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z));
         }
 
         /**
-         * The gap that rounding a surface causes.
+         * The margin that rounding a surface causes.
          *
          * @param radius of a sphere around the model
          */
-        public static function gapOfSurface(radius:Number):Number
+        public static function marginOfSurface(radius:Number):Number
         {
             return Tolerances.SURFACES * radius;
         }
 
-        /** The gap that rounding a motion causes, from the vector of its way or to its start. */
-        public static function gapOfMotion(x:Number, y:Number, z:Number):Number
+        /** The margin that rounding a motion causes, from the vector of its way or to its start. */
+        public static function marginOfMotion(x:Number, y:Number, z:Number):Number
         {
             return Tolerances.ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z));
         }

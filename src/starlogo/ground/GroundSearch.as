@@ -5,7 +5,7 @@ package starlogo.ground
     import starlogo.bounding.Box;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Touching;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.intersection.ConvexTriangle;
     import starlogo.intersection.sweep.RelativeMotion;
@@ -49,13 +49,13 @@ package starlogo.ground
         protected var _isUnder:Boolean = false;
         protected var _point:Vector3D = null;
 
+        // The margin of the model's place and surface, the margin of the current piece without that of a triangle, and the piece's origin.
+        private var _margin:Number = 0;
+        private var _pieceMargin:Number = 0;
+        private var _pieceOrigin:Vector3D = new Vector3D();
+
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
-
-        public function GroundSearch()
-        {
-            _piece.isOneSided = true;
-        }
 
         /**
          * Sets the model and the ground.
@@ -79,10 +79,10 @@ package starlogo.ground
             _isExact = tree != null && exact && tree.hasTriangles;
             _depth = _isExact ? int.MAX_VALUE : depth;
             // The margin is as large as if another agent stood at the place of the touch.
-            _piece.margin = 2 * Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
+            _margin = 2 * Touching.marginOfPlace(placement.x, placement.y, placement.z);
             if (_isExact)
             {
-                _piece.margin += Tolerances.SURFACES / 2 * tree.root.radius * placement.size;
+                _margin += Touching.marginOfSurface(tree.root.radius * placement.size / 2);
             }
             placeAt(RelativeMotion.NONE, 0);
         }
@@ -126,9 +126,10 @@ package starlogo.ground
                 }
                 if (_triangle < _end)
                 {
-                    _piece.beginTriangle(_corners, 9 * _triangle, _placed, _faces.way);
+                    _piece.beginTriangle(_corners, 9 * _triangle, _placed);
+                    _pieceMargin = _piece.shape.margin + _margin;
                     _triangle++;
-                    beginFaces(_box, _piece.point);
+                    beginFaces(_box, pointOfPiece());
                 }
                 else if (_nodeCount > 0)
                 {
@@ -140,8 +141,8 @@ package starlogo.ground
                     return false;
                 }
             }
+            _piece.shape.margin = _pieceMargin + _faces.gap;
             _piece.setTriangle(_faces.corners, 0);
-            _piece.gap = _faces.gap;
             return true;
         }
 
@@ -196,11 +197,25 @@ package starlogo.ground
             }
         }
 
-        // A function of its own, so that V8 makes no object for the margin.
+        protected function setPiece(structure:BoundingStructure):void
+        {
+            _piece.begin(structure, _placed);
+            _pieceMargin = _piece.shape.margin + _margin;
+        }
+
         private function beginPiece(structure:BoundingStructure):void
         {
-            _piece.begin(structure, _placed, _faces.way);
-            beginFaces(structure, _piece.point, _piece.structure);
+            setPiece(structure);
+            beginFaces(structure, pointOfPiece(), _piece.structure);
+        }
+
+        // Returns a point of the current piece.
+        private function pointOfPiece():Vector3D
+        {
+            _pieceOrigin.x = _piece.shape.x;
+            _pieceOrigin.y = _piece.shape.y;
+            _pieceOrigin.z = _piece.shape.z;
+            return _pieceOrigin;
         }
 
         // Begins with the triangles near the box around a structure of the model. The point is one of the piece. If it is a structure in the
@@ -218,14 +233,13 @@ package starlogo.ground
         {
             var middle:Vector3D = _faces.middle;
             var half:Vector3D = _faces.half;
-            var margin:Number = _piece.margin;
             structure.rotatedExtentsInto(_placed, _extents);
             middle.x = _extents[0] + _placed.x;
             middle.y = _extents[1] + _placed.y;
             middle.z = _extents[2] + _placed.z;
-            half.x = _extents[3] + margin;
-            half.y = _extents[4] + margin;
-            half.z = _extents[5] + margin;
+            half.x = _extents[3] + _margin;
+            half.y = _extents[4] + _margin;
+            half.z = _extents[5] + _margin;
         }
     }
 }

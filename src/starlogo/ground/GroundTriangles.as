@@ -5,6 +5,7 @@ package starlogo.ground
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Touching;
     import starlogo.intersection.GapToBox;
     import starlogo.intersection.sweep.RelativeMotion;
 
@@ -314,7 +315,7 @@ package starlogo.ground
             }
             var low:Number = Math.min(corners[2], Math.min(corners[5], corners[8]));
             var high:Number = Math.max(corners[2], Math.max(corners[5], corners[8]));
-            gap = Tolerances.SURFACES * (_width + high - low);
+            gap = Touching.marginOfSurface(_width + high - low);
             return _low <= high && _high >= low;
         }
 

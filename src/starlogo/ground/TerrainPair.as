@@ -1,6 +1,8 @@
 package starlogo.ground
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ConvexMotion;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
@@ -45,6 +47,11 @@ package starlogo.ground
         private var _part:Vector.<Number> = new Vector.<Number>(9, true);
         private var _hasPart:Boolean = false;
         private var _nearest:Number = 0;
+        private var _closest:ClosestPoints = new ClosestPoints();
+
+        // The motion of the search for the first touch, and none.
+        private var _sweep:ConvexMotion = new ConvexMotion();
+        private var _still:ConvexMotion = new ConvexMotion();
 
         /** Whether the two overlap or touch where the model stands. */
         public function areOverlapping():Boolean
@@ -112,20 +119,26 @@ package starlogo.ground
         {
             placeAt(motion, 0);
             begin(_tree, motion, 0);
-            motion.time = RelativeMotion.NEVER;
-            while (motion.time > 0 && next())
+            var first:Number = RelativeMotion.NEVER;
+            setSweep(motion);
+            while (first > 0 && next())
             {
-                _piece.time = _faces.limit;
-                _piece.findTime();
-                if (_piece.time < motion.time)
+                _sweep.latest = _faces.limit;
+                if (_piece.staysBeside(_sweep))
                 {
-                    motion.time = _faces.limit = _piece.time;
+                    continue;
+                }
+                _piece.findTime(_sweep);
+                if (_sweep.time < first)
+                {
+                    first = _faces.limit = _sweep.time;
                     if (out != null)
                     {
-                        _piece.findContact(out);
+                        _piece.findContactOfSolid(_sweep, out);
                     }
                 }
             }
+            motion.time = first;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
                 moveToWorld(out);
@@ -189,7 +202,7 @@ package starlogo.ground
             while (next())
             {
                 _piece.findBehind(_tried);
-                if (_tried.depth >= -_piece.gap && (!_hasPart || isPartBehind()))
+                if (_tried.depth >= -_faces.gap && (!_hasPart || isPartBehind()))
                 {
                     count = addExit(ways, count);
                 }
@@ -225,9 +238,10 @@ package starlogo.ground
         public function findClosest(areTouching:Boolean, out:DistanceResult):void
         {
             setNearest();
+            _closest.distance = _nearest;
             if (_tree == null)
             {
-                _piece.begin(_structure, _placed, RelativeMotion.NONE);
+                setPiece(_structure);
                 _faces.begin();
                 measure(out);
             }
@@ -273,15 +287,12 @@ package starlogo.ground
         // Measures the distances of all pairs of a piece and a triangle, and keeps the closest points of the nearest ones.
         private function measure(out:DistanceResult):void
         {
-            var isFound:Boolean = false;
             while (next())
             {
-                _piece.measure();
-                if (_piece.distance < _nearest || _piece.distance == _nearest && !isFound)
+                if (_piece.findCloser(_closest))
                 {
-                    isFound = true;
-                    _nearest = _faces.reach = _piece.distance;
-                    _piece.writeClosest(out);
+                    _nearest = _faces.reach = _closest.distance;
+                    out.copyConvex(_closest);
                 }
             }
         }
@@ -296,7 +307,7 @@ package starlogo.ground
             {
                 var isUnder:Boolean = _piece.findBehind(_tried);
                 _behind.copyFrom(_tried);
-                if (deepest > 0 && _tried.depth < deepest + _piece.gap)
+                if (deepest > 0 && _tried.depth < deepest + _faces.gap)
                 {
                     continue;
                 }
@@ -318,17 +329,16 @@ package starlogo.ground
         private function isDeeperBehind():Boolean
         {
             return _tried.normalX == _behind.normalX && _tried.normalY == _behind.normalY && _tried.normalZ == _behind.normalZ
-                && _tried.depth < _behind.depth - _piece.gap;
+                && _tried.depth < _behind.depth - _faces.gap;
         }
 
         private function findOverlap():Boolean
         {
-            if (!_piece.touches())
+            if (!_piece.areTouching())
             {
                 return false;
             }
-            _piece.time = 0;
-            _piece.findContact(_tried);
+            _piece.findContactOfSolid(_still, _tried);
             return true;
         }
 
@@ -374,7 +384,7 @@ package starlogo.ground
             _tried.measure(_part, 0, 9);
             var greatest:Number = _tried.greatest;
             _tried.measure(_faces.corners, 0, 3);
-            return greatest <= _tried.least + PART_GAPS * _piece.gap;
+            return greatest <= _tried.least + PART_GAPS * _faces.gap;
         }
 
         // Whether any way out of the ground is at least about as long as the last contact is deep, because the piece's deepest point has to get out.
@@ -415,12 +425,19 @@ package starlogo.ground
             _under = 0;
             while (next())
             {
-                if (_piece.touches())
+                if (_piece.areTouching())
                 {
                     return true;
                 }
             }
             return _isUnder;
+        }
+
+        private function setSweep(motion:RelativeMotion):void
+        {
+            _sweep.x = motion.x;
+            _sweep.y = motion.y;
+            _sweep.z = motion.z;
         }
 
         private function moveToWorld(out:ContactPoint):void

@@ -3,7 +3,7 @@ package starlogo.hierarchy
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Touching;
     import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
@@ -58,7 +58,7 @@ package starlogo.hierarchy
             var z:Number = (b.z - a.z) / a.size;
             var relative:Placement = placement;
             relative.size = scale;
-            gap = Tolerances.PLACES * (Math.abs(a.x) + Math.abs(a.y) + Math.abs(a.z) + (Math.abs(b.x) + Math.abs(b.y) + Math.abs(b.z))) / a.size;
+            gap = (Touching.marginOfPlace(a.x, a.y, a.z) + Touching.marginOfPlace(b.x, b.y, b.z)) / a.size;
             var a02:Number = a.r02;
             var a12:Number = a.r12;
             var a20:Number = a.r20;

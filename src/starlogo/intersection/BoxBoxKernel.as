@@ -2,6 +2,9 @@ package starlogo.intersection
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ConvexPair;
+    import starlogo.convex.ConvexShape;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.LeastOverlap;
     import starlogo.intersection.distance.DistanceResult;
@@ -10,12 +13,17 @@ package starlogo.intersection
 
     /**
      * The kernel of two boxes. It uses separating axes. The sweep finds when no axis separates the boxes. The contact finds the axis along
-     * which they overlap least.
+     * which they overlap least. The convex core finds the distance.
      */
     internal final class BoxBoxKernel extends PairKernel
     {
         private var _overlap:LeastOverlap = new LeastOverlap();
-        private var _distance:BoxDistance = new BoxDistance();
+
+        // For the distance, which is that of two convex shapes.
+        private var _pair:ConvexPair = new ConvexPair();
+        private var _a:ConvexShape = new ConvexShape();
+        private var _b:ConvexShape = new ConvexShape();
+        private var _closest:ClosestPoints = new ClosestPoints();
 
         /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
@@ -32,7 +40,10 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
         {
-            _distance.findClosest(a as Box, b as Box, out);
+            _a.setBox(a as Box);
+            _b.setBox(b as Box);
+            _pair.findClosest(_a, _b, _closest);
+            out.copyConvex(_closest);
         }
     }
 }

@@ -1,17 +1,27 @@
 package starlogo.solid
 {
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ConvexPair;
+    import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.intersection.TrianglePairDistance;
+    import starlogo.intersection.distance.DistanceResult;
 
     use namespace engine;
 
     /** Finds the distance of the triangles in leaves. It measures only pairs whose extents are nearer than the nearest pair so far. */
-    internal final class LeafDistanceTest extends LeafPairTest
+    internal final class LeafDistanceTest extends LeafTest
     {
-        private var _nearest:TrianglePairDistance = new TrianglePairDistance();
+        private var _triangles:MovedTriangles = new MovedTriangles();
+        private var _pair:ConvexPair = new ConvexPair();
+        private var _a:ConvexShape = new ConvexShape();
+        private var _b:ConvexShape = new ConvexShape();
+
+        // The nearest pair so far, and its squared distance.
+        private var _nearest:ClosestPoints = new ClosestPoints();
+        private var _squared:Number = 0;
 
         // The vector from the first model's point to the second's in the nearest pair, and the place along it beyond which a triangle of
         // the first model may be nearer.
@@ -22,38 +32,39 @@ package starlogo.solid
 
         public function LeafDistanceTest()
         {
-            points = _nearest.points;
+            points = new DistanceResult();
         }
 
-        /** @inheritDoc */
-        override public function begin(a:SolidHierarchy, b:SolidHierarchy, pose:RelativePose):LeafTest
+        /** Begins with two models that have triangles. The pose must relate them already. Returns this. */
+        public function begin(a:SolidHierarchy, b:SolidHierarchy, pose:RelativePose):LeafTest
         {
-            points.distance = Infinity;
-            _nearest.begin();
-            return super.begin(a, b, pose);
+            _triangles.begin(a, b, pose);
+            _nearest.distance = _squared = Infinity;
+            return this;
         }
 
         /** @inheritDoc */
         override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
-            move(b);
+            _triangles.move(b);
             var count:int = b.end - b.first;
-            for (var i:int = 0; i < count && _nearest.squared > 0; i++)
+            for (var i:int = 0; i < count && _nearest.distance > 0; i++)
             {
                 addTriangle(a, i);
             }
-            points.distance = Math.sqrt(_nearest.squared);
-            var isNearer:Boolean = points.distance < least;
-            least = points.distance;
+            var isNearer:Boolean = _nearest.distance < least;
+            least = _nearest.distance;
+            points.copyConvex(_nearest);
             return isNearer;
         }
 
         // Adds each triangle of a leaf of the first model, paired with a triangle of the second.
         private function addTriangle(a:HierarchyNode, triangle:int):void
         {
-            var corners:Vector.<Number> = movedCorners;
+            var solid:Solid = _triangles.solidA;
+            var corners:Vector.<Number> = _triangles.moved;
             var at:int = 9 * triangle;
-            var extents:Vector.<Number> = movedExtents;
+            var extents:Vector.<Number> = _triangles.extents;
             var extent:int = 6 * triangle;
             var minX:Number = extents[extent];
             var minY:Number = extents[int(extent + 1)];
@@ -61,10 +72,11 @@ package starlogo.solid
             var maxX:Number = extents[int(extent + 3)];
             var maxY:Number = extents[int(extent + 4)];
             var maxZ:Number = extents[int(extent + 5)];
-            var limit:Number = _nearest.squared;
+            var limit:Number = _squared;
             var isProjected:Boolean = false;
-            extents = solidA.extents;
+            extents = solid.extents;
             var end:int = a.end;
+            _b.setTriangle(corners, at);
             for (var i:int = a.first; i < end; i++)
             {
                 extent = 6 * i;
@@ -105,12 +117,15 @@ package starlogo.solid
                     projectTo(corners, at);
                     isProjected = true;
                 }
-                if (!isBeyond(solidA.corners, 9 * i))
+                if (!isBeyond(solid.corners, 9 * i))
                 {
                     triangleTests++;
-                    _nearest.add(solidA.corners, 9 * i, corners, at);
-                    isProjected = _nearest.squared == limit;
-                    limit = _nearest.squared;
+                    _a.setTriangle(solid.corners, 9 * i);
+                    if (_pair.findCloser(_a, _b, _nearest))
+                    {
+                        limit = _squared = _nearest.distance * _nearest.distance;
+                        isProjected = false;
+                    }
                 }
             }
         }
@@ -118,16 +133,16 @@ package starlogo.solid
         // Measures a triangle of the second model along the line between the closest points so far.
         private function projectTo(corners:Vector.<Number>, at:int):void
         {
-            var alongX:Number = points.bX - points.aX;
-            var alongY:Number = points.bY - points.aY;
-            var alongZ:Number = points.bZ - points.aZ;
+            var alongX:Number = _nearest.bX - _nearest.aX;
+            var alongY:Number = _nearest.bY - _nearest.aY;
+            var alongZ:Number = _nearest.bZ - _nearest.aZ;
             var p:Number = alongX * corners[at] + alongY * corners[int(at + 1)] + alongZ * corners[int(at + 2)];
             var q:Number = alongX * corners[int(at + 3)] + alongY * corners[int(at + 4)] + alongZ * corners[int(at + 5)];
             var r:Number = alongX * corners[int(at + 6)] + alongY * corners[int(at + 7)] + alongZ * corners[int(at + 8)];
             p = p < q ? p : q;
             p = p < r ? p : r;
             // The projections are scaled by the vector's length, so the nearest pair's distance becomes its square.
-            _begin = p - _nearest.squared;
+            _begin = p - _squared;
             _alongX = alongX;
             _alongY = alongY;
             _alongZ = alongZ;

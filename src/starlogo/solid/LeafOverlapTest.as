@@ -1,22 +1,34 @@
 package starlogo.solid
 {
+    import starlogo.convex.ConvexPair;
+    import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.intersection.TrianglePairDistance;
-    import starlogo.intersection.triangleTriangle;
+    import starlogo.hierarchy.LeafTest;
+    import starlogo.hierarchy.RelativePose;
+    import starlogo.intersection.areTrianglesApart;
 
     use namespace engine;
 
     /** Decides by triangles whether two leaves touch, for models that stand still. */
-    internal final class LeafOverlapTest extends LeafPairTest
+    internal final class LeafOverlapTest extends LeafTest
     {
-        private var _closest:TrianglePairDistance = new TrianglePairDistance();
+        private var _triangles:MovedTriangles = new MovedTriangles();
+        private var _pair:ConvexPair = new ConvexPair();
+        private var _a:ConvexShape = new ConvexShape();
+        private var _b:ConvexShape = new ConvexShape();
+
+        /** Begins with two models that have triangles. The pose must relate them already. Returns this. */
+        public function begin(a:SolidHierarchy, b:SolidHierarchy, pose:RelativePose):LeafTest
+        {
+            _triangles.begin(a, b, pose);
+            return this;
+        }
 
         /** @inheritDoc */
         override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
-            _closest.reach = touching;
-            move(b);
+            _triangles.move(b);
             var count:int = b.end - b.first;
             for (var i:int = 0; i < count; i++)
             {
@@ -31,16 +43,17 @@ package starlogo.solid
         // Whether a triangle of the second model touches a triangle in a leaf of the first.
         private function touchesSome(triangle:int, a:HierarchyNode):Boolean
         {
+            var solid:Solid = _triangles.solidA;
             var at:int = 6 * triangle;
-            var extents:Vector.<Number> = movedExtents;
-            var touching:Number = this.touching;
-            var minX:Number = extents[at] - touching;
-            var minY:Number = extents[int(at + 1)] - touching;
-            var minZ:Number = extents[int(at + 2)] - touching;
-            var maxX:Number = extents[int(at + 3)] + touching;
-            var maxY:Number = extents[int(at + 4)] + touching;
-            var maxZ:Number = extents[int(at + 5)] + touching;
-            var corners:Vector.<Number> = movedCorners;
+            var extents:Vector.<Number> = _triangles.extents;
+            var gap:Number = _triangles.gap;
+            var minX:Number = extents[at] - gap;
+            var minY:Number = extents[int(at + 1)] - gap;
+            var minZ:Number = extents[int(at + 2)] - gap;
+            var maxX:Number = extents[int(at + 3)] + gap;
+            var maxY:Number = extents[int(at + 4)] + gap;
+            var maxZ:Number = extents[int(at + 5)] + gap;
+            var corners:Vector.<Number> = _triangles.moved;
             var corner:int = 9 * triangle;
             var px:Number = corners[corner];
             var py:Number = corners[int(corner + 1)];
@@ -51,10 +64,12 @@ package starlogo.solid
             var rx:Number = corners[int(corner + 6)];
             var ry:Number = corners[int(corner + 7)];
             var rz:Number = corners[int(corner + 8)];
-            extents = solidA.extents;
-            var planes:Vector.<Number> = solidA.planes;
-            var off:Number = 2 * touching + solidA.flatness;
+            extents = solid.extents;
+            var planes:Vector.<Number> = solid.planes;
+            var off:Number = 2 * gap + solid.flatness;
             var end:int = a.end;
+            _b.setTriangle(corners, corner);
+            _b.margin += gap;
             for (var i:int = a.first; i < end; i++)
             {
                 at = 6 * i;
@@ -78,7 +93,12 @@ package starlogo.solid
                 {
                     continue;
                 }
-                if (triangleTriangle(solidA.corners, 9 * i, corners, corner, _closest))
+                if (areTrianglesApart(solid.corners, 9 * i, _b))
+                {
+                    continue;
+                }
+                _a.setTriangle(solid.corners, 9 * i);
+                if (_pair.areTouching(_a, _b))
                 {
                     return true;
                 }

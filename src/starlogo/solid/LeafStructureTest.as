@@ -2,8 +2,10 @@ package starlogo.solid
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ConvexMotion;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Touching;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.MovingBoxTraversal;
@@ -17,8 +19,8 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Decides whether a triangle of a model's leaf touches a solid sphere, capsule or box, when it does so, or how far the two are apart.
-     * The ground tests its triangles by the same ConvexTriangle. If the structure moves, separating axes rule out most triangles before.
+     * Decides whether a triangle of a model's leaf touches a solid sphere, capsule or box, or when it does so. The ground tests its triangles
+     * by the same ConvexTriangle. If the structure moves, separating axes rule out most triangles before.
      */
     internal final class LeafStructureTest extends LeafTest
     {
@@ -35,32 +37,26 @@ package starlogo.solid
         public var boxes:MovingBoxTraversal = new MovingBoxTraversal();
 
         private var _solid:Solid;
-        private var _planes:Vector.<Number>; // set if the structure moves
-        private var _isMeasuring:Boolean = false;
+        private var _planes:Vector.<Number>;
         private var _motion:RelativeMotion;
+        private var _sweep:ConvexMotion = new ConvexMotion();
         private var _test:ConvexTriangle = new ConvexTriangle();
 
         // The extents of the structure's core and of its motion: least x, greatest x, least y, ... The core of a round structure is a point
-        // or a segment. To measure distances, they are those of the whole structure.
+        // or a segment.
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        // The structure's core, and the radius around it, with a margin for rounding: the kernels find a touch a little beyond it.
+        // The structure's core, and the radius around it, with the gap across which it touches and a margin for rounding.
         private var _core:Zonotope = new Zonotope();
         private var _radius:Number = 0;
 
-        // An axis, and whether one that was tried for a triangle separates the two at the beginning.
+        // An axis that may separate the two.
         private var _axis:Vector3D = new Vector3D();
-        private var _startsApart:Boolean = false;
 
         // Whether a triangle is touched, and the index of the first number of the one that is touched first.
         private var _isFound:Boolean = false;
         private var _first:int = 0;
         private var _corner:Vector3D = new Vector3D();
-
-        public function LeafStructureTest()
-        {
-            points = new DistanceResult();
-        }
 
         /**
          * Begins with a model that has triangles.
@@ -72,28 +68,36 @@ package starlogo.solid
         public function begin(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose):void
         {
             var motion:RelativeMotion = pose.motion;
-            _isMeasuring = _isFound = false;
-            _test.margin = pose.gap + Tolerances.SURFACES * model.root.radius;
-            place(model, structure, pose);
-            _startsApart = false;
+            _isFound = false;
+            _solid = model.facets;
+            _motion = motion;
+            _test.begin(structure, pose.placement);
+            _test.shape.margin += pose.gap + Touching.marginOfSurface(model.root.radius);
+            _test.structure.extentsInto(_extents);
             var extents:Vector.<Number> = _extents;
-            var halfX:Number = (extents[1] - extents[0]) / 2;
-            var halfY:Number = (extents[3] - extents[2]) / 2;
-            var halfZ:Number = (extents[5] - extents[4]) / 2;
+            var gap:Number = _test.shape.margin;
+            var halfX:Number = (extents[1] - extents[0]) / 2 + gap;
+            var halfY:Number = (extents[3] - extents[2]) / 2 + gap;
+            var halfZ:Number = (extents[5] - extents[4]) / 2 + gap;
             isCompact = 8 * halfX * halfY * halfZ <= COMPACT * _test.structure.volume;
-            boxes.setPlace(extents[0] + halfX, extents[2] + halfY, extents[4] + halfZ, 0);
+            boxes.setPlace((extents[0] + extents[1]) / 2, (extents[2] + extents[3]) / 2, (extents[4] + extents[5]) / 2, 0);
             boxes.halfX = halfX;
             boxes.halfY = halfY;
             boxes.halfZ = halfZ;
             boxes.setMotion(motion.x, motion.y, motion.z);
-            var round:Number = _test.radius;
-            _radius = round + Tolerances.EXTENTS * (halfX + halfY + halfZ);
+            var round:Number = _test.shape.radius;
+            _radius = round + gap + Tolerances.EXTENTS * (halfX + halfY + halfZ);
             for (var i:int = 0; i < 6; i += 2)
             {
                 extents[i] += round;
                 extents[int(i + 1)] -= round;
             }
             least = 0;
+            _planes = _solid.planes;
+            _core.setTo(_test.structure, RelativeMotion.NONE);
+            _sweep.x = motion.x;
+            _sweep.y = motion.y;
+            _sweep.z = motion.z;
             if (motion !== RelativeMotion.NONE)
             {
                 least = 1;
@@ -105,12 +109,10 @@ package starlogo.solid
         private function prepareMotion():void
         {
             var motion:RelativeMotion = _motion;
-            _planes = _solid.planes;
-            _core.setTo(_test.structure, RelativeMotion.NONE);
             var extents:Vector.<Number> = _extents;
             var margin:Number = Tolerances.EXTENTS * (boxes.halfX + boxes.halfY + boxes.halfZ + Math.abs(_core.x) + Math.abs(_core.y) + Math.abs(_core.z)
                     + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            _radius = _test.radius + margin;
+            _radius = _test.shape.radius + _test.shape.margin + margin;
             extents[0] += Math.min(motion.x, 0);
             extents[1] += Math.max(motion.x, 0);
             extents[2] += Math.min(motion.y, 0);
@@ -135,21 +137,9 @@ package starlogo.solid
             return _isFound;
         }
 
-        /** Begins to measure the distance from a model that has triangles. The parameters are those of <code>begin()</code>. */
-        public function beginDistance(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose):void
-        {
-            _isMeasuring = true;
-            _test.margin = 0;
-            place(model, structure, pose);
-        }
-
         /** @inheritDoc */
         override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
-            if (_isMeasuring)
-            {
-                return isNearer(a);
-            }
             var wasFound:Boolean = _isFound;
             var before:Number = least;
             look(a.first, a.end);
@@ -160,37 +150,59 @@ package starlogo.solid
         /** @inheritDoc */
         override public function look(first:int, end:int):void
         {
+            var isMoving:Boolean = _motion !== RelativeMotion.NONE;
             for (var i:int = first; i < end; i++)
             {
-                if (squaredGap(i) > _radius * _radius || _motion !== RelativeMotion.NONE && isApart(i))
+                if (squaredGap(_extents, _solid.corners, 9 * i) > _radius * _radius)
+                {
+                    continue;
+                }
+                findEarliest(i);
+                if (_sweep.earliest > least || isMoving && isPassed(9 * i))
                 {
                     continue;
                 }
                 triangleTests++;
                 _test.setTriangle(_solid.corners, 9 * i);
-                _test.time = least;
-                _test.findTime(_startsApart);
-                if (_test.time < least || !_isFound && _test.time == least)
+                if (!isMoving && !_test.areTouching())
                 {
-                    _isFound = true;
-                    _first = 9 * i;
-                    least = _test.time;
-                    if (least == 0)
-                    {
-                        // no triangle can be touched earlier
-                        least = -Infinity;
-                        return;
-                    }
+                    continue;
+                }
+                if (isMoving && !isTouchedEarlier())
+                {
+                    continue;
+                }
+                _isFound = true;
+                _first = 9 * i;
+                if (!(least > 0))
+                {
+                    // no triangle can be touched earlier
+                    least = -Infinity;
+                    return;
                 }
             }
+        }
+
+        // Whether the triangle of the test is touched earlier than all before. If so, the least time becomes its time.
+        private function isTouchedEarlier():Boolean
+        {
+            _sweep.latest = least;
+            _test.findTime(_sweep);
+            var time:Number = _sweep.time;
+            if (time < least || !_isFound && time == least)
+            {
+                least = time;
+                return true;
+            }
+            return false;
         }
 
         /** @inheritDoc */
         override public function findContact(out:ContactPoint):void
         {
             _test.setTriangle(_solid.corners, _first);
-            _test.time = _motion.time;
-            _test.findContact(out);
+            _sweep.time = _motion.time;
+            _test.findContact(_sweep, out);
             out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
         }
 
@@ -204,72 +216,8 @@ package starlogo.solid
             }
         }
 
-        private function place(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose):void
-        {
-            _solid = model.facets;
-            _motion = pose.motion;
-            _test.begin(structure, pose.placement, _motion);
-            _test.structure.extentsInto(_extents);
-        }
-
-        // Whether a triangle in a leaf is nearer than the nearest triangle so far.
-        private function isNearer(a:HierarchyNode):Boolean
-        {
-            var before:Number = least;
-            for (var i:int = a.first; i < a.end && least > 0; i++)
-            {
-                if (squaredGap(i) < least * least)
-                {
-                    triangleTests++;
-                    _test.setTriangle(_solid.corners, 9 * i);
-                    _test.measure();
-                    least = _test.distance < least ? Math.max(_test.distance, 0) : least;
-                }
-            }
-            if (!(least < before))
-            {
-                return false;
-            }
-            _test.writeClosest(points);
-            points.swapShapes();
-            return true;
-        }
-
-        // The squared distance of a triangle's extents from the extents of the structure.
-        private function squaredGap(triangle:int):Number
-        {
-            var corners:Vector.<Number> = _solid.corners;
-            var at:int = 9 * triangle;
-            var squared:Number = 0;
-            for (var axis:int = 0; axis < 6; axis += 2)
-            {
-                var p:Number = corners[at];
-                var q:Number = corners[int(at + 3)];
-                var r:Number = corners[int(at + 6)];
-                var low:Number = _extents[axis];
-                var high:Number = _extents[int(axis + 1)];
-                var gap:Number = 0;
-                if (p > high && q > high && r > high)
-                {
-                    gap = p < q ? p : q;
-                    gap = gap < r ? gap : r;
-                    gap -= high;
-                }
-                else if (p < low && q < low && r < low)
-                {
-                    gap = p > q ? p : q;
-                    gap = gap > r ? gap : r;
-                    gap = low - gap;
-                }
-                squared += gap * gap;
-                at++;
-            }
-            return squared;
-        }
-
-        // Whether an axis separates a triangle from the moving structure until <code>least</code>: the normal of the triangle, or an axis
-        // across the motion and an edge.
-        private function isApart(triangle:int):Boolean
+        // Finds when the structure first comes to a triangle's plane; it cannot touch the triangle before.
+        private function findEarliest(triangle:int):void
         {
             var planes:Vector.<Number> = _planes;
             var at:int = 4 * triangle;
@@ -279,20 +227,21 @@ package starlogo.solid
             _core.measure(_axis);
             var reach:Number = _core.reach + _radius + _solid.flatness;
             var from:Number = _axis.x * _core.x + _axis.y * _core.y + _axis.z * _core.z - planes[int(at + 3)];
-            var to:Number = from + least * (_axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z);
-            // mirrored, so that the structure begins on the side of the normal
-            if (from < 0)
+            var speed:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
+            var gap:Number = from < 0 ? -from : from;
+            gap -= reach;
+            var closing:Number = from < 0 ? speed : -speed;
+            _sweep.earliest = 0;
+            if (gap > 0)
             {
-                from = -from;
-                to = -to;
+                _sweep.earliest = closing > 0 ? gap / closing : ConvexMotion.NEVER;
             }
-            _startsApart = from > reach;
-            if (_startsApart && to > reach)
-            {
-                return true;
-            }
+        }
+
+        // Whether an axis across the motion and an edge separates a triangle from the moving structure until <code>least</code>.
+        private function isPassed(at:int):Boolean
+        {
             var corners:Vector.<Number> = _solid.corners;
-            at = 9 * triangle;
             return isBeside(corners, at, at + 3, at + 6) || isBeside(corners, at + 3, at + 6, at) || isBeside(corners, at + 6, at, at + 3);
         }
 
@@ -322,12 +271,7 @@ package starlogo.solid
             high = apex + reach > high ? apex + reach : high;
             var from:Number = x * (_core.x - px) + y * (_core.y - py) + z * (_core.z - pz);
             var to:Number = from + least * (x * _motion.x + y * _motion.y + z * _motion.z);
-            if (from > high || from < low)
-            {
-                _startsApart = true;
-                return from > high ? to > high : to < low;
-            }
-            return false;
+            return from > high && to > high || from < low && to < low;
         }
     }
 }

@@ -1,50 +1,73 @@
 package starlogo.solid
 {
+    import starlogo.convex.ConvexContact;
+    import starlogo.convex.ConvexMotion;
+    import starlogo.convex.ConvexPair;
+    import starlogo.convex.ConvexShape;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.LeafTest;
+    import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.intersection.sweep.TriangleContactFinder;
-    import starlogo.intersection.sweep.TriangleSweep;
 
     use namespace engine;
 
     /** Decides by triangles when two leaves first touch, for models that move. */
-    internal final class LeafSweepTest extends LeafPairTest
+    internal final class LeafSweepTest extends LeafTest
     {
-        private var _sweep:TriangleSweep = new TriangleSweep();
-        private var _overlap:TriangleContactFinder = new TriangleContactFinder();
+        private var _triangles:MovedTriangles = new MovedTriangles();
+        private var _pair:ConvexPair = new ConvexPair();
+        private var _a:ConvexShape = new ConvexShape();
+        private var _b:ConvexShape = new ConvexShape();
+        private var _motion:ConvexMotion = new ConvexMotion();
+        private var _contact:ConvexContact = new ConvexContact();
+
+        // How far off a plane corners have to be to be certainly on one side of it.
+        private var _off:Number = 0;
 
         // The triangles that touch first: the indices of their corners, the second's in its own space. Then the second's corners in the
-        // first model's space. This list begins empty, as <code>movedCorners</code> does, because V8 makes objects for Numbers that a method
+        // first model's space. This list begins empty, as the lists of MovedTriangles do, because V8 makes objects for Numbers that a method
         // writes to lists of both kinds.
         private var _firstA:int;
         private var _firstB:int;
         private var _corners:Vector.<Number> = new Vector.<Number>();
 
+        /** Begins with two models that have triangles. The pose must relate them already. Returns this. */
+        public function begin(a:SolidHierarchy, b:SolidHierarchy, pose:RelativePose):LeafTest
+        {
+            _triangles.begin(a, b, pose);
+            _motion.x = pose.motion.x;
+            _motion.y = pose.motion.y;
+            _motion.z = pose.motion.z;
+            _off = 2 * _triangles.gap + _triangles.solidA.flatness + Tolerances.EXTENTS * (Math.abs(_motion.x) + Math.abs(_motion.y) + Math.abs(_motion.z));
+            return this;
+        }
+
         /** @inheritDoc */
         override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
-            move(b);
-            _sweep.tolerance = touching;
-            var motion:RelativeMotion = pose.motion;
+            _triangles.move(b);
+            var gap:Number = _triangles.gap;
+            var solid:Solid = _triangles.solidA;
+            var motion:ConvexMotion = _motion;
             var latest:Number = least;
-            least = RelativeMotion.NEVER;
-            var corners:Vector.<Number> = movedCorners;
-            var spans:Vector.<Number> = movedExtents;
-            var extents:Vector.<Number> = solidA.extents;
+            least = ConvexMotion.NEVER;
+            var corners:Vector.<Number> = _triangles.moved;
+            var spans:Vector.<Number> = _triangles.extents;
+            var extents:Vector.<Number> = solid.extents;
             // Higher indices come first, as in the traversal. So if several triangles touch at the same time, the result does not depend on
             // where leaves end.
             for (var k:int = b.end - b.first - 1; k >= 0; k--)
             {
                 // the extents of the triangle during its motion until <code>latest</code>
                 var span:int = 6 * k;
-                var minX:Number = spans[span] - touching;
-                var minY:Number = spans[int(span + 1)] - touching;
-                var minZ:Number = spans[int(span + 2)] - touching;
-                var maxX:Number = spans[int(span + 3)] + touching;
-                var maxY:Number = spans[int(span + 4)] + touching;
-                var maxZ:Number = spans[int(span + 5)] + touching;
+                var minX:Number = spans[span] - gap;
+                var minY:Number = spans[int(span + 1)] - gap;
+                var minZ:Number = spans[int(span + 2)] - gap;
+                var maxX:Number = spans[int(span + 3)] + gap;
+                var maxY:Number = spans[int(span + 4)] + gap;
+                var maxZ:Number = spans[int(span + 5)] + gap;
                 var way:Number = motion.x * latest;
                 minX = way < 0 ? minX + way : minX;
                 maxX = way > 0 ? maxX + way : maxX;
@@ -54,6 +77,8 @@ package starlogo.solid
                 way = motion.z * latest;
                 minZ = way < 0 ? minZ + way : minZ;
                 maxZ = way > 0 ? maxZ + way : maxZ;
+                _b.setTriangle(corners, 9 * k);
+                _b.margin += gap;
                 for (var i:int = a.end - 1; i >= a.first; i--)
                 {
                     var extent:int = 6 * i;
@@ -63,9 +88,13 @@ package starlogo.solid
                         continue;
                     }
                     triangleTests++;
-                    _sweep.relate(solidA.corners, 9 * i, corners, 9 * k);
-                    motion.time = latest;
-                    _sweep.findTime(motion);
+                    motion.latest = latest;
+                    if (staysOnOneSide(i, 9 * k))
+                    {
+                        continue;
+                    }
+                    _a.setTriangle(solid.corners, 9 * i);
+                    _pair.findTime(_b, _a, motion);
                     var impact:Number = motion.time;
                     if (impact < least)
                     {
@@ -82,13 +111,38 @@ package starlogo.solid
             return least <= 1;
         }
 
+        // Whether a triangle of the second model stays on one side of the plane of one of the first model's triangles until the
+        // motion's latest time.
+        private function staysOnOneSide(triangle:int, corner:int):Boolean
+        {
+            var solid:Solid = _triangles.solidA;
+            var planes:Vector.<Number> = solid.planes;
+            var corners:Vector.<Number> = _triangles.moved;
+            var at:int = 4 * triangle;
+            var x:Number = planes[at];
+            var y:Number = planes[int(at + 1)];
+            var z:Number = planes[int(at + 2)];
+            var place:Number = planes[int(at + 3)];
+            var p:Number = x * corners[corner] + y * corners[int(corner + 1)] + z * corners[int(corner + 2)] - place;
+            var q:Number = x * corners[int(corner + 3)] + y * corners[int(corner + 4)] + z * corners[int(corner + 5)] - place;
+            var r:Number = x * corners[int(corner + 6)] + y * corners[int(corner + 7)] + z * corners[int(corner + 8)] - place;
+            var way:Number = _motion.latest * (x * _motion.x + y * _motion.y + z * _motion.z);
+            var low:Number = way < 0 ? _off - way : _off;
+            var high:Number = way > 0 ? -_off - way : -_off;
+            return p > low && q > low && r > low || p < high && q < high && r < high;
+        }
+
         /** @inheritDoc */
         override public function findContact(out:ContactPoint):void
         {
-            pose.placement.movePoints(solidB.corners, _firstB, _firstB + 9, _corners);
-            _overlap.relate(solidA.corners, _firstA, _corners, 0);
-            _overlap.tolerance = touching;
-            _overlap.findContact(pose.motion, out);
+            var pose:RelativePose = _triangles.pose;
+            pose.placement.movePoints(_triangles.solidB.corners, _firstB, _firstB + 9, _corners);
+            _a.setTriangle(_triangles.solidA.corners, _firstA);
+            _b.setTriangle(_corners, 0);
+            _motion.time = pose.motion.time;
+            _pair.findContact(_b, _a, _motion, _contact);
+            out.copyConvex(_contact);
+            out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
         }
     }
 }

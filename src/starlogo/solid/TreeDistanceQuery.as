@@ -26,7 +26,7 @@ package starlogo.solid
         // The tests that decide about leaves.
         private var _leaf:StructureLeaf = new StructureLeaf();
         private var _trianglePairs:LeafDistanceTest = new LeafDistanceTest();
-        private var _triangles:LeafStructureTest = new LeafStructureTest();
+        private var _triangles:LeafStructureDistance = new LeafStructureDistance();
 
         /** @param overlaps finds a point of two models that overlap */
         public function TreeDistanceQuery(overlaps:TreeOverlapQuery)
@@ -89,7 +89,7 @@ package starlogo.solid
             var decider:LeafTest = null;
             if (isExact)
             {
-                _triangles.beginDistance(a, b, _pose);
+                _triangles.begin(a, b, _pose);
                 decider = _triangles;
             }
             _leaf.begin(b, _pose);

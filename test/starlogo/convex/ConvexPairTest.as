@@ -77,7 +77,7 @@ package starlogo.convex
                 {
                     if (_random.chance(0.3))
                     {
-                        _a.addGap(_random.logBetween(1e-14, 1e-12) * _size);
+                        _a.margin += _random.logBetween(1e-14, 1e-12) * _size;
                     }
                     approach(_random.logBetween(1e-17, 1e-11));
                     motion.startX = motion.startY = motion.startZ = motion.x = motion.y = motion.z = 0;
@@ -85,7 +85,7 @@ package starlogo.convex
                     var areTouching:Boolean = _pair.areTouching(_a, _b);
                     _wrong.addIf(areTouching != (motion.time == 0), "standing and moving", _what + ": " + motion.time);
                     _pair.findClosest(_a, _b, _points);
-                    var reach:Number = 4e-14 * (_a.radius + _b.radius) + _a.gap + _b.gap + 1e-15 * (_a.size + _b.size);
+                    var reach:Number = 4e-14 * (_a.radius + _b.radius) + _a.margin + _b.margin + 1e-15 * (_a.size + _b.size);
                     _wrong.addIf(!areTouching && _points.distance < reach - 1e-15 * _size, "apart", _what + ": " + _points.distance);
                     _wrong.addIf(areTouching && _points.distance > reach + 1e-15 * _size, "touching", _what + ": " + _points.distance);
                     touching += areTouching ? 1 : 0;
@@ -169,6 +169,46 @@ package starlogo.convex
                 });
             _wrong.assertNone();
             assertTrue(hits + " hits, " + misses + " misses", hits > 200 && misses > 200);
+        }
+
+        /** Shapes with faces and edges along the axes, which come near each other at any angle: rounding hides the direction of a short gap. */
+        [Test]
+        public function shortWaysOfLevelShapesAreExact():void
+        {
+            var motion:ConvexMotion = new ConvexMotion();
+            var hits:int = 0;
+            var count:int = 0;
+            forAll(Effort.choose(60, 2000), function():void
+                {
+                    var isBelow:Boolean = approach(_random.logBetween(1e-12, 1e-6));
+                    var aside:Vector3D = _structures.direction();
+                    aside.scaleBy(_random.logBetween(1e-12, 1e-6) * _size);
+                    _a = RandomConvex.moved(_a, aside.x, aside.y, aside.z);
+                    motion.startX = motion.startY = motion.startZ = 0;
+                    if (!isBelow || !(gapAt(motion, 0) > 1e-13 * _size))
+                    {
+                        return;
+                    }
+                    var way:Vector3D = _structures.direction();
+                    motion.x = _size * _random.pick([0, way.x]);
+                    motion.y = _size * _random.pick([0, way.y]);
+                    motion.z = _size * way.z;
+                    _pair.findTime(_a, _b, motion);
+                    var time:Number = motion.time;
+                    count++;
+                    if (time <= 1)
+                    {
+                        hits++;
+                        _wrong.addIf(!(gapAt(motion, time) <= 1e-13 * _size), "not yet", _what + ", time " + time + ": " + gapAt(motion, time));
+                        _wrong.addIf(signedGapAt(motion, time) < -1e-11 * _size, "through", _what + ", time " + time + ": " + signedGapAt(motion, time));
+                    }
+                    else
+                    {
+                        _wrong.addIf(leastGap(motion) < -1e-12 * _size, "missed", _what);
+                    }
+                });
+            _wrong.assertNone();
+            assertTrue(hits + " hits of " + count, hits > count / 4 && hits < count * 0.9);
         }
 
         /** Moved by the depth and a little more they are apart, by a little less they are not. */

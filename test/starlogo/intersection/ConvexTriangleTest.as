@@ -8,23 +8,28 @@ package starlogo.intersection
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ConvexMotion;
+    import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.distance.DistanceResult;
-    import starlogo.intersection.sweep.RelativeMotion;
     import support.Complaints;
     import support.Effort;
     import support.PlainDistance;
     import support.SurfaceDistance;
+
+    use namespace engine;
 
     /** When structures that move touch a triangle, and how: against their distances at many times. */
     public class ConvexTriangleTest
     {
         private static const NEAR:Number = 1e-9;
 
+        // A box's twelve triangles as a strip of corners: each corner and the next two are a triangle. See Box.cornerInto().
+        private static const STRIP:Vector.<int> = new <int>[6, 7, 2, 3, 1, 7, 5, 6, 4, 2, 0, 1, 4, 5];
+
         private var _random:SeededRandom = new SeededRandom(3806);
         private var _structures:RandomStructures = new RandomStructures(_random);
-        private var _box:TriangleBox = new TriangleBox();
         private var _wrong:Complaints = new Complaints();
 
         [Test]
@@ -36,7 +41,7 @@ package starlogo.intersection
             {
                 var structure:BoundingStructure = _structures.ofKind(i % 3, _random.logBetween(0.02, 2), 2);
                 var corners:Vector.<Number> = anyTriangle(i % 4);
-                var motion:RelativeMotion = new RelativeMotion();
+                var motion:ConvexMotion = new ConvexMotion();
                 motion.x = _random.between(-4, 4);
                 motion.y = _random.between(-4, 4);
                 motion.z = _random.chance(0.2) ? 0 : _random.between(-4, 4);
@@ -46,9 +51,9 @@ package starlogo.intersection
                 }
                 var sweep:ConvexTriangle = new ConvexTriangle();
                 var end:Number = Math.min(1, timeOf(sweep, structure, corners, motion));
-                var message:String = structure + ", triangle " + corners + ", motion " + [motion.x, motion.y, motion.z] + ", time " + sweep.time;
+                var message:String = structure + ", triangle " + corners + ", motion " + [motion.x, motion.y, motion.z] + ", time " + motion.time;
                 _wrong.addIf(touchesBefore(structure, corners, motion, end * (1 - 1e-7)), "through", message);
-                if (sweep.time > 1)
+                if (motion.time > 1)
                 {
                     misses++;
                     continue;
@@ -65,40 +70,41 @@ package starlogo.intersection
         public function whatComesNearAtAFlatAngleIsMet():void
         {
             var hits:int = 0;
-            var closest:DistanceResult = new DistanceResult();
+            var closest:ClosestPoints = new ClosestPoints();
             for (var i:int = Effort.choose(2000, 30000); i > 0; i--)
             {
                 var structure:BoundingStructure = _structures.ofKind(i % 3, _random.logBetween(0.02, 2), 2);
                 var corners:Vector.<Number> = anyTriangle(i % 4);
                 var sweep:ConvexTriangle = new ConvexTriangle();
-                timeOf(sweep, structure, corners, RelativeMotion.NONE);
-                sweep.measure();
-                if (!(sweep.distance > 1e-3) || areTouching(structure, corners, 0))
+                closest.distance = Infinity;
+                sweep.begin(structure, new Placement());
+                sweep.setTriangle(corners, 0);
+                sweep.findCloser(closest);
+                if (!(closest.distance > 1e-3) || areTouching(structure, corners, 0))
                 {
                     continue;
                 }
-                sweep.writeClosest(closest);
                 var normal:Vector3D = new Vector3D(closest.aX - closest.bX, closest.aY - closest.bY, closest.aZ - closest.bZ);
                 normal.normalize();
                 var gap:Number = _random.logBetween(1e-7, 1e-3);
-                structure.translate(new Vector3D((gap - sweep.distance) * normal.x, (gap - sweep.distance) * normal.y, (gap - sweep.distance) * normal.z));
+                structure.translate(new Vector3D((gap - closest.distance) * normal.x, (gap - closest.distance) * normal.y, (gap - closest.distance) * normal.z));
                 var way:Vector3D = normal.crossProduct(new Vector3D(_random.normal(), _random.normal(), _random.normal()));
                 way.scaleBy(_random.logBetween(0.001, 1));
                 way.decrementBy(new Vector3D(2 * gap * normal.x, 2 * gap * normal.y, 2 * gap * normal.z));
-                var motion:RelativeMotion = new RelativeMotion();
+                var motion:ConvexMotion = new ConvexMotion();
                 motion.x = way.x;
                 motion.y = way.y;
                 motion.z = way.z;
                 var end:Number = Math.min(1, timeOf(sweep, structure, corners, motion));
-                hits += sweep.time <= 1 ? 1 : 0;
+                hits += motion.time <= 1 ? 1 : 0;
                 _wrong.addIf(touchesBefore(structure, corners, motion, end * (1 - 1e-3)), "through",
-                        structure + ", triangle " + corners + ", motion " + way + ", time " + sweep.time);
+                        structure + ", triangle " + corners + ", motion " + way + ", time " + motion.time);
             }
             _wrong.assertNone();
             assertTrue(hits + " hits", hits > 100);
         }
 
-        private function touchesBefore(structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion, end:Number):Boolean
+        private function touchesBefore(structure:BoundingStructure, corners:Vector.<Number>, motion:ConvexMotion, end:Number):Boolean
         {
             for (var k:int = 1; k <= 16; k++)
             {
@@ -118,7 +124,7 @@ package starlogo.intersection
             {
                 var structure:BoundingStructure = _structures.ofKind(i % 3, _random.logBetween(0.02, 2), 2);
                 var corners:Vector.<Number> = anyTriangle(i % 4);
-                var motion:RelativeMotion = new RelativeMotion();
+                var motion:ConvexMotion = new ConvexMotion();
                 motion.x = _random.between(-4, 4);
                 motion.y = _random.between(-4, 4);
                 motion.z = _random.between(-4, 4);
@@ -126,8 +132,8 @@ package starlogo.intersection
                 var first:Number = timeOf(sweep, structure, corners, motion);
                 for (var k:int = -4; k <= 4 && first > 0 && first < 1; k++)
                 {
-                    var time:Number = timeOf(sweep, moved(structure, motion, first + k * 1e-16), corners, motion);
-                    apart += sweep.touches() ? 0 : 1;
+                    var time:Number = timeOf(sweep, moved(structure, motion, first - k * _random.logBetween(1e-16, 1e-12)), corners, motion);
+                    apart += sweep.areTouching() ? 0 : 1;
                     _wrong.addIf(!(time < 1e-9), "not met", structure + ", triangle " + corners + ", motion " + [motion.x, motion.y, motion.z]
                             + ", from " + first + ", step " + k + ": " + time);
                 }
@@ -136,21 +142,24 @@ package starlogo.intersection
             assertTrue(apart + " apart", apart > 100);
         }
 
-        private static function timeOf(sweep:ConvexTriangle, structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion):Number
+        private static function timeOf(sweep:ConvexTriangle, structure:BoundingStructure, corners:Vector.<Number>, motion:ConvexMotion):Number
         {
-            sweep.begin(structure, new Placement(), motion);
+            sweep.begin(structure, new Placement());
             sweep.setTriangle(corners, 0);
-            sweep.time = 1;
-            sweep.findTime();
-            return sweep.time;
+            motion.time = ConvexMotion.NEVER;
+            if (!sweep.staysBeside(motion))
+            {
+                sweep.findTime(motion);
+            }
+            return motion.time;
         }
 
-        private function assertContact(structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion, sweep:ConvexTriangle, message:String):void
+        private function assertContact(structure:BoundingStructure, corners:Vector.<Number>, motion:ConvexMotion, sweep:ConvexTriangle, message:String):void
         {
-            var there:BoundingStructure = moved(structure, motion, sweep.time);
+            var there:BoundingStructure = moved(structure, motion, motion.time);
             _wrong.addIf(!areTouching(there, corners, NEAR), "no touch", message);
             var out:ContactPoint = new ContactPoint();
-            sweep.findContact(out);
+            sweep.findContact(motion, out);
             var point:Vector3D = new Vector3D(out.x, out.y, out.z);
             var normal:Vector3D = new Vector3D(out.normalX, out.normalY, out.normalZ);
             var onStructure:Number = SurfaceDistance.of(there, point);
@@ -165,9 +174,7 @@ package starlogo.intersection
         {
             if (structure.kind == BoundingStructure.BOX)
             {
-                _box.box = Box(structure);
-                _box.tolerance = tolerance;
-                return _box.touches(corners, 0);
+                return fromBox(structure as Box, corners) <= tolerance;
             }
             var capsule:Capsule = structure as Capsule;
             var start:Vector3D = capsule == null ? Sphere(structure).center : capsule.start;
@@ -175,6 +182,28 @@ package starlogo.intersection
             var radius:Number = capsule == null ? Sphere(structure).radius : capsule.radius;
             var core:Array = [start.x, start.y, start.z, end.x, end.y, end.z, end.x, end.y, end.z];
             return PlainDistance.between(numbersOf(corners), core) <= radius + tolerance;
+        }
+
+        private static function fromBox(box:Box, corners:Vector.<Number>):Number
+        {
+            var strip:Vector.<Number> = new Vector.<Number>();
+            var corner:Vector3D = new Vector3D();
+            for each (var number:int in STRIP)
+            {
+                box.cornerInto(number, corner);
+                strip.push(corner.x, corner.y, corner.z);
+            }
+            var from:Vector3D = new Vector3D(corners[0], corners[1], corners[2]).subtract(box.center);
+            if (Math.abs(from.dotProduct(box.axisX)) <= box.halfX && Math.abs(from.dotProduct(box.axisY)) <= box.halfY && Math.abs(from.dotProduct(box.axisZ)) <= box.halfZ)
+            {
+                return 0;
+            }
+            var distance:Number = Infinity;
+            for (var i:int = 0; i < strip.length - 6; i += 3)
+            {
+                distance = Math.min(distance, PlainDistance.ofTriangles(strip, i, corners, 0));
+            }
+            return distance;
         }
 
         private static function numbersOf(corners:Vector.<Number>):Array
@@ -187,7 +216,7 @@ package starlogo.intersection
             return numbers;
         }
 
-        private static function moved(structure:BoundingStructure, motion:RelativeMotion, time:Number):BoundingStructure
+        private static function moved(structure:BoundingStructure, motion:ConvexMotion, time:Number):BoundingStructure
         {
             return structure.clone().translate(new Vector3D(time * motion.x, time * motion.y, time * motion.z));
         }

@@ -1,6 +1,7 @@
 package starlogo.intersection.contact
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ConvexContact;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.sweep.RelativeMotion;
 
@@ -44,6 +45,18 @@ package starlogo.intersection.contact
             normalY = other.normalY;
             normalZ = other.normalZ;
             depth = other.depth;
+        }
+
+        /** Copies a contact of two convex shapes. */
+        public function copyConvex(contact:ConvexContact):void
+        {
+            x = contact.x;
+            y = contact.y;
+            z = contact.z;
+            normalX = contact.normalX;
+            normalY = contact.normalY;
+            normalZ = contact.normalZ;
+            depth = contact.depth;
         }
 
         /**

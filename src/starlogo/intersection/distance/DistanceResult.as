@@ -1,6 +1,7 @@
 package starlogo.intersection.distance
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ClosestPoints;
     import starlogo.geometry.Placement;
 
     /**
@@ -80,6 +81,18 @@ package starlogo.intersection.distance
             bX = placement.r00 * x + placement.r01 * y + placement.r02 * z + placement.x;
             bY = placement.r10 * x + placement.r11 * y + placement.r12 * z + placement.y;
             bZ = placement.r20 * x + placement.r21 * y + placement.r22 * z + placement.z;
+        }
+
+        /** Copies the distance and the points of two convex shapes. */
+        public function copyConvex(closest:ClosestPoints):void
+        {
+            distance = closest.distance;
+            aX = closest.aX;
+            aY = closest.aY;
+            aZ = closest.aZ;
+            bX = closest.bX;
+            bY = closest.bY;
+            bZ = closest.bZ;
         }
 
         /** Copies the points of another pair, but not the distance. */

@@ -1,7 +1,7 @@
 package starlogo.convex
 {
-    /** The closest points of two cores, as a record. The shapes' radii do not count. */
-    internal final class CoreGap
+    /** The closest points of two cores, and a direction that keeps the cores apart, as a record. The shapes' radii do not count. */
+    internal final class CoreWitness
     {
         /** Whether the cores overlap. Then the distance is 0, and the vector means nothing. */
         public var overlaps:Boolean = false;

@@ -1,49 +1,48 @@
 package starlogo.intersection
 {
-    import starlogo.geometry.Tolerances;
+    import starlogo.convex.ConvexShape;
 
     /**
-     * Whether two triangles overlap, touch, or have a gap of at most <code>closest.reach</code>. Symmetric up to rounding. Allocates
-     * nothing.
+     * A quick test that rules out most pairs of triangles: whether a direction is known along which the two are farther apart than they may be to
+     * touch. The other pairs overlap, just touch or are nearly in one plane, or they are needles. ConvexPair decides about them. Allocates nothing.
      *
-     * <p>A quick test rejects most pairs. It looks for a direction along which the gap is larger than the reach: the second triangle's normal,
-     * or a direction perpendicular to an edge of each. If each triangle crosses the other's plane, each has one corner alone on its side of
-     * that plane. Then only the edges from these two corners can face each other (Guigue and Devillers, "Fast and robust triangle-triangle
-     * overlap test using orientation predicates", Journal of Graphics Tools, 2003). The closest points decide all other pairs: triangles
-     * that overlap, just touch or are nearly in one plane, and needles.</p>
+     * <p>The directions are the second triangle's normal, and those perpendicular to an edge of each. If each triangle crosses the other's plane,
+     * each has one corner alone on its side of that plane. Then only the edges from these two corners can face each other (Guigue and Devillers,
+     * "Fast and robust triangle-triangle overlap test using orientation predicates", Journal of Graphics Tools, 2003).</p>
      *
      * @param a nine numbers of the first triangle: x, y, z of each corner
-     * @param atA index of the first of them in a
-     * @param b nine numbers of the second triangle, in the same space
-     * @param atB index of the first of them in b
-     * @param closest finds the closest points. Its reach is the gap that still counts as touching. It must be larger than the rounding
-     *     errors; Tolerances.SURFACES of the coordinates' size is large enough
+     * @param at index of the first of them in a
+     * @param b the second triangle, in the same space. Its gap must be larger than rounding errors; Tolerances.SURFACES of the coordinates' size is
+     *     large enough
      * @private
      */
-    public function triangleTriangle(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, closest:TrianglePairDistance):Boolean
+    public function areTrianglesApart(a:Vector.<Number>, at:int, b:ConvexShape):Boolean
     {
-        var limit:Number = closest.reach * closest.reach;
+        // ConvexPair adds Tolerances.CORES to the gap, which is less than half of Tolerances.SURFACES
+        var limit:Number = 1.5 * b.margin;
+        limit *= limit;
 
         // The vectors u and v are a's edges from its first corner, f and g are b's edges from its first corner, and d connects the two
         // corners.
-        var x:Number = a[atA];
-        var y:Number = a[int(atA + 1)];
-        var z:Number = a[int(atA + 2)];
-        var ux:Number = a[int(atA + 3)] - x;
-        var uy:Number = a[int(atA + 4)] - y;
-        var uz:Number = a[int(atA + 5)] - z;
-        var vx:Number = a[int(atA + 6)] - x;
-        var vy:Number = a[int(atA + 7)] - y;
-        var vz:Number = a[int(atA + 8)] - z;
-        var dx:Number = b[atB] - x;
-        var dy:Number = b[int(atB + 1)] - y;
-        var dz:Number = b[int(atB + 2)] - z;
-        var fx:Number = b[int(atB + 3)] - x - dx;
-        var fy:Number = b[int(atB + 4)] - y - dy;
-        var fz:Number = b[int(atB + 5)] - z - dz;
-        var gx:Number = b[int(atB + 6)] - x - dx;
-        var gy:Number = b[int(atB + 7)] - y - dy;
-        var gz:Number = b[int(atB + 8)] - z - dz;
+        var p:Vector.<Number> = b.points;
+        var x:Number = a[at];
+        var y:Number = a[int(at + 1)];
+        var z:Number = a[int(at + 2)];
+        var ux:Number = a[int(at + 3)] - x;
+        var uy:Number = a[int(at + 4)] - y;
+        var uz:Number = a[int(at + 5)] - z;
+        var vx:Number = a[int(at + 6)] - x;
+        var vy:Number = a[int(at + 7)] - y;
+        var vz:Number = a[int(at + 8)] - z;
+        var dx:Number = b.x - x;
+        var dy:Number = b.y - y;
+        var dz:Number = b.z - z;
+        var fx:Number = p[3];
+        var fy:Number = p[4];
+        var fz:Number = p[5];
+        var gx:Number = p[6];
+        var gy:Number = p[7];
+        var gz:Number = p[8];
 
         // Whether all of a is on one side of b's plane.
         x = fy * gz - fz * gy;
@@ -66,7 +65,7 @@ package starlogo.intersection
         gap += own;
         if (gap > 0 && gap * gap > limit * (x * x + y * y + z * z))
         {
-            return false;
+            return true;
         }
 
         // Now u and v begin at the corner that is alone on its side of b's plane.
@@ -151,7 +150,7 @@ package starlogo.intersection
             gap = low > 0 ? low : -high;
             if (gap > 0 && gap * gap > limit * (x * x + y * y + z * z))
             {
-                return false;
+                return true;
             }
             if (i == 1)
             {
@@ -178,6 +177,6 @@ package starlogo.intersection
                 gz = z;
             }
         }
-        return closest.areWithin(a, atA, b, atB);
+        return false;
     }
 }

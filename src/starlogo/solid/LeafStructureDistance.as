@@ -1,0 +1,68 @@
+package starlogo.solid
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.engine;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.LeafTest;
+    import starlogo.hierarchy.RelativePose;
+    import starlogo.intersection.ConvexTriangle;
+    import starlogo.intersection.distance.DistanceResult;
+
+    use namespace engine;
+
+    /** Finds the distance of a solid sphere, capsule or box from the triangles in leaves. */
+    internal final class LeafStructureDistance extends LeafTest
+    {
+        private var _solid:Solid;
+        private var _test:ConvexTriangle = new ConvexTriangle();
+
+        // The structure's extents: least x, greatest x, least y, ...
+        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
+
+        // The closest points of the structure and the nearest triangle so far.
+        private var _nearest:ClosestPoints = new ClosestPoints();
+
+        public function LeafStructureDistance()
+        {
+            points = new DistanceResult();
+        }
+
+        /**
+         * Begins with a model that has triangles.
+         *
+         * @param model the model's hierarchy
+         * @param structure in the space of another model
+         * @param pose the other model's pose in the first one's space
+         */
+        public function begin(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose):void
+        {
+            _solid = model.facets;
+            _test.begin(structure, pose.placement);
+            _test.structure.extentsInto(_extents);
+            _nearest.distance = Infinity;
+        }
+
+        /** @inheritDoc */
+        override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
+        {
+            var isNearer:Boolean = false;
+            for (var i:int = a.first; i < a.end && _nearest.distance > 0; i++)
+            {
+                if (squaredGap(_extents, _solid.corners, 9 * i) < _nearest.distance * _nearest.distance)
+                {
+                    triangleTests++;
+                    _test.setTriangle(_solid.corners, 9 * i);
+                    isNearer = _test.findCloser(_nearest) || isNearer;
+                }
+            }
+            if (isNearer)
+            {
+                least = _nearest.distance;
+                points.copyConvex(_nearest);
+                points.swapShapes();
+            }
+            return isNearer;
+        }
+    }
+}

@@ -1,0 +1,68 @@
+package starlogo.solid
+{
+    import starlogo.engine;
+    import starlogo.geometry.Touching;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.RelativePose;
+
+    use namespace engine;
+
+    /** Two models' triangles in one space: those of the first model as they are, and those of one leaf of the second model, moved. */
+    internal final class MovedTriangles
+    {
+        /** The second model's pose in the first model's space. */
+        public var pose:RelativePose = null;
+
+        public var solidA:Solid = null;
+        public var solidB:Solid = null;
+
+        /** The largest gap across which triangles of these models touch. */
+        public var gap:Number = 0;
+
+        /** The corners of the triangles in the leaf of the last <code>move()</code>: nine numbers each. */
+        public var moved:Vector.<Number> = new Vector.<Number>();
+
+        /** The extents of these triangles: minX, minY, minZ, maxX, maxY, maxZ of each. */
+        public var extents:Vector.<Number> = new Vector.<Number>();
+
+        private var _first:int = -1;
+
+        /** Begins with two models that have triangles. The pose must relate them already. */
+        public function begin(a:SolidHierarchy, b:SolidHierarchy, pose:RelativePose):void
+        {
+            // Writing an object to a field costs Adobe's VM more than comparing it first.
+            if (this.pose !== pose)
+            {
+                this.pose = pose;
+            }
+            solidA = a.facets;
+            solidB = b.facets;
+            _first = -1;
+            gap = pose.gap + Touching.marginOfSurface(a.root.radius + b.root.radius * pose.placement.size);
+        }
+
+        /** Computes the triangles of a leaf of the second model. If the leaf is the same as the last one, they are kept. */
+        public function move(leaf:HierarchyNode):void
+        {
+            if (leaf.first == _first)
+            {
+                return;
+            }
+            _first = leaf.first;
+            pose.placement.movePoints(solidB.corners, 9 * leaf.first, 9 * leaf.end, moved);
+            var corners:Vector.<Number> = moved;
+            var spans:Vector.<Number> = extents;
+            var count:int = leaf.end - leaf.first;
+            if (spans.length < 6 * count)
+            {
+                spans.length = 6 * count;
+            }
+            for (var i:int = 0; i < count; i++)
+            {
+                var from:int = 9 * i;
+                var to:int = 6 * i;
+                include "../intersection/triangleExtents.inc";
+            }
+        }
+    }
+}

@@ -1,0 +1,38 @@
+package starlogo.solid
+{
+    /**
+     * Returns the squared distance of a triangle's extents from other extents.
+     *
+     * @param extents least x, greatest x, least y, ...
+     * @param corners has nine numbers of the triangle
+     * @param at index of the first of them
+     */
+    internal function squaredGap(extents:Vector.<Number>, corners:Vector.<Number>, at:int):Number
+    {
+        var squared:Number = 0;
+        for (var axis:int = 0; axis < 6; axis += 2)
+        {
+            var p:Number = corners[at];
+            var q:Number = corners[int(at + 3)];
+            var r:Number = corners[int(at + 6)];
+            var low:Number = extents[axis];
+            var high:Number = extents[int(axis + 1)];
+            var gap:Number = 0;
+            if (p > high && q > high && r > high)
+            {
+                gap = p < q ? p : q;
+                gap = gap < r ? gap : r;
+                gap -= high;
+            }
+            else if (p < low && q < low && r < low)
+            {
+                gap = p > q ? p : q;
+                gap = gap > r ? gap : r;
+                gap = low - gap;
+            }
+            squared += gap * gap;
+            at++;
+        }
+        return squared;
+    }
+}

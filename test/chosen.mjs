@@ -1,6 +1,9 @@
 /** Which tests -Dtest names: by a class of tests, by a test, or by the source file that they test. */
 import { definitionIn, read, sourcesBelow, usesIn } from './structure/sources.mjs';
 
+/** Fewer tests than these say little of a source. */
+const ENOUGH = 5;
+
 const simpleName = (name) => name.split('.').pop();
 
 /** The texts of the test classes, and of the files that they use, by qualified name. Tests call the stand-ins for flash.* standin.flash.*. */
@@ -29,21 +32,22 @@ export function testsIn(text) {
  * - "BoxTest.volume" takes the tests whose names contain "volume", of the classes whose names contain "BoxTest"; ".volume" takes them of all classes.
  * - Commas stand between several of these.
  *
- * The tests of a source file are the classes that use it. If none does, they are those that use a file that uses it, and so on.
+ * The tests of a source file are the classes that use it. If none does, they are those that use a file that uses it, and so on. If these have fewer
+ * than five tests, the tests with the names of the files that use it are taken too, and so on.
  *
  * @param {string} pattern what -Dtest has
  * @param {Map<string, string>} classes the texts of the test classes, by qualified name
  * @param {Map<string, string>} sources the texts of the other files that tests use, by qualified name
- * @returns {{ tests: Map<string, string[] | null>, used: Set<string>, said: string[] }} the tests of each class, null for all of them; the classes that
- *     are in it for what they use alone; and why each is in it
+ * @returns {{ tests: Map<string, string[] | null>, used: Set<string>, farther: Set<string>, said: string[] }} the tests of each class, null for all of
+ *     them; the classes that are in it for what they use alone; those of them that are in it because the nearest have too few tests; and why each is in it
  */
 export function choose(pattern, classes, sources) {
-	const choice = { tests: new Map(), used: new Set(), said: [] };
+	const choice = { tests: new Map(), used: new Set(), farther: new Set(), said: [] };
 	for (const part of pattern.split(',').filter((each) => each.trim() !== '')) chooseOne(part.trim(), classes, sources, choice);
 	return choice;
 }
 
-function chooseOne(pattern, classes, sources, { tests, used, said }) {
+function chooseOne(pattern, classes, sources, { tests, used, farther, said }) {
 	const { wanted, test, isFile } = parse(pattern, [...classes.keys(), ...sources.keys()]);
 	const take = (reason, found) => {
 		const added = found.filter((name) => tests.get(name) !== null);
@@ -67,7 +71,14 @@ function chooseOne(pattern, classes, sources, { tests, used, said }) {
 	take(isFile ? 'its tests' : `classes named *${wanted}*`, ofClass);
 	if (isFile || !ofClass.some(isOwn)) {
 		for (const source of [...sources.keys()].filter((name) => simpleName(name).toLowerCase() === wanted)) {
-			for (const name of take(`classes that use ${source}`, testsOf(source, classes, sources))) used.add(name);
+			const nearest = nearestTests(source, classes, sources);
+			for (const name of take(`classes that use ${source}`, nearest)) used.add(name);
+			const missing = ENOUGH - countOf([...new Set([...ofClass, ...nearest])], classes);
+			if (missing <= 0) continue;
+			for (const name of take(`tests of what uses ${source}`, testsOfUsers(source, missing, classes, sources))) {
+				used.add(name);
+				farther.add(name);
+			}
 		}
 	}
 	if (!isFile && !ofClass.some(isOwn)) takeTests([...classes.keys()], wanted);
@@ -84,17 +95,39 @@ function parse(pattern, names) {
 }
 
 /** The test classes that use a source, by as few files between as there can be. */
-function testsOf(source, classes, sources) {
+function nearestTests(source, classes, sources) {
+	for (const files of users(source, classes, sources)) {
+		const found = files.filter((name) => classes.has(name));
+		if (found.length > 0) return found;
+	}
+	return [];
+}
+
+/** The test classes with the names of the files that use a source, or that use these, and so on, until there are as many tests as are wanted. */
+function testsOfUsers(source, wanted, classes, sources) {
+	const found = [];
+	for (const files of users(source, classes, sources)) {
+		if (countOf(found, classes) >= wanted) break;
+		const own = new Set(files.filter((name) => !classes.has(name)).map((name) => `${simpleName(name)}Test`));
+		found.push(...[...classes.keys()].filter((name) => own.has(simpleName(name))));
+	}
+	return found;
+}
+
+/** What uses a source, then what uses that, and so on; tests are used by nothing. */
+function* users(source, classes, sources) {
 	const all = new Map([...sources, ...classes]);
 	const seen = new Set([source]);
 	for (let last = [source]; last.length > 0; ) {
 		const next = [...all.keys()].filter((name) => !seen.has(name) && mayUse(all.get(name), last) && usesIn(name, all.get(name), last).length > 0);
-		const found = next.filter((name) => classes.has(name));
-		if (found.length > 0) return found;
+		yield next;
 		for (const name of next) seen.add(name);
-		last = next;
+		last = next.filter((name) => !classes.has(name));
 	}
-	return [];
+}
+
+function countOf(names, classes) {
+	return names.reduce((sum, name) => sum + testsIn(classes.get(name)).length, 0);
 }
 
 /** Whether a text has one of some names at all, which is quickly told. */

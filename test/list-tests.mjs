@@ -6,12 +6,14 @@
  *
  * OUT gets AllTests.as and tests.properties: picked, what is run if it is not all, and allocations, the tests of allocations among them. The samples of
  * the documentation are test classes too. With --away3d those that need Away3D are listed, without it all others. FILE lists what Node runs in place
- * of the player: of that, only what the pattern names itself is taken, unless there is nothing else. Files that would be the same keep their times.
+ * of the player: of that, only what the pattern names itself is taken. What is left to Node is left in the properties; if all is, they have none.
+ * Files that would be the same keep their times.
  */
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
 import { choose, readTests, testsIn } from './chosen.mjs';
+import { NOT_HERE } from './module/not-here.mjs';
 
 const { values, positionals: [out] } = parseArgs({
 	allowPositionals: true,
@@ -26,14 +28,15 @@ if (values.samples !== '') {
 }
 const classes = new Map([...all].filter(([name]) => /^(starlogo\.away3d|docs)\.Away3d/.test(name) === values.away3d));
 
-const { tests, used, said } = values.test === '' ? { tests: new Map([...classes.keys()].map((name) => [name, null])), used: new Set(), said: [] } : choose(values.test, classes, sources);
+const { tests, used, farther, said } = values.test === '' ? { tests: new Map([...classes.keys()].map((name) => [name, null])), used: new Set(), farther: new Set(), said: [] } : choose(values.test, classes, sources);
 if (tests.size === 0) {
 	console.error(`no test matches -Dtest=${values.test}: no class of tests, no test and no source file has that name${values.away3d ? '' : ' (what needs Away3D: ./antw test-away3d)'}`);
 	process.exit(1);
 }
 const left = withoutElsewhere();
 for (const line of said) console.log(line);
-if (left.size < tests.size) console.log(`left to ./antw module-test, or to their names: ${[...tests.keys()].filter((name) => !left.has(name)).map((name) => name.split('.').pop()).join(', ')}`);
+const inNode = [...tests.keys()].flatMap((name) => leftToNode(name));
+if (inNode.length > 0) console.log(`in Node only: ${inNode.join(', ')}`);
 
 const names = [...left.keys()];
 write('AllTests.as', `package
@@ -49,20 +52,26 @@ ${names.map((name) => `    import ${name};`).join('\n')}
 }
 `);
 const picked = [...left].flatMap(([name, list]) => list?.map((test) => `${name}.${test}`) ?? [name]);
-write('tests.properties', `picked=${values.test === '' ? '' : picked.join(',')}\nallocations=${picked.filter((name) => /AllocationTest\b/.test(name)).join(',')}\n`);
+write('tests.properties', `picked=${values.test === '' ? '' : picked.join(',')}\nallocations=${picked.filter((name) => /AllocationTest\b/.test(name)).join(',')}\n${inNode.length > 0 ? `left=${inNode.join(',')}\n` : ''}${left.size === 0 ? 'none=true\n' : ''}`);
 
-/** The tests without those that Node runs in place of the player, and that are chosen only for what they use. */
+/** The tests without those that Node runs in place of the player and that are chosen only for what they use, and without those farther on. */
 function withoutElsewhere() {
 	if (values.elsewhere === '') return tests;
 	const elsewhere = new Set(readFileSync(values.elsewhere, 'utf8').split('\n').filter((line) => line !== '' && !line.startsWith('#')));
-	const kept = [...tests].flatMap(([name, list]) => {
+	return new Map([...tests].flatMap(([name, list]) => {
 		if (!used.has(name)) return [[name, list]];
-		if (elsewhere.has(name)) return [];
+		if (elsewhere.has(name) || (farther.has(name) && !NOT_HERE.has(name))) return [];
 		const own = testsIn(classes.get(name));
 		const here = own.filter((test) => !elsewhere.has(`${name}.${test}`));
 		return here.length === own.length ? [[name, null]] : here.length > 0 ? [[name, here]] : [];
-	});
-	return kept.length > 0 ? new Map(kept) : tests;
+	}));
+}
+
+/** What Node runs of a class in place of the player: the class, or some of its tests, without packages. */
+function leftToNode(name) {
+	if (left.has(name) && left.get(name) === tests.get(name)) return [];
+	const simple = name.split('.').pop();
+	return left.has(name) ? testsIn(classes.get(name)).filter((test) => !left.get(name).includes(test)).map((test) => `${simple}.${test}`) : [simple];
 }
 
 function write(name, text) {

@@ -74,10 +74,22 @@ test('what a source uses is followed no farther than it takes, and reasons are g
 		['a.FarTest', '[Test]\n public function other\n import a.HighTest;'],
 		['c.HelpedTest', '[Test]\n public function other\n import support.Help;'],
 	]);
-	const { tests, used, said } = choose('LOW', classes, sources);
+	const { tests, used, farther, said } = choose('LOW', classes, sources);
 	assert.deepEqual([...tests], [['a.HighTest', null], ['c.HelpedTest', null]]);
 	assert.deepEqual([...used], ['a.HighTest', 'c.HelpedTest']);
+	assert.deepEqual([...farther], []);
 	assert.deepEqual(said, ['classes that use a.low: HighTest, HelpedTest']);
 	assert.deepEqual([...choose('LowIs', classes, sources).tests], [['a.HighTest', ['lowIsUsed']]]);
 	assert.deepEqual(choose('LowIs', classes, sources).said, ['tests named *lowis*: HighTest (lowIsUsed)']);
+});
+
+test('where fewer than five tests use a source, those of the files that use it are chosen too', () => {
+	const tests = (count, uses) => `${'[Test]\n public function one\n'.repeat(count)} import ${uses};`;
+	const sources = new Map([['a.low', 'package a { public function low() {} }'], ['b.High', 'import a.low;'], ['b.Higher', 'import b.High;']]);
+	const chosen = (count, high) => choose('low', new Map([['c.NearTest', tests(count, 'a.low')], ['c.HighTest', tests(high, 'b.High')], ['c.OtherTest', tests(9, 'b.High')], ['c.HigherTest', tests(1, 'b.Higher')]]), sources);
+	assert.deepEqual([...chosen(5, 4).tests.keys()], ['c.NearTest']);
+	assert.deepEqual([...chosen(4, 1).tests.keys()], ['c.NearTest', 'c.HighTest']);
+	assert.deepEqual([...chosen(4, 1).farther], ['c.HighTest']);
+	assert.deepEqual(chosen(4, 1).said, ['classes that use a.low: NearTest', 'tests of what uses a.low: HighTest']);
+	assert.deepEqual([...chosen(1, 3).farther], ['c.HighTest', 'c.HigherTest']);
 });

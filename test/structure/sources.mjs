@@ -53,12 +53,22 @@ export function importsIn(text) {
  * @returns {string[]} those of them that it uses
  */
 export function usesIn(name, text, definitions) {
-	const code = codeOf(text);
-	const named = new Set(code.match(/[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*/g));
-	const full = new Set([...named].flatMap((path) => path.split('.').map((part, i, parts) => parts.slice(0, i + 1).join('.'))));
-	const bare = new Set(code.match(/[A-Za-z_]\w*/g));
+	const { full, bare } = namesIn(text);
 	return [...definitions].filter((definition) => definition !== name && (packageOf(definition) === packageOf(name)
 		? bare.has(definition.split('.').pop()) : full.has(definition)));
+}
+
+const namesOfTexts = new Map();
+
+/** What a source names: with packages before it or parts after it, and word by word. A source is asked about often, and read once. */
+function namesIn(text) {
+	if (!namesOfTexts.has(text)) {
+		const code = codeOf(text);
+		const named = new Set(code.match(/[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*/g));
+		const full = new Set([...named].flatMap((path) => path.split('.').map((part, i, parts) => parts.slice(0, i + 1).join('.'))));
+		namesOfTexts.set(text, { full, bare: new Set(code.match(/[A-Za-z_]\w*/g)) });
+	}
+	return namesOfTexts.get(text);
 }
 
 /** The lists of folders and files in CONTRIBUTING.md's layout: 'src/starlogo' to ['steps', ..., 'GreatLand.as', ...]. */

@@ -54,6 +54,12 @@ const movingNumbers = { sphere: 3, capsule: 6, box: 3, triangle: 9, hull: 3 };
 /** A body like another, moved by a vector of doubles. Its numbers are rounded; what they describe then is exact again. */
 export const moved = ({ kind, numbers }, by) => body(kind, numbers.map((each, i) => (i < movingNumbers[kind] ? each + by[i % 3] : each)));
 
+/** A body with a larger radius or half-extents, by a factor. Triangles and hulls stay as they are. */
+export function widened({ kind, numbers }, factor) {
+	const first = { sphere: 3, capsule: 6, box: 12 }[kind] ?? numbers.length;
+	return body(kind, numbers.map((each, i) => (i < first ? each : factor * each)));
+}
+
 /** A body's points moved by an exact vector. */
 export const shifted = (points, by) => points.map((point) => point.map((each, k) => plus(each, by[k])));
 

@@ -125,6 +125,8 @@ export function play(bearText: string): number {
 	const greatLand = new GreatLand();
 	greatLand.orientedBoxDegIncrement = 30;
 	greatLand.addModel(BuiltInModel.sphere());
+	greatLand.addModel(BuiltInModel.capsule(0.25, 1.75, "walker"));
+	greatLand.addModel(BuiltInModel.box(4, 0.5, 3, "wall"));
 	greatLand.addModel(new ObjModel("bear", bearText));
 	const receiver: ModelReceiver = greatLand;
 	finish(receiver.receive(new Model("triangle", new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]), new Uint16Array([0, 1, 2]))));

@@ -47,7 +47,10 @@ package starlogo.convex
          */
         public var margin:Number = 0;
 
-        /** An upper bound for the core's diameter, at most 4 times as large. Rounding is relative to it. */
+        /**
+         * The scale of the core, to which rounding is relative: twice the largest coordinate of a point, relative to the origin. Twice the sum of the
+         * half-extents for a box, 0 for a sphere. No point is farther from the origin.
+         */
         public var size:Number = 0;
 
         /** The points: x, y, z of each. The list may be longer than <code>end</code>, the count of these numbers. */

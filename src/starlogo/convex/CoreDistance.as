@@ -45,7 +45,6 @@ package starlogo.convex
         private function begin(out:CoreWitness):void
         {
             _least = Infinity;
-            out.overlaps = false;
             out.separation = -Infinity;
         }
 
@@ -59,7 +58,6 @@ package starlogo.convex
                 }
                 if (_simplex.reduce(out.separation > _simplex.rounding))
                 {
-                    out.overlaps = true;
                     keep(cores, out);
                     return;
                 }

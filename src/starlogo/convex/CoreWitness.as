@@ -3,10 +3,10 @@ package starlogo.convex
     /** The closest points of two cores, and a direction that keeps the cores apart, as a record. The shapes' radii do not count. */
     internal final class CoreWitness
     {
-        /** Whether the cores overlap. Then the distance is 0, and the vector means nothing. */
-        public var overlaps:Boolean = false;
-
-        /** The vector from b's closest point to a's, and its length. If the search ended early, the length is only more than enough. */
+        /**
+         * The vector from b's closest point to a's, and its length. If the cores overlap, the length is 0, and the vector means nothing. If the search
+         * ended early, the length is only more than enough.
+         */
         public var x:Number = 0;
         public var y:Number = 0;
         public var z:Number = 0;

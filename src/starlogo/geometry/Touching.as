@@ -35,7 +35,7 @@ package starlogo.geometry
             return Tolerances.SURFACES * radius;
         }
 
-        /** The margin that rounding a motion causes, from the vector of its way or to its start. */
+        /** The margin that rounding a vector of a motion causes. The vector of its way and the vector to its start have one each. */
         public static function marginOfMotion(x:Number, y:Number, z:Number):Number
         {
             return Tolerances.ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z));

@@ -6,10 +6,10 @@ package starlogo.intersection
      * Finds the kernel of a pair of structures by their two kinds: <code>OF[a.kind].against[b.kind]</code>. A further kind needs a line here
      * for each of its pairs.
      *
-     * <p>The room of intersection says how two structures meet: whether they touch (<code>intersects()</code>), when they first do
+     * <p>The package intersection says how two structures meet: whether they touch (<code>intersects()</code>), when they first do
      * (<code>sweep</code>), how they overlap (<code>contact</code>), how far apart they are (<code>distance</code>), and where a ray meets one
-     * (<code>ray</code>). Whether they touch is a function for each pair; the rest is a kernel for each pair. Read PairKernel first, then
-     * SphereCapsuleKernel and NewtonSteps.</p>
+     * (<code>ray</code>). Whether they touch is a function for each pair; the rest is a kernel for each pair, and ConvexTriangle tests a
+     * shape against triangles. Read PairKernel first, then SphereCapsuleKernel and NewtonSteps.</p>
      *
      * @private
      */

@@ -40,7 +40,7 @@ package starlogo.intersection
         }
 
         /**
-         * A sphere's contact is written out here, because relate() and findGap() take 1.5 times as long in Adobe's VM.
+         * A sphere's contact is written out here, because calls of relate() and findGap() are slow in Adobe's VM.
          *
          * @inheritDoc
          */

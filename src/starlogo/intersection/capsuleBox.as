@@ -5,7 +5,7 @@ package starlogo.intersection
     import starlogo.bounding.Capsule;
     import starlogo.geometry.Tolerances;
 
-    // This function repeats the arithmetic of the kernel CapsuleBoxKernel, because a call through the kernel takes two to three times as long.
+    // This function repeats the arithmetic of the kernel CapsuleBoxKernel, because a call through the kernel is slower.
     // KernelsAgreeTest checks that both agree.
 
     /**

@@ -160,7 +160,7 @@ package starlogo.solid
 
         /**
          * Whether a point is inside of the surface. The point must not be on it. A point is inside if a solid piece winds around it, and no
-         * piece that bounds a cavity in that one. False if no piece of the surface is closed; ask <code>isClosed</code> before.
+         * piece that bounds a cavity in that one. Only for a surface with a closed piece: ask <code>isClosed</code> before.
          */
         public function isInside(point:Vector3D):Boolean
         {

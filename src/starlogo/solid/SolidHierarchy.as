@@ -10,6 +10,11 @@ package starlogo.solid
     /**
      * A model's hierarchy, together with the solid that its triangles make. For the engine.
      *
+     * <p>The package solid says how two models meet whose hierarchies, and for exact tests whose triangles, decide: whether they overlap, when they
+     * first touch, how far they are apart. A query for each of these (TreeOverlapQuery, TreeImpactQuery, TreeDistanceQuery) finds pairs of leaves
+     * that are near each other, and a test of the leaves' triangles decides about them. Read TreeOverlapQuery first, then LeafOverlapTest, then Solid,
+     * which knows what is inside of a surface.</p>
+     *
      * @private
      */
     public final class SolidHierarchy extends Hierarchy
@@ -19,7 +24,7 @@ package starlogo.solid
         /** @private The surface, or null if nothing is known of it. */
         engine var surface:SurfaceTopology = null;
 
-        /** The value of <code>solid</code>, or null if that is not prepared yet. Then it is also the value of <code>facets</code>. */
+        /** The value of <code>solid</code>, or null if that is not prepared yet. Once it is prepared, <code>readyFacets</code> is the same object. */
         internal var readySolid:Solid = null;
 
         /** The value of <code>facets</code>, or null if that is not prepared yet. */
@@ -33,8 +38,8 @@ package starlogo.solid
         }
 
         /**
-         * The triangles and their inside, as exact tests need them. If the builder has not prepared them, the first call does, which takes
-         * tens of milliseconds for tens of thousands of triangles. Only for models with triangles.
+         * The triangles and their inside, as exact tests need them. If the builder has not prepared them, the first call does, which is
+         * slow. Only for models with triangles.
          */
         internal function get solid():Solid
         {
@@ -42,7 +47,7 @@ package starlogo.solid
             return readySolid;
         }
 
-        /** The triangles, perhaps without their inside. Preparing them takes less than half as long as <code>solid</code>. */
+        /** The triangles, perhaps without their inside. Preparing them is faster than <code>solid</code>. */
         internal function get facets():Solid
         {
             if (readyFacets == null)

@@ -227,7 +227,8 @@ package starlogo.solid
             moveToWorld(out, placementA, motion);
         }
 
-        // Moves a contact from the first structure's model into the world: the model's placement is at the end of the motion.
+        // Moves a contact from the first structure's model into the world. The placement is where the model stands without the motion; the
+        // contact is at the motion's time.
         private static function moveToWorld(contact:ContactPoint, a:Placement, motion:RelativeMotion):void
         {
             var time:Number = motion.time;

@@ -35,7 +35,7 @@ package starlogo.intersection.contact
         public var least:Number = 0;
         public var greatest:Number = 0;
 
-        /** Copies all fields of another contact. */
+        /** Copies the point, the normal and the depth of another contact. */
         public function copyFrom(other:ContactPoint):void
         {
             x = other.x;

@@ -7,10 +7,10 @@ package starlogo.intersection.sweep
      * Finds when a moving structure first touches one that stands still: the first moment at which <code>intersects()</code> would return
      * true, except for rounding. The motion's start and end are included. PairTable has the kernel of each pair. Allocates nothing.
      *
-     * <p>The distance of two convex structures is a convex function of time if one moves along a straight line. Boxes touch while no axis
-     * separates them. Spheres and capsules touch once the distance of their cores is the sum of the radii. Newton's method finds that time,
-     * because from the left it never steps over the first zero of a convex function (van den Bergen, "Ray casting against general convex
-     * objects with application to continuous collision detection", 2004).</p>
+     * <p>Boxes touch while no axis separates them. Two spheres touch first at the smaller root of a quadratic equation. The pairs with a capsule, and a
+     * sphere and a box, touch once the distance of their cores is the sum of the radii. This distance is a convex function of time if one moves along
+     * a straight line. So Newton's method finds the time, because from the left it never steps over the first zero (van den Bergen, "Ray casting
+     * against general convex objects with application to continuous collision detection", 2004).</p>
      *
      * @param a a Sphere, Capsule or Box, which moves
      * @param b a Sphere, Capsule or Box, in the same space

@@ -8,6 +8,7 @@ package starlogo.intersection
      * @param segment the segment in the box's mirrored axes
      * @param out receives the vector from the box's closest point to the segment's, in the same axes, and the share of the segment. If several
      *     points are closest, the one in the middle of them is taken
+     * @private
      */
     internal function findBoxSegmentGap(segment:BoxSegment, out:RoundGap):void
     {

@@ -8,6 +8,7 @@ package starlogo.intersection
      *
      * @param segments the segments, u and v
      * @param out receives the vector from the closest point of v to that of u, and the share of u
+     * @private
      */
     internal function findSegmentGap(segments:SegmentPair, out:RoundGap):void
     {

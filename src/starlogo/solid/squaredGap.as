@@ -6,6 +6,7 @@ package starlogo.solid
      * @param extents least x, greatest x, least y, ...
      * @param corners has nine numbers of the triangle
      * @param at index of the first of them
+     * @private
      */
     internal function squaredGap(extents:Vector.<Number>, corners:Vector.<Number>, at:int):Number
     {

@@ -23,7 +23,7 @@ const module = path.join(engine, exports["."].default);
 const { ColladaModel, Model, ObjModel } = await import(pathToFileURL(module));
 
 const STYLE = 'style:"display: none;"';
-const WARNINGS = /[\w$]+\("Blockly\.Workspace\.get\w*Variable\w*","v12","v13","[^"]+"\);/g;
+const WARNINGS = /[\w$]+\(\s*"Blockly\.Workspace\.get\w*Variable\w*",\s*"v12",\s*"v13",\s*"[^"]+"\s*\);/g;
 
 /**
  * Changes two things in Blockly. It sets a style attribute, which the page's policy forbids; an SVG attribute has the same effect. And it

@@ -35,6 +35,47 @@ test('the same program plays the same game', () => {
 	assert.equal(places(), places());
 });
 
+test('another seed plays another game, and frames that are rewound have the same numbers again', () => {
+	const places = ({ agents }) => agents.map(({ x, y, heading }) => `${x} ${y} ${heading}`).join();
+	const from = (seed) => {
+		const world = new parts.World(greatLand);
+		world.begin(parts.GAMES.paintball, seed);
+		for (let i = 0; i < 60; i++) world.step();
+		return world;
+	};
+	const [first, again, other] = [from(7), from(7), from(8)];
+	assert.equal(places(first), places(again));
+	assert.notEqual(places(first), places(other));
+	first.history.show(30);
+	for (let i = 0; i < 30; i++) first.step();
+	assert.equal(places(first), places(again));
+});
+
+test('a breed collides along its way whenever its agents come: “collide along the way” stands before “create”', () => {
+	const sweep = (WHO, ON) => ({ type: 'starlogo_sweep', fields: { WHO, ON } });
+	const world = played(program(
+		start(sweep('balls', 'on'), create(1, 'balls', 'sphere'), create(1, 'walls', 'wall'), sweep('old', 'off')),
+		each('walls', { type: 'starlogo_hatch', fields: { BREED: 'balls', SHAPE: 'sphere' } }, { type: 'starlogo_become', fields: { WHO: 'me', BREED: 'balls' } }),
+		{ type: 'starlogo_timer', fields: { BREED: 'balls' }, inputs: { SECONDS: number(0.1), ...inside({ type: 'starlogo_become', fields: { WHO: 'me', BREED: 'old' } }) } },
+	), 0);
+	assert.deepEqual(world.agents.map(({ breed, sweeps }) => [breed, sweeps]), [['balls', true], ['walls', false]]);
+	world.step();
+	assert.deepEqual(world.agents.map(({ breed, sweeps }) => [breed, sweeps]), [['balls', true], ['balls', true], ['balls', true]]);
+	for (let i = 0; i < 6; i++) world.step();
+	assert.deepEqual(world.agents.map(({ breed, sweeps }) => [breed, sweeps]), Array(3).fill(['old', false]));
+});
+
+test('a key is named after what it does, also within a condition', () => {
+	const name = (...blocks) => parts.keysOf(program({ type: 'starlogo_key', fields: { KEY: 'space', MODE: 'pressed', BREED: 'bears' }, inputs: inside(...blocks) })).get('space');
+	const throwing = { type: 'starlogo_hatch', fields: { BREED: 'paintballs', SHAPE: 'sphere' } };
+	const condition = (...blocks) => ({ type: 'controls_if', inputs: { IF0: value('starlogo_on_ground'), DO0: parts.notation.inside(...blocks) } });
+	assert.equal(name(throwing), 'throw');
+	assert.equal(name(condition(throwing)), 'throw');
+	assert.equal(name({ type: 'math_change', fields: { VAR: { id: 'n' } }, inputs: { DELTA: number(1) } }, condition({ type: 'starlogo_up', inputs: { STEPS: number(1) } })), 'up');
+	assert.equal(name(condition()), 'space');
+	assert.equal(name({ type: 'starlogo_become', fields: { WHO: 'me', BREED: 'old' } }), 'become');
+});
+
 test('every block of the toolbox has a meaning', () => {
 	const world = new parts.World(greatLand);
 	const types = parts.TOOLBOX.contents.flatMap(({ contents = [] }) => contents).map(({ type }) => type);

@@ -62,9 +62,7 @@ export const STATEMENTS = {
 	},
 	starlogo_collide_as: (block, world) => () => world.traits.collideAs(whom(block, world), block.fields.AS),
 	starlogo_show: (block, world) => () => world.structures.show(whom(block, world), block.fields.ON === "on"),
-	starlogo_sweep: (block, world) => () => {
-		for (const agent of world.subjects(whom(block, world))) agent.sweeps = block.fields.ON === "on";
-	},
+	starlogo_sweep: (block, world) => () => world.sweep(whom(block, world), block.fields.ON === "on"),
 	starlogo_until: (block, world) => {
 		const steps = number(block, "STEPS", world);
 		return () => world.advance(me(block, world), steps(), breedOf(block.fields.BREED), block.fields.HOW);

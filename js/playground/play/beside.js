@@ -40,8 +40,8 @@ export class Beside {
 
 	#isFollowing = false;
 
-	begin(program) {
-		this.world.begin(program);
+	begin(program, seed) {
+		this.world.begin(program, seed);
 		this.#frames.length = 0;
 		this.#first = "";
 		this.scene.begin();

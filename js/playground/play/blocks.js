@@ -157,7 +157,10 @@ export const DEFINITIONS = [
 ];
 
 const number = (value) => ({ shadow: { type: "math_number", fields: { NUM: value } } });
-const shadow = (value) => (typeof value === "number" ? number(value) : value.startsWith("starlogo") ? { block: { type: value, ...(value === "starlogo_nearest" && { inputs: { DISTANCE: number(10) } }) } } : { shadow: { type: "text", fields: { TEXT: value } } });
+const shadow = (value) => (typeof value === "number" ? number(value) : value === true ? { shadow: { type: "logic_boolean", fields: { BOOL: "TRUE" } } } : value.startsWith("starlogo") ? { block: { type: value, ...(value === "starlogo_nearest" && { inputs: { DISTANCE: number(10) } }) } } : { shadow: { type: "text", fields: { TEXT: value } } });
+/** What a drawer has for variables, as Blockly makes it, with a number in “set”. */
+export const withNumbers = (items) => items.map((item) => (item.type === "variables_set" ? { ...item, inputs: { VALUE: number(0) } } : item));
+
 const block = (type, inputs, fields) => ({ kind: "block", type, ...(fields && { fields }), ...(inputs && { inputs: Object.fromEntries(Object.entries(inputs).map(([name, value]) => [name, shadow(value)])) }) });
 const category = (name, ...contents) => ({ kind: "category", name: words.categories[name], categorystyle: `${STYLE_OF[name] ?? name}_category`, cssconfig: { icon: `icon icon-${name}` }, contents });
 const STYLE_OF = { events: "event", collisions: "collision", senses: "sense", agents: "agent", looks: "look", control: "logic", maths: "math", variables: "variable" };
@@ -177,7 +180,7 @@ export const TOOLBOX = {
 		category("looks", block("starlogo_colour", { COLOUR: "starlogo_pick" }), block("starlogo_pick"), block("starlogo_any_colour"), block("starlogo_colour_of"), block("starlogo_size", { SIZE: 1 }), block("starlogo_say", { TEXT: words.hello }), block("starlogo_sound"), block("starlogo_note", { NOTE: 60 })),
 		category("game", block("starlogo_goal"), block("starlogo_score_change", { SCORE: 1 }), block("starlogo_score_set", { SCORE: 0 }), block("starlogo_score"), block("starlogo_clock"), block("starlogo_limit", { SECONDS: 60 }), block("starlogo_ground"), block("starlogo_mound", { HEIGHT: 2, WIDTH: 6 }), block("starlogo_wall", { HEIGHT: 1 }), block("starlogo_flat"), block("starlogo_end")),
 		category("control", block("controls_if"), block("controls_ifelse"), block("starlogo_wait", { SECONDS: 1 }), block("controls_repeat_ext", { TIMES: 4 }), block("controls_whileUntil"),
-			block("logic_compare"), block("logic_operation"), block("logic_negate"), block("logic_boolean")),
+			block("logic_compare", { A: 0, B: 0 }), block("logic_operation", { A: true, B: true }), block("logic_negate", { BOOL: true }), block("logic_boolean")),
 		category("maths", block("math_number"), block("math_arithmetic", { A: 1, B: 1 }), block("math_random_int", { FROM: 1, TO: 10 }), block("math_modulo", { DIVIDEND: 10, DIVISOR: 3 })),
 		{ ...category("variables"), custom: "VARIABLE" },
 	],

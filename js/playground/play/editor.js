@@ -5,7 +5,7 @@ import { KeyboardNavigation } from "@blockly/keyboard-navigation";
 import { button, h, isDark, onThemeChange } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
 import { ICON, MEDIA } from "../shared/served.js";
-import { BLOCK_STYLES, CATEGORY_STYLES, DEFINITIONS, MENUS, NEW_BREED, SHAPE_OF, TOOLBOX, drawerFor, meet } from "./blocks.js";
+import { BLOCK_STYLES, CATEGORY_STYLES, DEFINITIONS, MENUS, NEW_BREED, SHAPE_OF, TOOLBOX, drawerFor, meet, withNumbers } from "./blocks.js";
 import { Placing } from "./placing.js";
 
 const PARTS = {
@@ -225,6 +225,7 @@ export class Editor {
 				toolbox: TOOLBOX, theme: theme(), renderer: "zelos", media: MEDIA, sounds: false, trashcan: false, horizontalLayout: narrow,
 				zoom: { controls: false, wheel: false, pinch: true, startScale: SCALE, scaleSpeed: ZOOM, minScale: SMALLEST, maxScale: LARGEST }, move: { scrollbars: true, drag: true, wheel: true },
 			});
+			workspace.registerToolboxCategoryCallback("VARIABLE", (each) => withNumbers(Blockly.Variables.flyoutCategory(each, false)));
 			this.keyboard = new KeyboardNavigation(workspace);
 			// Blockly leaves them out if the drawer is above
 			if (narrow) workspace.getToolbox().getToolboxItems().forEach((item, i) => item.getDiv().querySelector("[role=presentation]").classList.add(...TOOLBOX.contents[i].cssconfig.icon.split(" ")));

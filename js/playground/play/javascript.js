@@ -105,7 +105,10 @@ const STATEMENTS = {
 	starlogo_depth: (block, place, writer) => [`traits.setCollisionDepth(${writer.who(block, place)}, ${writer.value(block, "DEPTH", place)});`],
 	starlogo_collide_as: (block, place, writer) => [`traits.collideAs(${writer.who(block, place)}, ${text(block.fields.AS)});`],
 	starlogo_show: () => ["// bounding structures are shown where there is a picture"],
-	starlogo_sweep: (block, place, writer) => writer.whom(block, place, (agent) => `${agent}.sweeps = ${block.fields.ON === "on"};`),
+	starlogo_sweep: (block, place, writer) => {
+		const isOn = block.fields.ON === "on";
+		return ["me", "collidee"].includes(block.fields.WHO) ? writer.whom(block, place, (agent) => `${agent}.sweeps = ${isOn};`) : [`sweep(${text(block.fields.WHO)}, ${isOn});`];
+	},
 	starlogo_until: (block, place, writer) => [`advance(${place.me}, ${writer.value(block, "STEPS", place)}, ${breedOf(block.fields.BREED)}, ${text(block.fields.HOW)});`],
 	starlogo_face: (block, place, writer) => [`face(${place.me}, ${writer.value(block, "AGENT", place, "null")});`],
 	starlogo_bounce: (block, { me, collidee }) => [`bounce(${me}, ${collidee});`],
@@ -269,7 +272,7 @@ export function javascriptOf(program, title, models, file = "game") {
 	const main = [...addModels, ...scripts].join("\n");
 	const helpers = neededBy(`${main}\n${ENGINE}`);
 	const has = (word) => new RegExp(`\\b${word}\\b`).test(`${main}\n${helpers.join("\n")}`);
-	const fill = (part) => part.replaceAll("/*old*/", has("areSensesOld") ? "\n\tareSensesOld = true;" : "").replaceAll("/*limit*/", has("game\\.limit") ? "\n\tif (game.limit && game.frame >= game.limit.until) game.ended ??= { how: \"lost\", text: game.limit.text };" : "").replaceAll("/*welcome*/", has("traits") ? "\n\ttraits.welcome(agent);" : "");
+	const fill = (part) => part.replaceAll("/*old*/", has("areSensesOld") ? "\n\tareSensesOld = true;" : "").replaceAll("/*limit*/", has("game\\.limit") ? "\n\tif (game.limit && game.frame >= game.limit.until) game.ended ??= { how: \"lost\", text: game.limit.text };" : "").replaceAll("/*welcome*/", `${has("traits") ? "\n\ttraits.welcome(agent);" : ""}${has("sweeping") ? "\n\tagent.sweeps = sweeping[agent.breed] ?? agent.sweeps;" : ""}`);
 	const colours = Object.entries(COLOURS).filter(([name]) => has(`colours\\.${name}`)).map(([name, colour]) => `${name}: ${hex(colour)}`);
 	const variables = [...writer.names.values()].map((name) => `${NAME.test(name) ? name : text(name)}: 0`);
 	const state = [
@@ -280,6 +283,7 @@ export function javascriptOf(program, title, models, file = "game") {
 		...(colours.length > 0 ? [`const colours = { ${colours.join(", ")} };`] : []),
 		...(has("HALF_WIDTH") ? [`const HALF_WIDTH = ${HALF_WIDTH};`] : []),
 		...(has("seed") ? ["let seed = 20150601;"] : []),
+		...(has("sweeping") ? ["/** The breeds that collide along their way, or do not. */", "const sweeping = {};"] : []),
 		...(has("mouse") ? ["export const mouse = { x: 0, y: 0, isDown: false };"] : []),
 		"const held = new Set();", "const pressed = new Set();", "let clicked = null;", "let threads = [];", "const starts = [];", "const scripts = [];",
 	];

@@ -117,6 +117,10 @@ function random() {
 	become: `function become(agent, breed) {
 	agent.breed = breed;/*welcome*/
 }`,
+	sweep: `function sweep(breed, isOn) {
+	sweeping[breed] = isOn;
+	for (const agent of all(breed)) agent.sweeps = isOn;
+}`,
 	anyColour: `function anyColour() {
 	return [${Object.values(COLOURS).slice(0, 6).map(hex).join(", ")}][Math.floor(random() * 6)];
 }`,

@@ -61,6 +61,11 @@ export class LessonCard {
 		return this.#ticks.has(name);
 	}
 
+	/** Whether a lesson is open. */
+	get isOpen() {
+		return this.#name !== null;
+	}
+
 	/** Whether the open lesson is done by the choice of a collision system. */
 	get isOfSystem() {
 		return Boolean(this.#lessons?.[this.#name]?.isOfSystem);
@@ -169,6 +174,12 @@ export class LessonCard {
 	/** Called when a game begins again. */
 	begin() {
 		this.#memory = {};
+		this.hush();
+	}
+
+	/** Takes back what was said to be wrong. If it still is, the next frame says so again. */
+	hush() {
+		this.#memory.wrong = null;
 		if (this.#name === null || this.isDone(this.#name) || this.sign.textContent === "") return;
 		this.sign.replaceChildren();
 		this.#turnTo("text");

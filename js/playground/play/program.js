@@ -143,11 +143,27 @@ function has(block, type) {
 	return block.type === type || Object.values(block.inputs ?? {}).some((input) => has(input.block, type)) || has(block.next?.block, type);
 }
 
-/** The effect of a key in a word or two, by its first block. If that block only prepares something, the key's name is used. */
-function doing({ type, fields, inputs }, key) {
+/** Blocks that only prepare something, or contain what is done. */
+const PREPARING = /^(starlogo_(heading|go|ask)|controls_\w+|variables_set|math_change)$/;
+
+/** The first block of a chain that does more than to prepare something, or the first one in it; null if there is none. */
+function acting(first) {
+	for (let block = first; block; block = block.next?.block) {
+		if (!PREPARING.test(block.type)) return block;
+		const inner = Object.entries(block.inputs ?? {}).filter(([name]) => /^(DO|ELSE)/.test(name)).map(([, input]) => acting(input.block)).find(Boolean);
+		if (inner) return inner;
+	}
+	return null;
+}
+
+/** The effect of a key in a word or two, by its first block. If that block only prepares something, an arrow's direction, or what follows. */
+function doing(first, key) {
+	if (PREPARING.test(first.type) && key in texts.play.keyWays) return texts.play.keyWays[key];
+	const block = acting(first);
+	if (!block) return texts.blocks.keys[key];
+	const { type, fields, inputs } = block;
 	if (inputs?.STEPS?.shadow?.fields.NUM < 0) return texts.blocks.back;
-	if (/^(starlogo_(heading|go|ask)|controls_\w+|variables_set|math_change)$/.test(type) && key in texts.play.keyWays) return texts.play.keyWays[key];
-	const word = texts.blocks[type].split(" ")[0];
+	const word = texts.blocks[type].split(" ").find((each) => !each.startsWith("%"));
 	return fields?.DIRECTION ? `${word} ${texts.blocks.directions[fields.DIRECTION]}` : word;
 }
 

@@ -44,6 +44,8 @@ export class Programs {
 	/** The last program that was requested. */
 	#asked = null;
 	#home = null;
+	/** Whether the program that is shown is only there because something has to be: the user has not chosen it. */
+	#isStopgap = false;
 
 	/** @param {object} view shows the programs */
 	constructor(view) {
@@ -147,6 +149,7 @@ export class Programs {
 	}
 
 	async #openLast() {
+		const isChosen = this.#hasLast;
 		const { program, name } = await this.#last();
 		// the user has chosen another one meanwhile
 		if (this.#asked !== null) return;
@@ -156,14 +159,17 @@ export class Programs {
 			// of another version
 			this.#show(await brought(FIRST), FIRST);
 		}
+		this.#isStopgap = !isChosen;
 	}
 
 	/** Shows a program. If it is none, it throws, and the old one stays. It may come with a lesson that it belongs to. */
 	#show(program, name, title = this.#titleOf(name), lesson = null) {
 		const { view } = this;
-		const before = this.#name === null ? null : { program: this.program, name: this.#name, title: this.#title, lesson: this.#lesson };
+		const isFirst = this.#name === null || (this.#isStopgap && view.world.frame === 0);
+		const before = isFirst ? null : { program: this.program, name: this.#name, title: this.#title, lesson: this.#lesson };
 		view.editor.show(program, isBrought(name) || name === "link");
-		if (before || this.#asked !== null) this.#home?.leave();
+		if (this.#name !== null || this.#asked !== null) this.#home?.leave();
+		this.#isStopgap = false;
 		this.#name = name;
 		this.#isTaken = false;
 		this.#system = CollisionBlocks.systemNames.includes(program.system) ? program.system : null;
@@ -171,8 +177,8 @@ export class Programs {
 		this.#lesson = lessonOf(name) ?? this.shelf.find(name)?.lesson ?? (LESSON_NAMES.includes(lesson) ? lesson : null);
 		this.lessons.show(this.#lesson, this.shelf.find(name) !== null);
 		this.#showTitle(title);
-		view.reset();
-		view.lookAt(program);
+		view.begin();
+		view.lookAt(program, this.shelf.cameraOf(name));
 		if (before && !view.isBroken && view.world.agents.length > 0) {
 			if (before.name === name) view.say(words.opened(title));
 			else view.offer(words.opened(title), words.backTo(before.title), () => this.#goBackTo(before));
@@ -270,6 +276,11 @@ export class Programs {
 		const { system = CollisionBlocks.TIGHTEST_FITS } = this.program;
 		const own = meaning(await brought(LESSON + this.#lesson));
 		this.shelf.putSolution(this.#lesson, game === own ? { system } : { ...JSON.parse(game), system });
+	}
+
+	/** Keeps the camera that the user has chosen for the open program. */
+	keepCamera(camera) {
+		this.shelf.putCamera(this.#name, camera);
 	}
 
 	/** The seconds of the best victory in the open game, or null. */
@@ -387,6 +398,7 @@ export class Programs {
 		const id = `own-${Date.now().toString(36)}-${Math.floor(Math.random() * 1e6).toString(36)}`;
 		this.shelf.put({ id, name, program: this.program, lesson: this.#lesson, changed: Date.now() });
 		this.shelf.last = id;
+		this.shelf.putCamera(id, this.shelf.cameraOf(this.#name));
 		this.#name = id;
 		this.#isTaken = false;
 		this.lessons.isOwn = true;

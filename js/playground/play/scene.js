@@ -47,6 +47,7 @@ export class Scene {
 	#heights = new Map();
 	#pictures = new Map();
 	#isPictured = false;
+	#framed = "";
 
 	/**
 	 * @param {import("../shared/stage.js").Stage} stage
@@ -77,14 +78,35 @@ export class Scene {
 	 * Points the camera at a new program's game: over the shoulder of its main character, otherwise at all of its agents. If they are all over
 	 * the ground, or if there are hills, at the whole ground.
 	 *
+	 * @param {object} program in Blockly's notation
+	 * @param {string|null} camera the one that the user has chosen
 	 * @returns {string} the name of the camera
 	 */
-	lookAt(program) {
-		const { agents, terrain } = this.world;
-		this.#mainBreed = mainBreedOf(program, agents);
-		this.camera = this.#mainBreed === null ? "all" : "follow";
-		this.stage.showAll(terrain ? null : this.#partOf(agents));
+	lookAt(program, camera) {
+		this.#mainBreed = mainBreedOf(program, this.world.agents);
+		this.camera = camera ?? (this.#mainBreed === null ? "all" : "follow");
+		this.#showAll(this.#part);
 		return this.camera;
+	}
+
+	/**
+	 * Shows all of the agents, if that is what the camera shows. If others are there than it has shown, or if the user asks for it: else the user
+	 * may have turned it.
+	 */
+	frame(isAsked = false) {
+		const part = this.#part;
+		if (this.camera === "all" && (isAsked || String(part) !== this.#framed)) this.#showAll(part);
+	}
+
+	#showAll(part) {
+		this.#framed = String(part);
+		this.stage.showAll(part);
+	}
+
+	/** What the camera has to show of the ground; null for all of it. */
+	get #part() {
+		const { agents, terrain } = this.world;
+		return terrain ? null : this.#partOf(agents);
 	}
 
 	/** The agent that the camera follows if none was clicked. */

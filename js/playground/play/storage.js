@@ -43,10 +43,11 @@ export class Shelf {
 		this.#write(this.all.filter((each) => each.id !== id));
 	}
 
-	/** Removes all programs, the memory of the last one, the best times and the solutions. */
+	/** Removes all programs, the memory of the last one, the best times, the cameras and the solutions. */
 	forget() {
 		this.#write([]);
 		this.#keep(`${KEY}.records`, {});
+		this.#keep(`${KEY}.cameras`, {});
 		this.#keep(`${KEY}.solutions`, {});
 		this.last = null;
 	}
@@ -58,6 +59,15 @@ export class Shelf {
 
 	putRecord(id, seconds) {
 		this.#keep(`${KEY}.records`, { ...recallValue(`${KEY}.records`), [id]: seconds });
+	}
+
+	/** The camera that was chosen for a program, or null. A program from a link has none, because the next link is another one. */
+	cameraOf(id) {
+		return recallValue(`${KEY}.cameras`)?.[id] ?? null;
+	}
+
+	putCamera(id, camera) {
+		if (id !== "link") rememberValue(`${KEY}.cameras`, { ...recallValue(`${KEY}.cameras`), [id]: camera });
 	}
 
 	/** The programs that did lessons, by the lessons' names. If the lesson's own program did it, only its collision system is kept. */

@@ -20,7 +20,7 @@ import { Sound } from "./sound.js";
 import { splitter } from "./splitter.js";
 import { Programs } from "./programs.js";
 import { meaning } from "./storage.js";
-import { FRAMES_A_SECOND, World } from "./world.js";
+import { FRAMES_A_SECOND, SEED, World } from "./world.js";
 
 const words = texts.play;
 /** The most frames that are computed between two pictures to make up for lost time. */
@@ -58,6 +58,10 @@ class PlayView {
 		this.#beginEditing = resolve;
 	});
 	#begun = "";
+	/** The seed of the game's random numbers. */
+	#seed = SEED;
+	/** Whether the game has started by itself, because a system was chosen. */
+	#isSelfStarted = false;
 	#isQuiet = false;
 	/** The game beside this one, or null; and the last one that was requested. */
 	#beside = null;
@@ -95,7 +99,7 @@ class PlayView {
 	#build(main) {
 		this.main = main;
 		this.runLabel = h("span", {}, words.run);
-		this.runButton = button(h("span.icon"), () => (this.isRunning && this.isStale ? this.#anew() : this.isRunning ? this.stop() : this.run()), { class: "primary run" });
+		this.runButton = button(h("span.icon"), () => (this.isRunning && this.#isAnewOffered ? this.#anew() : this.isRunning ? this.stop() : this.run()), { class: "primary run" });
 		this.runButton.append(this.runLabel);
 		this.status = h("p.status", { role: "status" }, words.ready);
 		const systems = CollisionBlocks.systemNames.map((name) => [name, texts.systems[name]]);
@@ -118,7 +122,8 @@ class PlayView {
 		const besides = choice([["", words.alone], ...systems], "", (name) => this.putBeside(name));
 		this.camera = choice(Object.entries(words.cameras), "all", (name) => {
 			this.scene.camera = name;
-			if (name === "all") this.stage.showAll();
+			this.scene.frame(true);
+			this.programs.keepCamera(name);
 			this.draw();
 			this.#playOn();
 		});
@@ -126,7 +131,7 @@ class PlayView {
 		this.tabs = Object.entries(words.tabs).map(([name, text]) => button(text, () => this.#turnTo(name), { "data-tab": name }));
 		this.#turnTo("game");
 		this.controls = h("div.controls.game", { role: "group", "aria-label": words.run },
-			this.runButton, button(words.step, () => this.#step()), button(words.reset, () => this.reset()), h("div.tabs", { role: "group" }, ...this.tabs), h("div.saying", {}, this.status));
+			this.runButton, button(words.step, () => this.#step()), button(words.reset, () => this.#renew()), h("div.tabs", { role: "group" }, ...this.tabs), h("div.saying", {}, this.status));
 		// in full screen, the button Run is included
 		this.theatre.addEventListener("fullscreenchange", () => {
 			if (document.fullscreenElement === this.theatre) this.theatre.prepend(this.controls);
@@ -195,9 +200,9 @@ class PlayView {
 		this.draw();
 	}
 
-	/** Points the camera at a new program's game. */
-	lookAt(program) {
-		this.camera.value = this.scene.lookAt(program);
+	/** Points the camera at a new program's game: the one that the user has chosen for it, or else the one that suits it. */
+	lookAt(program, camera = null) {
+		this.camera.value = this.scene.lookAt(program, camera);
 		// it matters where a few agents are looked at closely
 		this.dragNote.hidden = this.isDragKnown || this.scene.camera !== "all" || this.world.agents.length > FEW || !this.stage.renderer;
 		this.draw();
@@ -225,10 +230,13 @@ class PlayView {
 			this.#take();
 		});
 		// the lesson is about the system: its game shows at once what the system does
-		if (!this.isRunning && this.programs.lessons.isOfSystem) {
+		const { lessons } = this.programs;
+		if (lessons.isOfSystem) {
 			this.reset();
 			this.run();
-		}
+			this.#isSelfStarted = true;
+			this.showRun();
+		} else lessons.hush();
 		this.draw();
 		this.#playOn();
 	}
@@ -280,7 +288,19 @@ class PlayView {
 		this.status.append(" ", button(action, onclick));
 	}
 
-	/** Goes to the program's beginning. */
+	/** Goes to the beginning of a newly opened program. */
+	begin() {
+		this.#seed = SEED;
+		this.reset();
+	}
+
+	/** Goes to the program's beginning, with other random numbers. Those of a lesson stay, because the teacher's page plays it again. */
+	#renew() {
+		if (!this.programs.lessons.isOpen) this.#seed = 1 + Math.floor(Math.random() * 2147483646);
+		this.reset();
+	}
+
+	/** Goes to the program's beginning, with the same random numbers. */
 	reset() {
 		this.#halt();
 		this.editor.mark(null);
@@ -290,13 +310,14 @@ class PlayView {
 		this.#begun = meaning(program);
 		this.keys.show(program);
 		this.#attempt(() => {
-			this.#beside?.begin(program);
-			this.world.begin(program);
+			this.#beside?.begin(program, this.#seed);
+			this.world.begin(program, this.#seed);
 		});
 		if (!this.isBroken && this.world.agents.length === 0) this.say(words.empty);
 		this.system.value = this.world.collisions.systemName;
 		this.panel.forget();
 		this.scene.begin();
+		this.scene.frame();
 		this.programs.lessons.begin();
 		this.scene.best = "";
 		this.scene.record = this.programs.record;
@@ -311,14 +332,16 @@ class PlayView {
 	}
 
 	#anew() {
-		this.reset();
+		this.#renew();
 		this.run();
 	}
 
 	run() {
 		// changes count from the beginning
-		if (this.isBroken || this.world.ended || this.isStale) this.reset();
+		if (this.world.ended) this.#renew();
+		else if (this.isBroken || this.isStale) this.reset();
 		if (this.isBroken) return;
+		this.#isSelfStarted = false;
 		this.#loop.run();
 		this.#turnTo("game");
 		this.showRun();
@@ -340,6 +363,11 @@ class PlayView {
 		return this.#begun !== meaning(this.programs.program);
 	}
 
+	/** Whether the button starts the running game anew. Who presses “Run” does not know yet that a game has started by itself. */
+	get #isAnewOffered() {
+		return this.isStale || this.#isSelfStarted;
+	}
+
 	stop() {
 		this.#halt();
 		this.say(words.stopped);
@@ -348,7 +376,7 @@ class PlayView {
 
 	/** Shows what the button does: run, stop, or start a changed program anew. */
 	showRun() {
-		const isChanged = this.isRunning && this.isStale;
+		const isChanged = this.isRunning && this.#isAnewOffered;
 		this.runLabel.textContent = isChanged ? words.startAnew : this.isRunning ? words.stop : words.run;
 		this.runButton.classList.toggle("running", this.isRunning);
 		this.runButton.classList.toggle("changed", isChanged);
@@ -444,10 +472,7 @@ class PlayView {
 
 	draw(now = 0) {
 		const { world } = this;
-		this.scene.draw(() => {
-			this.reset();
-			this.run();
-		});
+		this.scene.draw(() => this.#anew());
 		this.#beside?.draw();
 		this.panel.show(this.isRunning ? now : 0);
 		const { length } = world.history;

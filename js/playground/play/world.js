@@ -9,6 +9,8 @@ import { Rounds, Thread, compile } from "./program.js";
 /** Half the width of the ground. An agent that leaves it comes in on the other side. */
 export const HALF_WIDTH = 12;
 export const FRAMES_A_SECOND = 60;
+/** The seed of random numbers if no other one is given. A lesson always has it, so that its checks see the same game again. */
+export const SEED = 20150601;
 const MOST_AGENTS = 2000;
 /** The ground of games that do not choose one. */
 const MEADOW = "meadow";
@@ -54,9 +56,9 @@ export class World {
 		this.#forget();
 	}
 
-	#forget() {
+	#forget(seed = SEED) {
 		/** The data of a frame that History keeps, in addition to the agents. */
-		this.state = { frame: 0, seed: 20150601, variables: {}, threads: [], score: null, goal: null, limit: null, ground: MEADOW, ended: null, totals: new Map(), events: [], meetings: 0, touching: 0, made: 0, pairs: new Map() };
+		this.state = { frame: 0, seed, sweeping: {}, variables: {}, threads: [], score: null, goal: null, limit: null, ground: MEADOW, ended: null, totals: new Map(), events: [], meetings: 0, touching: 0, made: 0, pairs: new Map() };
 		this.agents.length = this.sounds.length = 0;
 		this.collisions.collision.terrain = null;
 		this.#pressed.clear();
@@ -64,9 +66,14 @@ export class World {
 		this.#areSensesOld = true;
 	}
 
-	/** Begins a program. The program may choose the collision system. */
-	begin(program) {
-		this.#forget();
+	/**
+	 * Begins a program. The program may choose the collision system.
+	 *
+	 * @param {object} program in Blockly's notation
+	 * @param {number} seed the same program with the same seed plays the same game
+	 */
+	begin(program, seed = SEED) {
+		this.#forget(seed);
 		this.collisions.forgetScripts();
 		this.traits.forgetBreeds();
 		this.structures.showNone();
@@ -227,7 +234,7 @@ export class World {
 		}
 		agent.before = [agent.x, agent.y, agent.z, agent.heading];
 		this.agents.push(agent);
-		this.traits.welcome(agent);
+		this.#welcome(agent);
 		this.#areSensesOld = true;
 		return agent;
 	}
@@ -247,7 +254,19 @@ export class World {
 
 	become(agent, breed) {
 		agent.breed = breed;
+		this.#welcome(agent);
+	}
+
+	/** Gives an agent the settings of its breed. */
+	#welcome(agent) {
 		this.traits.welcome(agent);
+		agent.sweeps = this.state.sweeping[agent.breed] ?? agent.sweeps;
+	}
+
+	/** Has an agent collide along its way, or not. For a breed it counts for agents that join it later, too. */
+	sweep(whom, isOn) {
+		for (const agent of this.subjects(whom)) agent.sweeps = isOn;
+		if (typeof whom === "string") this.state.sweeping = { ...this.state.sweeping, [whom]: isOn };
 	}
 
 	forward(agent, steps) {
@@ -366,7 +385,7 @@ export class World {
 		return this.frame / FRAMES_A_SECOND;
 	}
 
-	/** A random number, by a generator of Park and Miller. The same program always plays the same game. */
+	/** A random number, by a generator of Park and Miller. */
 	random() {
 		this.state.seed = (this.state.seed * 48271) % 2147483647;
 		return this.state.seed / 2147483647;

@@ -73,9 +73,7 @@ function chooseOne(pattern, classes, sources, { tests, used, farther, said }) {
 		for (const source of [...sources.keys()].filter((name) => simpleName(name).toLowerCase() === wanted)) {
 			const nearest = nearestTests(source, classes, sources);
 			for (const name of take(`classes that use ${source}`, nearest)) used.add(name);
-			const missing = ENOUGH - countOf([...new Set([...ofClass, ...nearest])], classes);
-			if (missing <= 0) continue;
-			for (const name of take(`tests of what uses ${source}`, testsOfUsers(source, missing, classes, sources))) {
+			for (const name of take(`tests of what uses ${source}`, testsOfUsers(source, new Set([...ofClass, ...nearest]), classes, sources))) {
 				used.add(name);
 				farther.add(name);
 			}
@@ -103,15 +101,15 @@ function nearestTests(source, classes, sources) {
 	return [];
 }
 
-/** The test classes with the names of the files that use a source, or that use these, and so on, until there are as many tests as are wanted. */
-function testsOfUsers(source, wanted, classes, sources) {
-	const found = [];
+/** The test classes with the names of the files that use a source, or that use these, and so on, until there are enough tests with those that are known. */
+function testsOfUsers(source, known, classes, sources) {
+	const found = new Set(known);
 	for (const files of users(source, classes, sources)) {
-		if (countOf(found, classes) >= wanted) break;
+		if (countOf([...found], classes) >= ENOUGH) break;
 		const own = new Set(files.filter((name) => !classes.has(name)).map((name) => `${simpleName(name)}Test`));
-		found.push(...[...classes.keys()].filter((name) => own.has(simpleName(name))));
+		for (const name of [...classes.keys()].filter((each) => own.has(simpleName(each)))) found.add(name);
 	}
-	return found;
+	return [...found].filter((name) => !known.has(name));
 }
 
 /** What uses a source, then what uses that, and so on; tests are used by nothing. */

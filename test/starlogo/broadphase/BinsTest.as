@@ -71,6 +71,26 @@ package starlogo.broadphase
         }
 
         [Test]
+        public function thoseOfTheWidthOfACellThatTouchByRoundingArePairs():void
+        {
+            // the widest that a level takes, a little before a border and one width further: without slack two cells apart
+            var random:SeededRandom = new SeededRandom(742);
+            for (var i:int = 0; i < 3000; i++)
+            {
+                clear();
+                var width:Number = Math.pow(2, random.integer(-8, 8));
+                var column:int = random.integer(-1000, 1000);
+                var line:int = random.integer(-1000, 1000);
+                var gap:Number = width * random.logBetween(1e-11, 1e-7);
+                var isAlongX:Boolean = random.chance();
+                add(column * width - (isAlongX ? gap : 0), line * width - (isAlongX ? 0 : gap), width / 2, width / 2);
+                add((column + (isAlongX ? 1 : 0)) * width, (line + (isAlongX ? 0 : 1)) * width, width / 2, width / 2);
+                search();
+                assertEquals(gap + " apart at " + column + ", " + line + " of " + width, 1, _sink.length);
+            }
+        }
+
+        [Test]
         public function whatIsFarOutGetsWiderCells():void
         {
             add(0, 0, 0.5, 0.5);

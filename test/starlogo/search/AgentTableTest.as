@@ -1,12 +1,17 @@
 package starlogo.search
 {
+    import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.broadphase.Bins;
+    import starlogo.collision.Collider;
     import starlogo.engine;
     import starlogo.models.BuiltInModel;
+    import starlogo.queries.AgentQueries;
+    import support.EachCollider;
+    import support.RandomWorlds;
     import support.assertThrows;
     import support.landOf;
 
@@ -47,6 +52,58 @@ package starlogo.search
             assertTrue(_table.agents.length + " rows", _table.agents.length <= 30);
             _table.read(_agents);
             assertHasOnly(_agents);
+        }
+
+        [Test]
+        public function aRefreshedAgentIsSeenAsItIs():void
+        {
+            var random:SeededRandom = new SeededRandom(741);
+            var land:GreatLand = landOf(BuiltInModel.cube(), BuiltInModel.cylinder(), BuiltInModel.sphere());
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, land);
+                var agents:Vector.<Agent> = RandomWorlds.mixed(12, ["cube", "cylinder", "sphere"], 2, random);
+                var queries:AgentQueries = new AgentQueries(collider);
+                queries.update(agents);
+                var touching:int = 0;
+                var apart:int = 0;
+                for (var i:int = 0; i < 60; i++)
+                {
+                    var changed:Agent = agents[random.integer(0, agents.length - 1)];
+                    change(changed, random);
+                    queries.refresh(changed);
+                    for each (var asker:Agent in agents)
+                    {
+                        var isTouching:Boolean = asker != changed && collider.areColliding(asker, changed);
+                        touching += isTouching ? 1 : 0;
+                        apart += isTouching ? 0 : 1;
+                        assertEquals(name + ", change " + i, isTouching, queries.touching(asker).indexOf(changed) >= 0);
+                    }
+                }
+                assertTrue(name + ": " + touching + " touch, " + apart + " do not", touching > 60 && apart > 60);
+            }
+        }
+
+        // Moves an agent, turns it, or changes its size or its shape: one of these, or several.
+        private static function change(agent:Agent, random:SeededRandom):void
+        {
+            if (random.chance())
+            {
+                agent.moveTo(random.between(-2, 2), random.between(-2, 2), random.between(-2, 2));
+            }
+            if (random.chance())
+            {
+                agent.heading = random.between(0, 360);
+                agent.pitch = random.between(-90, 90);
+            }
+            if (random.chance())
+            {
+                agent.size = random.logBetween(0.3, 5);
+            }
+            if (random.chance(0.2))
+            {
+                agent.shape = random.pick(["cube", "cylinder", "sphere"]);
+            }
         }
 
         // An agent has a row if it is listed, and only then.

@@ -11,6 +11,7 @@ package starlogo.search
     import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
+    import support.RandomWorlds;
     import support.landOf;
 
     /**
@@ -58,6 +59,58 @@ package starlogo.search
                 agents[7].x += 0.1;
                 collision.update(agents);
                 assertTrue(collision.statistics.candidatePairs > 0 && 10 * collision.statistics.candidatePairs < all);
+            }
+        }
+
+        [Test]
+        public function anotherDepthMakesTheFrameAnew():void
+        {
+            var land:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cylinder());
+            var collider:HierarchicalCollider = new HierarchicalCollider(land);
+            var collision:Collision = new Collision(collider);
+            var pairs:Array = [];
+            collision.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, function(a:Agent, b:Agent):void
+                {
+                    note(pairs, a, b);
+                });
+            var agents:Vector.<Agent> = RandomWorlds.mixed(60, ["sphere", "cylinder"], 5, _random);
+            collision.update(agents);
+            var before:String = "";
+            var changes:int = 0;
+            for (var i:int = 0; i < 40; i++)
+            {
+                collider.maxDepth = _random.integer(1, 7);
+                pairs = [];
+                collision.update(agents);
+                var found:String = pairs.sort().join();
+                var plain:HierarchicalCollider = new HierarchicalCollider(land);
+                plain.maxDepth = collider.maxDepth;
+                assertEquals("frame " + i + ", depth " + collider.maxDepth, pairsOf(plain, agents), found);
+                changes += found != before ? 1 : 0;
+                before = found;
+            }
+            assertTrue(changes + " changes", changes > 10);
+        }
+
+        // The pairs that a search of all finds.
+        private static function pairsOf(system:CollisionSystem, agents:Vector.<Agent>):String
+        {
+            var found:Vector.<Agent> = system.findCollisions(agents);
+            var pairs:Array = [];
+            for (var i:int = 0; i < found.length; i += 2)
+            {
+                note(pairs, found[i], found[i + 1]);
+            }
+            return pairs.sort().join();
+        }
+
+        // A handler of any breeds hears of a pair from both sides.
+        private static function note(pairs:Array, a:Agent, b:Agent):void
+        {
+            var pair:String = Math.min(a.id, b.id) + " " + Math.max(a.id, b.id);
+            if (pairs.indexOf(pair) < 0)
+            {
+                pairs.push(pair);
             }
         }
 

@@ -127,7 +127,8 @@ package starlogo.intersection
         /**
          * Finds how far the shape reaches behind the triangle's plane.
          *
-         * @param out receives the depth, the triangle's normal, and the middle of the overlap at the shape's deepest point
+         * @param out receives the depth, the triangle's normal, and the middle of the overlap at the shape's deepest point. All are NaN if the triangle
+         *     has no area
          * @return whether this point is behind the triangle itself
          */
         public function findBehind(out:ContactPoint):Boolean

@@ -5,7 +5,7 @@ package starlogo.intersection
     import starlogo.intersection.contact.ContactPoint;
 
     /**
-     * Finds the point of a convex shape that is farthest against a normal. If there are several, it is their middle.
+     * Finds the point of a convex shape that is farthest against a normal. If there are several, it is their middle. NaN if the normal is NaN.
      *
      * @private
      */

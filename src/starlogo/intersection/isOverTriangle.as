@@ -4,7 +4,7 @@ package starlogo.intersection
     import starlogo.intersection.contact.ContactPoint;
 
     /**
-     * Whether a point is over a triangle or behind it: its foot on the triangle's plane is in the triangle.
+     * Whether a point is over a triangle or behind it: its foot on the triangle's plane is in the triangle. False if the normal or the point is NaN.
      *
      * @param p has the triangle: nine numbers, from an index on
      * @param face has the triangle's normal
@@ -21,7 +21,7 @@ package starlogo.intersection
             var vx:Number = point.x - p[from];
             var vy:Number = point.y - p[int(from + 1)];
             var vz:Number = point.z - p[int(from + 2)];
-            if (face.normalX * (uy * vz - uz * vy) + face.normalY * (uz * vx - ux * vz) + face.normalZ * (ux * vy - uy * vx) < 0)
+            if (!(face.normalX * (uy * vz - uz * vy) + face.normalY * (uz * vx - ux * vz) + face.normalZ * (ux * vy - uy * vx) >= 0))
             {
                 return false;
             }

@@ -206,7 +206,10 @@ package starlogo.solid
             out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
         }
 
-        /** If a corner of the triangle that is touched first is inside of a structure, writes it in place of both closest points. */
+        /**
+         * If a corner of the triangle that is touched first is inside of a structure, writes it in place of both closest points. Only after a triangle
+         * was touched.
+         */
         public function takeCorner(structure:BoundingStructure, out:DistanceResult):void
         {
             _corner.setTo(_solid.corners[_first], _solid.corners[int(_first + 1)], _solid.corners[int(_first + 2)]);

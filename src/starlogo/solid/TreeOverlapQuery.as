@@ -122,10 +122,9 @@ package starlogo.solid
                 out.setPoint(_containment.innerPoint);
                 return _containment.isPointOfSecond ? pair.placementB : pair.placementA;
             }
-            if (pair.isExact && pair.b == null)
+            if (pair.isExact && pair.b == null && touchesTriangle(pair.a, pair.structureB))
             {
                 // No triangle crosses the surface of the box. So the box is around the triangles that touch it.
-                touchesTriangle(pair.a, pair.structureB);
                 _leaf.begin(pair.structureB, _pose);
                 _triangles.takeCorner(_leaf.moved, out);
             }

@@ -142,6 +142,26 @@ package starlogo.intersection
             assertTrue(apart + " apart", apart > 100);
         }
 
+        [Test]
+        public function nothingIsBehindATriangleWithoutArea():void
+        {
+            var triangle:ConvexTriangle = new ConvexTriangle();
+            var out:ContactPoint = new ContactPoint();
+            for (var i:int = 0; i < 300; i++)
+            {
+                triangle.begin(_structures.ofKind(i % 3, _random.logBetween(0.02, 2), 2), new Placement());
+                var corners:Vector.<Number> = anyTriangle(0);
+                var share:Number = i % 5 / 4;
+                for (var k:int = 0; k < 3; k++)
+                {
+                    corners[6 + k] = corners[k] + share * (corners[3 + k] - corners[k]);
+                }
+                triangle.setTriangle(corners, 0);
+                _wrong.addIf(triangle.findBehind(out), "behind", "triangle " + corners);
+            }
+            _wrong.assertNone();
+        }
+
         private static function timeOf(sweep:ConvexTriangle, structure:BoundingStructure, corners:Vector.<Number>, motion:ConvexMotion):Number
         {
             sweep.begin(structure, new Placement());

@@ -16,6 +16,7 @@ package starlogo.solid
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.UprightBoxTraversal;
+    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.intersects;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
@@ -45,6 +46,28 @@ package starlogo.solid
                 {
                     checkSpeck(random, size, giant, hierarchyOf(BuiltInModel.cube()), hierarchyOf(BuiltInModel.sphere()));
                 }
+            }
+        }
+
+        /** The query remembers the last triangle that it found, which a smaller model does not have. */
+        [Test]
+        public function theCommonPointIsNotOfATriangleOfThePairBefore():void
+        {
+            var bear:SolidHierarchy = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
+            var cube:SolidHierarchy = hierarchyOf(BuiltInModel.cube());
+            var stands:Placement = new Placement();
+            var pair:TreePair = new TreePair();
+            var out:DistanceResult = new DistanceResult();
+            for (var at:int = bear.corners.length - 9; at > cube.corners.length; at -= 900)
+            {
+                var sphere:Sphere = new Sphere(new Vector3D(bear.corners[at], bear.corners[at + 1], bear.corners[at + 2]), 1e-6);
+                pair.setTo(bear, stands, int.MAX_VALUE, null, sphere, stands, 1, true);
+                assertTrue(_overlaps.areOverlapping(bear, stands, int.MAX_VALUE, null, sphere, stands, 1, true));
+                _overlaps.findCommonPoint(pair, out);
+                out.aX = 7;
+                pair.setTo(cube, stands, int.MAX_VALUE, null, new Sphere(new Vector3D(5, 5, 5), 0.1), stands, 1, true);
+                _overlaps.findCommonPoint(pair, out);
+                assertEquals(7, out.aX);
             }
         }
 

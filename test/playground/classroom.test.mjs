@@ -225,7 +225,7 @@ test('a game of one\'s own is made, named, kept, shared and opened elsewhere, wi
 	const { page, said, leave } = await open(site, 'play', Desktop);
 	await page.locator('.gallery').locator('.new').click();
 	await titled(page, 'My program');
-	assert.equal(await page.textContent('.keeping'), '✓ kept');
+	assert.equal(await page.textContent('.keeping'), '✓ saved');
 	assert.deepEqual((await agents(page)).map(({ breed }) => breed), ['bears']);
 	await page.locator('.title').fill('Bears: “one”');
 	await page.keyboard.press('Enter');

@@ -221,6 +221,39 @@ test('a view and a class whose models do not come say so in the page\'s language
 	await leave();
 });
 
+test('in the table of a class names and signs lead to what was handed in, lessons to their pages, and the table can be taken along', async () => {
+	const { page, said, leave } = await open(site, 'teach/class', Desktop);
+	const blocks = { languageVersion: 0, blocks: [{ type: 'starlogo_start', inputs: {} }] };
+	const work = (pupil, programs) => ({ name: `${pupil}.json`, mimeType: 'application/json', buffer: Buffer.from(JSON.stringify({ kind: 'starlogo-nova-work', pupil, done: ['helmet'], won: [], programs })) });
+	await page.setInputFiles('input[type=file]', [work('Ada', [{ name: 'One', program: { blocks } }, { name: 'Two', lesson: 'wing', program: { blocks } }]), work('=1+1 "x"', [])]);
+	await page.waitForSelector('[data-checked="class"]');
+	const links = await page.locator('.class tbody a').evaluateAll((all) => all.map(({ textContent, hash }) => [textContent, hash]));
+	const [at] = links.filter(([text]) => text === 'Ada').map(([, hash]) => /^#play\/handed-(\d)-0$/.exec(hash)[1]);
+	assert.deepEqual(links, [['Ada', `#play/handed-${at}-0`], ['…', `#play/handed-${at}-1`]]);
+	assert.equal(await page.locator('.class thead a').nth(2).evaluate(({ hash }) => hash), '#teach/wing');
+	const rows = (await saved(page, () => press(page, 'Download the table'))).split('\r\n');
+	assert.match(rows[0], /^\uFEFF?"Pupil","Blocks make turtles move",.*"Programs"$/);
+	assert.ok(rows.includes('"Ada","","✓?","…","","","","","","","","0","2"'), rows.join('\n'));
+	assert.ok(rows.some((row) => row.startsWith('"\'=1+1 ""x""",')), 'a name is no formula');
+	await page.getByRole('link', { name: 'Ada', exact: true }).click();
+	await page.waitForSelector('.title');
+	await titled(page, 'One (Ada)');
+	assert.deepEqual(said, []);
+	await leave();
+});
+
+test('who has handed in closes the dialog, and cancels nothing', { skip }, async () => {
+	const { page, said, leave } = await open(site, 'play/maze', Desktop);
+	await press(page, 'Hand in…');
+	await page.locator('.handing').getByRole('button', { name: 'Cancel' }).waitFor();
+	await page.locator('.handing').getByLabel('Name').fill('Ada');
+	await saved(page, () => press(page, 'Save a file'));
+	await page.locator('.handing').getByRole('button', { name: 'Close' }).click();
+	assert.equal(await page.locator('.handing').count(), 0);
+	assert.deepEqual(said, []);
+	await leave();
+});
+
 test('links and files keep the lesson; own models go along in files, and a link says that they do not', { skip }, async () => {
 	const { page, said, leave } = await open(site, 'play/lesson-blocks', Desktop);
 	await page.setInputFiles('.naming input[type=file]', BEAR);

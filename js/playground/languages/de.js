@@ -62,7 +62,7 @@ export const texts = {
 		another: (name, number) => `${name} ${number}`,
 		examples: { helmet: "Der Helm des Feuerwehrmanns", wing: "Unter dem Flügel des Drachen", wall: "Neben der Mitte der Wand" },
 		games: { paintball: "Farbkugeln", chase: "Auf der Flucht", maze: "Irrgarten", space: "Weltraum", catch: "Perlenfischer", tag: "Fangen", pinball: "Flipper", hills: "Hügel" },
-		title: "Name des Programms", new: "Neu", newName: "Mein Programm", keep: "Kopie behalten", keepNote: "Was du änderst, wird von selbst behalten", kept: "✓ behalten", keptNowhere: "nicht behalten",
+		title: "Name des Programms", new: "Neu", newName: "Mein Programm", keep: "Kopie speichern", keepNote: "Was du änderst, wird von selbst gespeichert", kept: "✓ gespeichert", keptNowhere: "nicht gespeichert",
 		save: "Herunterladen", open: "Öffnen …", share: "Link kopieren", link: "Link zu diesem Programm",
 		print: "Drucken", handedBy: (name, pupil) => `${name} (${pupil})`,
 		sharedWithout: (models) => `Deine eigenen Modelle sind nicht im Link (${models}). Lade das Programm herunter: In der Datei sind sie dabei.`,

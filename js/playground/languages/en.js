@@ -67,7 +67,7 @@ export const texts = {
 		another: (name, number) => `${name} ${number}`,
 		examples: { helmet: "The fireman's helmet", wing: "Under the dragon's wing", wall: "Beside the wall's middle" },
 		games: { paintball: "Paintball", chase: "Chase", maze: "Maze", space: "Space", catch: "Catch", tag: "Tag", pinball: "Pinball", hills: "Hills" },
-		title: "Name of the program", new: "New", newName: "My program", keep: "Keep a copy", keepNote: "What you change is kept by itself", kept: "✓ kept", keptNowhere: "not kept",
+		title: "Name of the program", new: "New", newName: "My program", keep: "Save a copy", keepNote: "What you change is saved by itself", kept: "✓ saved", keptNowhere: "not saved",
 		save: "Download", open: "Open…", share: "Copy a link", link: "Link to this program",
 		print: "Print", handedBy: (name, pupil) => `${name} (${pupil})`,
 		sharedWithout: (models) => `Your own models are not in a link (${models}). Download the program: its file has them.`,

@@ -40,7 +40,7 @@ export class Live {
 	#touched = new Uint32Array(0);
 	#first = 0;
 	#pairs = 0;
-	/** The pairs that the others have found. */
+	/** The pairs that the engine and the others have found, in the last frame in which all were asked. */
 	#found = {};
 	/** Rapier, once it is loaded, and its world. */
 	#library = null;
@@ -68,13 +68,14 @@ export class Live {
 				tick(words.drawn, true, (isOn) => {
 					this.#isDrawn = isOn;
 					this.host.parentElement.hidden = !isOn;
+					this.scene.classList.toggle("alone", !isOn);
 				}), tick(words.beside, true, (isOn) => {
 					this.#isBeside = isOn;
 					this.#found.near = NaN;
 					this.parts.clear();
 					if (!this.#loop.isRunning) this.#show();
 				}), loadRapier ? tick(words.besideRapier, false, (isOn) => this.#putRapier(isOn)) : null, this.said),
-			h("div.scene", {}, h("div.screen", {}, this.host),
+			this.scene = h("div.scene", {}, h("div.screen", {}, this.host),
 				h("div.times", {}, this.figures.element,
 					this.canvas, h("p.note", {}, words.note))));
 	}
@@ -160,13 +161,19 @@ export class Live {
 		frame.engine = part();
 		if (this.#isDrawn) this.crowd?.draw(agents, DRAWN / (2 * this.halfWidth), COLOURS, (agent) => this.#touched[agent.id - this.#first] === this.#frame);
 		frame.draw = part();
-		if (this.#isBeside && this.#frame % SELDOM === 0) {
-			this.#found.near = nearIn(agents);
-			frame.kdbush = part();
-		}
-		if (this.rapier && this.#frame % SELDOM === SELDOM / 2) {
-			this.#found.inRapier = this.rapier.pairs();
-			frame.rapier = part();
+		if (this.#frame % SELDOM === 0) {
+			// all of the figures are of this frame, so that they can be compared
+			this.#found = { pairs: this.#pairs };
+			if (this.#isBeside) {
+				this.#found.near = nearIn(agents);
+				frame.kdbush = part();
+			}
+			if (this.rapier) {
+				this.rapier.pairs();
+				frame.rapier = part();
+				// not measured: it only makes the figure one of the same frame
+				this.#found.inRapier = this.rapier.settled();
+			}
 		}
 		graph.add(frame);
 	}
@@ -174,8 +181,8 @@ export class Live {
 	#show() {
 		const { middles } = this.parts;
 		this.parts.draw((ms) => short(ms));
-		const { near, inRapier } = this.#found;
-		const counts = Object.entries({ pairs: this.#pairs, near, inRapier }).map(([name, value]) => [name, value >= 0 ? value.toLocaleString(texts.code) : "–"]);
+		const { pairs, near, inRapier } = this.#found;
+		const counts = Object.entries({ pairs: pairs ?? this.#pairs, near, inRapier }).map(([name, value]) => [name, value >= 0 ? value.toLocaleString(texts.code) : "–"]);
 		const others = { ...!this.#isBeside && { kdbush: null, near: null }, ...!this.rapier && { rapier: null, inRapier: null } };
 		this.figures.show({ ...Object.fromEntries([...Object.entries(middles).map(([name, ms]) => [name, short(ms)]), ...counts]), ...others });
 	}

@@ -47,14 +47,19 @@ export class RapierWorld {
 		});
 	}
 
-	/** Brings the bodies to the agents' places, and returns the number of pairs that touch. Rapier finds those of the call before. */
+	/** Brings the bodies to the agents' places, does a step, and returns the number of pairs that touch: where they were before. */
 	pairs() {
 		this.agents.forEach(({ x, y, z, heading }, i) => {
 			const { body } = this.bodies[i];
 			const half = (heading * Math.PI) / 360;
-			body.setNextKinematicTranslation({ x, y, z });
-			body.setNextKinematicRotation({ x: 0, y: 0, z: Math.sin(half), w: Math.cos(half) });
+			body.setTranslation({ x, y, z }, true);
+			body.setRotation({ x: 0, y: 0, z: Math.sin(half), w: Math.cos(half) }, true);
 		});
+		return this.settled();
+	}
+
+	/** The number of pairs that touch where the bodies are. A step of Rapier's looks for pairs before it takes new places over, so this is one more. */
+	settled() {
 		this.#world.step();
 		let touching = 0;
 		for (const { collider } of this.bodies) this.#world.intersectionPairsWith(collider, () => touching++);

@@ -45,6 +45,7 @@ export function handIn(programs) {
 		if (!all) return;
 		hand(toFile(all), words.fileName(fileName(all.pupil)), "application/json");
 		said.textContent = words.saved(words.fileName(fileName(all.pupil)));
+		leave.textContent = texts.gallery.close;
 	};
 	const copy = async () => {
 		const all = work();
@@ -56,13 +57,16 @@ export function handIn(programs) {
 		try {
 			await navigator.clipboard.writeText(code);
 			said.textContent = words.copied(code.length);
+			leave.textContent = texts.gallery.close;
 		} catch {
 			said.textContent = words.notCopied;
 		}
 	};
+	// who has handed in has nothing to cancel
+	const leave = button(texts.play.ask.leave, () => dialog.close());
 	const dialog = openSheet(words.title,
 		h("p", {}, words.what(...countsOf(programs))), field(words.name, name),
-		h("div.tools", {}, button(words.save, save, { class: "primary" }), button(words.copy, copy), button(texts.play.ask.leave, () => dialog.close())),
+		h("div.tools", {}, button(words.save, save, { class: "primary" }), button(words.copy, copy), leave),
 		said, place, h("p.note", {}, words.how));
 	if (name.value === "") name.focus();
 }

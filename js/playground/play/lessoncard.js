@@ -66,6 +66,11 @@ export class LessonCard {
 		return this.#name !== null;
 	}
 
+	/** Whether the game that runs has been found right or wrong. */
+	get isJudged() {
+		return Boolean(this.#memory.isDone || this.#memory.wrong);
+	}
+
 	/** Whether the open lesson is done by the choice of a collision system. */
 	get isOfSystem() {
 		return Boolean(this.#lessons?.[this.#name]?.isOfSystem);

@@ -363,7 +363,7 @@ class PlayView {
 		return this.#begun !== meaning(this.programs.program);
 	}
 
-	/** Whether the button starts the running game anew. Who presses “Run” does not know yet that a game has started by itself. */
+	/** Whether the button starts the running game anew. Who presses “Run” does not know yet that a game has started by itself, until a lesson says something to it. */
 	get #isAnewOffered() {
 		return this.isStale || this.#isSelfStarted;
 	}
@@ -411,7 +411,14 @@ class PlayView {
 	#take() {
 		this.panel.count();
 		this.sound.hear(this.world);
-		if (this.isBroken || !this.programs.lessons.look(this.world)) return;
+		if (this.isBroken) return;
+		const { lessons } = this.programs;
+		const isSolved = lessons.look(this.world);
+		if (this.#isSelfStarted && lessons.isJudged) {
+			this.#isSelfStarted = false;
+			this.showRun();
+		}
+		if (!isSolved) return;
 		this.programs.solved(this.#begun);
 		this.#celebrate(texts.lessons.done);
 	}

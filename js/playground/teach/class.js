@@ -1,10 +1,14 @@
 /** The page of a class: what pupils have handed in, who has solved what, and each program with its picture, to play at a click. */
 import { button, fileButton, h } from "../shared/dom.js";
+import { hand } from "../shared/hand.js";
 import { handed } from "../shared/handed.js";
 import { failure, texts } from "../shared/language.js";
 
 const words = texts.handing;
 const LESSONS = texts.lessons.list;
+
+/** The address at which a pupil's program plays. */
+const addressIn = (work, number) => `#play/${handed.addressOf(work, number)}`;
 
 /** The lessons that each work was seen to do, or null if its programs cannot be played. A work that was not played yet is not in it. */
 const solved = new WeakMap();
@@ -19,10 +23,11 @@ export class ClassPage {
 		this.code = h("textarea", { rows: 2, "aria-label": words.code, placeholder: words.codeHere });
 		this.list = h("div.class");
 		this.forgetButton = button(words.forgetClass, () => this.#ask());
+		this.tableButton = button(words.csv, () => hand(this.#csv, "class.csv", "text/csv"));
 		main.replaceChildren(h("section.sheet.wide", { "aria-label": words.classTitle },
 			h("div.tools.no-print", {}, h("a", { href: "#teach" }, texts.teach.all), button(texts.teach.print, () => print())),
 			h("h2", {}, words.classTitle), h("p.no-print", {}, words.classNote),
-			h("div.tools.no-print", {}, fileButton(words.openFiles, ".json", (_, files) => this.take(files)), this.code, button(words.takeCode, () => this.#takeCode()), this.forgetButton),
+			h("div.tools.no-print", {}, fileButton(words.openFiles, ".json", (_, files) => this.take(files)), this.code, button(words.takeCode, () => this.#takeCode()), this.tableButton, this.forgetButton),
 			this.status, this.list));
 		this.#show();
 	}
@@ -69,7 +74,7 @@ export class ClassPage {
 		delete this.main.dataset.drawn;
 		delete this.main.dataset.checked;
 		const { all } = handed;
-		this.forgetButton.hidden = all.length === 0;
+		this.tableButton.hidden = this.forgetButton.hidden = all.length === 0;
 		if (all.length === 0) {
 			this.list.replaceChildren(h("p.note", {}, words.nothing));
 			return;
@@ -79,8 +84,8 @@ export class ClassPage {
 		this.sums = names.map(() => h("td"));
 		this.list.replaceChildren(
 			h("div.table", { tabindex: "0", role: "region", "aria-label": words.table }, h("table", {},
-				h("thead", {}, h("tr", {}, h("th", { scope: "col" }, words.pupil), ...names.map((name, i) => h("th", { scope: "col", title: LESSONS[name].title }, String(i + 1))), h("th", { scope: "col" }, words.games), h("th", { scope: "col" }, words.programs))),
-				h("tbody", {}, ...all.map((work, i) => h("tr", {}, h("th", { scope: "row" }, work.pupil), ...this.marks[i].map(({ cell }) => cell), h("td", {}, String(work.won.length)), h("td", {}, String(work.programs.length))))),
+				h("thead", {}, h("tr", {}, h("th", { scope: "col" }, words.pupil), ...names.map((name, i) => h("th", { scope: "col", title: LESSONS[name].title }, h("a", { href: `#teach/${name}`, "aria-label": texts.teach.pageOf(i + 1) }, String(i + 1)))), h("th", { scope: "col" }, words.games), h("th", { scope: "col" }, words.programs))),
+				h("tbody", {}, ...all.map((work, i) => h("tr", {}, h("th", { scope: "row" }, work.programs.length > 0 ? h("a", { href: addressIn(work, 0) }, work.pupil) : work.pupil), ...this.marks[i].map(({ cell }) => cell), h("td", {}, String(work.won.length)), h("td", {}, String(work.programs.length))))),
 				h("tfoot", {}, h("tr", {}, h("th", { scope: "row" }, words.all(all.length)), ...this.sums, h("td"), h("td"))))),
 			h("p.note", {}, words.signs),
 			...all.map((work) => this.#pupil(work)));
@@ -104,7 +109,9 @@ export class ClassPage {
 			const said = seen ? sign("✓?", words.notSeen) : sign("?", words.notPlayed);
 			const isBegun = work.programs.some(({ lesson }) => lesson === name);
 			cell.className = isSeen ? "done" : "";
-			cell.replaceChildren(isSeen ? sign("✓", texts.lessons.done) : work.done.includes(name) ? said : isBegun ? sign("…", words.tried) : "");
+			const mark = isSeen ? sign("✓", texts.lessons.done) : work.done.includes(name) ? said : isBegun ? sign("…", words.tried) : "";
+			const at = work.programs.findIndex(({ lesson }) => lesson === name);
+			cell.replaceChildren(mark && at >= 0 ? h("a", { href: addressIn(work, at) }, mark) : mark);
 		}
 		this.sums.forEach((cell, i) => {
 			cell.textContent = this.marks.filter((row) => row[i].cell.className === "done").length;
@@ -124,13 +131,21 @@ export class ClassPage {
 		if (isWanted()) this.main.dataset.checked = "class";
 	}
 
+	/** The table as spreadsheets read it, with a mark of the encoding before it. */
+	get #csv() {
+		// a cell that begins like a formula would be run as one
+		const cell = (text) => `"${String(text).replace(/^(?=[=+\-@\t])/, "'").replaceAll('"', '""')}"`;
+		const rows = handed.all.map((work, i) => [work.pupil, ...this.marks[i].map(({ cell: { textContent } }) => textContent), work.won.length, work.programs.length]);
+		return `\uFEFF${[[words.pupil, ...Object.values(LESSONS).map(({ title }) => title), words.games, words.programs], ...rows].map((row) => row.map(cell).join(",")).join("\r\n")}\r\n`;
+	}
+
 	#pupil(work) {
 		return h("section.pupil", { "aria-label": work.pupil },
 			h("div.head", {}, h("h3", {}, work.pupil), button("✕", async () => {
 				await handed.remove(work);
 				this.#show();
 			}, { class: "no-print", "aria-label": words.remove(work.pupil), title: words.remove(work.pupil) })),
-			work.programs.length === 0 ? h("p.note", {}, words.noPrograms) : h("ul.cards", {}, ...work.programs.map(({ name, lesson }, i) => h("li", {}, h("a.open", { href: `#play/${handed.addressOf(work, i)}` },
+			work.programs.length === 0 ? h("p.note", {}, words.noPrograms) : h("ul.cards", {}, ...work.programs.map(({ name, lesson }, i) => h("li", {}, h("a.open", { href: addressIn(work, i) },
 				h("span.picture", {}, h("img", { "data-program": handed.addressOf(work, i), alt: "", width: 240, height: 150 })),
 				h("span.name", {}, name), lesson in LESSONS ? h("small", {}, texts.teach.numbered(Object.keys(LESSONS).indexOf(lesson) + 1, LESSONS[lesson].title)) : null)))));
 	}

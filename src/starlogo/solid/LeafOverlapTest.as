@@ -46,7 +46,7 @@ package starlogo.solid
             var solid:Solid = _triangles.solidA;
             var at:int = 6 * triangle;
             var extents:Vector.<Number> = _triangles.extents;
-            var gap:Number = _triangles.gap;
+            var gap:Number = _triangles.outerGap;
             var minX:Number = extents[at] - gap;
             var minY:Number = extents[int(at + 1)] - gap;
             var minZ:Number = extents[int(at + 2)] - gap;
@@ -66,10 +66,10 @@ package starlogo.solid
             var rz:Number = corners[int(corner + 8)];
             extents = solid.extents;
             var planes:Vector.<Number> = solid.planes;
-            var off:Number = 2 * gap + solid.flatness;
+            var off:Number = gap + solid.flatness;
             var end:int = a.end;
             _b.setTriangle(corners, corner);
-            _b.margin += gap;
+            _b.margin += _triangles.gap;
             for (var i:int = a.first; i < end; i++)
             {
                 at = 6 * i;

@@ -5,7 +5,6 @@ package starlogo.solid
     import starlogo.convex.ConvexPair;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
-    import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
@@ -40,7 +39,7 @@ package starlogo.solid
             _motion.x = pose.motion.x;
             _motion.y = pose.motion.y;
             _motion.z = pose.motion.z;
-            _off = 2 * _triangles.gap + _triangles.solidA.flatness + Tolerances.EXTENTS * (Math.abs(_motion.x) + Math.abs(_motion.y) + Math.abs(_motion.z));
+            _off = _triangles.outerGap + _triangles.solidA.flatness;
             return this;
         }
 
@@ -48,7 +47,7 @@ package starlogo.solid
         override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
             _triangles.move(b);
-            var gap:Number = _triangles.gap;
+            var gap:Number = _triangles.outerGap;
             var solid:Solid = _triangles.solidA;
             var motion:ConvexMotion = _motion;
             var latest:Number = least;
@@ -78,7 +77,7 @@ package starlogo.solid
                 minZ = way < 0 ? minZ + way : minZ;
                 maxZ = way > 0 ? maxZ + way : maxZ;
                 _b.setTriangle(corners, 9 * k);
-                _b.margin += gap;
+                _b.margin += _triangles.gap;
                 for (var i:int = a.end - 1; i >= a.first; i--)
                 {
                     var extent:int = 6 * i;

@@ -1,6 +1,7 @@
 package starlogo.solid
 {
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.RelativePose;
@@ -18,6 +19,12 @@ package starlogo.solid
 
         /** The largest gap across which triangles of these models touch. */
         public var gap:Number = 0;
+
+        /**
+         * The gap of quick tests, which is larger: it includes the margin of the motion and Tolerances.CORES of the two triangles. A second
+         * <code>gap</code> is more than those CORES, because it has SURFACES of the radii.
+         */
+        public var outerGap:Number = 0;
 
         /** The corners of the triangles in the leaf of the last <code>move()</code>: nine numbers each. */
         public var moved:Vector.<Number> = new Vector.<Number>();
@@ -39,6 +46,7 @@ package starlogo.solid
             solidB = b.facets;
             _first = -1;
             gap = pose.gap + Touching.marginOfSurface(a.root.radius + b.root.radius * pose.placement.size);
+            outerGap = 2 * gap + Tolerances.EXTENTS * (Math.abs(pose.motion.x) + Math.abs(pose.motion.y) + Math.abs(pose.motion.z));
         }
 
         /** Computes the triangles of a leaf of the second model. If the leaf is the same as the last one, they are kept. */

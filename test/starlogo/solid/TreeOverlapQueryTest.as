@@ -9,8 +9,11 @@ package starlogo.solid
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxTraversal;
     import starlogo.hierarchy.Hierarchy;
     import starlogo.hierarchy.HierarchyNode;
@@ -47,6 +50,33 @@ package starlogo.solid
                     checkSpeck(random, size, giant, hierarchyOf(BuiltInModel.cube()), hierarchyOf(BuiltInModel.sphere()));
                 }
             }
+        }
+
+        /** Two cubes' faces touch across the whole gap of Touching. No quick test is stricter. */
+        [Test]
+        public function trianglesTouchAcrossTheWholeGap():void
+        {
+            var cube:SolidHierarchy = hierarchyOf(BuiltInModel.cube());
+            var half:Number = cube.corners[0] < 0 ? -cube.corners[0] : cube.corners[0];
+            var stands:Placement = new Placement();
+            var beside:Placement = new Placement();
+            var triangle:ConvexShape = new ConvexShape();
+            triangle.setTriangle(cube.corners, 0);
+            var tested:int = 0;
+            for (var step:int = 0; step < 800; step++)
+            {
+                var gap:Number = step * Math.pow(2, -53);
+                beside.x = 2 * half + gap;
+                var between:Number = beside.x - 2 * half;
+                var margin:Number = Touching.marginOfPlace(beside.x, 0, 0) + Touching.marginOfSurface(2 * cube.root.radius);
+                var reach:Number = margin + Tolerances.CORES * 2 * triangle.size;
+                if (between > 0.99 * margin && between < 0.99 * reach)
+                {
+                    tested++;
+                    assertTrue("standing " + between, _overlaps.areOverlapping(cube, stands, int.MAX_VALUE, cube, null, beside, int.MAX_VALUE, true));
+                }
+            }
+            assertTrue("tested " + tested, tested > 3);
         }
 
         /** The query remembers the last triangle that it found, which a smaller model does not have. */

@@ -1,7 +1,9 @@
 package docs
 {
+    import game.GameTests;
     import game.Turtle;
     import game.TurtleCollisions;
+    import game.TurtlesMeetTest;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.collision.TightestFitCollider;
@@ -19,6 +21,8 @@ package docs
         {
             var turtles:Vector.<Turtle> = shown["turtles"];
             assertTrue("there are meetings", shown["meetings"] > 0);
+            new TurtlesMeetTest().twoAtOnePlaceMeet();
+            assertTrue("the client's tests compile", GameTests != null);
             var collisions:TurtleCollisions = shown["collisions"];
             var calls:int = 0;
             collisions.onCollision("birds", "kites", function(bird:Turtle, kite:Turtle):void

@@ -331,14 +331,11 @@ package starlogo.convex
         // Tries a triangle. The edge between its first two corners becomes the longest one.
         private function tryTriangle(i:int, j:int, k:int):void
         {
-            var ij:Number = squaredEdge(i, j);
-            var jk:Number = squaredEdge(j, k);
-            var ki:Number = squaredEdge(k, i);
-            if (jk >= ij && jk >= ki)
+            if (!isLonger(i, j, j, k) && !isLonger(k, i, j, k))
             {
                 tryOverLongest(j, k, i);
             }
-            else if (ki > ij)
+            else if (isLonger(k, i, i, j))
             {
                 tryOverLongest(k, i, j);
             }
@@ -432,14 +429,16 @@ package starlogo.convex
             }
         }
 
-        private function squaredEdge(i:int, j:int):Number
+        // Whether the edge from i to j is longer than the edge from k to l. It compares two, because V8 makes objects for squares that are returned.
+        private function isLonger(i:int, j:int, k:int, l:int):Boolean
         {
-            i *= 3;
-            j *= 3;
-            var toX:Number = corners[j] - corners[i];
-            var toY:Number = corners[int(j + 1)] - corners[int(i + 1)];
-            var toZ:Number = corners[int(j + 2)] - corners[int(i + 2)];
-            return toX * toX + toY * toY + toZ * toZ;
+            var ijX:Number = corners[int(3 * j)] - corners[int(3 * i)];
+            var ijY:Number = corners[int(3 * j + 1)] - corners[int(3 * i + 1)];
+            var ijZ:Number = corners[int(3 * j + 2)] - corners[int(3 * i + 2)];
+            var klX:Number = corners[int(3 * l)] - corners[int(3 * k)];
+            var klY:Number = corners[int(3 * l + 1)] - corners[int(3 * k + 1)];
+            var klZ:Number = corners[int(3 * l + 2)] - corners[int(3 * k + 2)];
+            return ijX * ijX + ijY * ijY + ijZ * ijZ > klX * klX + klY * klY + klZ * klZ;
         }
 
         private function clearShares():void

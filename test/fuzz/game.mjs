@@ -133,7 +133,7 @@ class Game {
 	}
 
 	model(name, seed, prepareExact, all) {
-		Object.assign(this.land, { prepareExact, loadAllBoundingStructures: all });
+		Object.assign(this.land, { prepareExact, loadAllBoundingStructures: all, loadHulls: all });
 		this.take(solid(name, seed));
 	}
 

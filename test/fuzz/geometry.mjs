@@ -66,6 +66,12 @@ export function boxBody(center, axes, halves) {
 	return { corners, edges: axes, normals: axes };
 }
 
+/** @param {number[][]} corners @param {number[]} faces three corners each */
+export function hullBody(corners, faces) {
+	const triangles = Array.from({ length: faces.length / 3 }, (_, i) => triangleBody([0, 1, 2].map((k) => corners[faces[3 * i + k]])));
+	return { corners, edges: triangles.flatMap(({ edges }) => edges), normals: triangles.flatMap(({ normals }) => normals) };
+}
+
 /** How far two convex bodies are apart on the axis that separates them most: less than 0 if they overlap. The true distance is no less. */
 export function gapOf(a, b) {
 	let widest = -Infinity;

@@ -90,7 +90,7 @@ export function play(seed, most = 300) {
 		else if (what < .94) agent.hierarchical = !agent.hierarchical;
 		else if (what < .95) agent.pitch = chance() * 90;
 		else if (what < .96) agent.traversalDepth = Math.floor(chance() * 4);
-		else if (what < .97) agent.collideAs = chance.of(["tightest", "sphere", "box", "capsule"]);
+		else if (what < .97) agent.collideAs = chance.of(["tightest", "sphere", "box", "capsule", "hull"]);
 		else if (what < .99) { if (canSweep) agent.sweeps = !agent.sweeps; }
 		else agent.moveTo(chance.of([place(), 1e5, 1e7]), place(), height());
 	};

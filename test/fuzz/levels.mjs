@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 /**
- * Walks of spheres, capsules and boxes in one level that is made three times: as a ground, as one mesh whose triangles decide, and of cubes.
+ * Walks of spheres, capsules, boxes and hulls in one level that is made three times: as a ground, as one mesh whose triangles decide, and of cubes.
  *
  *   node test/fuzz/levels.mjs WALKS [SEED]
  *
@@ -22,7 +22,7 @@ const FROM = -CELL * (SIZE - 1) / 2;
 const DEEP = 1e-7;
 const ALIKE = 1e-6;
 
-const WALKERS = [["sphere", "sphere"], ["cylinder", "capsule"], ["cube", "box"]];
+const WALKERS = [["sphere", "sphere"], ["cylinder", "capsule"], ["cube", "box"], ["cube", "hull"]];
 
 /** Heights by column and row; whether they are columns; whether there is nowhere a wall. */
 const LEVELS = {
@@ -48,7 +48,7 @@ function worldsOf({ heightAt, isBlocky }, [shape, kind], size) {
 	terrain.isBlocky = isBlocky;
 	const heights = Array.from({ length: SIZE * SIZE }, (_, i) => heightAt(i % SIZE, Math.floor(i / SIZE)));
 	terrain.setHeights(0, 0, SIZE, SIZE, heights);
-	const land = Object.assign(new GreatLand(), { loadAllBoundingStructures: true });
+	const land = Object.assign(new GreatLand(), { loadAllBoundingStructures: true, loadHulls: true });
 	for (const model of [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder()]) land.addModel(model);
 	const surface = new TerrainSurface(terrain);
 	surface.update();

@@ -22,7 +22,7 @@ function randomCall(random, kinds) {
 		shape: () => pick(random() < 0.2 ? Object.keys(THIN) : SHAPES), breed: () => pick(BREEDS), size: () => pick([1, 1, 0.5, between(0.1, 2.5)]),
 		heading: () => pick([0, 45, 90, between(0, 360)]), pitch: () => pick([0, 30, 90]), roll: () => pick([0, 180, 77]),
 		sweeps: () => random() < 0.3, hierarchical: () => random() < 0.5, traversalDepth: () => integer(7),
-		collideAs: () => pick([Agent.TIGHTEST, Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE]),
+		collideAs: () => pick([Agent.TIGHTEST, Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE, Agent.HULL]),
 	};
 	const calls = {
 		add: () => [place(), place(), place() / 2, value.size()],

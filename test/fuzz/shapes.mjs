@@ -1,14 +1,18 @@
 /** What a collision system tests of an agent, as plain bodies in the world: the numbers are the engine's fits and models, the placing is the fuzzer's own. */
-import { boxBody, placed, pointOf, triangleBody, turned, withExtents } from "./geometry.mjs";
+import { boxBody, hullBody, placed, pointOf, triangleBody, turned, withExtents } from "./geometry.mjs";
 import { engine } from "./tools.mjs";
 
 /** By what an agent may set collideAs to. */
-const KINDS = { sphere: engine.Sphere, box: engine.Box, capsule: engine.Capsule };
+const KINDS = { sphere: engine.Sphere, box: engine.Box, capsule: engine.Capsule, hull: engine.Hull };
 
-/** Of a Sphere, Capsule or Box of the model. */
+/** Of a Sphere, Capsule, Box or Hull of the model. */
 function ofStructure(structure, agent) {
 	if (structure.center && structure.radius !== undefined) return { corners: [placed(pointOf(structure.center), agent)], radius: structure.radius * agent.size };
 	if (structure.start) return { corners: [placed(pointOf(structure.start), agent), placed(pointOf(structure.end), agent)], radius: structure.radius * agent.size };
+	if (structure.corners) {
+		const corners = Array.from({ length: structure.corners.length / 3 }, (_, i) => placed(structure.corners.slice(3 * i, 3 * i + 3), agent));
+		return hullBody(corners, structure.faces);
+	}
 	return boxBody(placed(pointOf(structure.center), agent), [structure.axisX, structure.axisY, structure.axisZ].map((axis) => turned(pointOf(axis), agent)),
 		[structure.halfX, structure.halfY, structure.halfZ].map((half) => half * agent.size));
 }
@@ -34,7 +38,8 @@ export function bodiesOf(game, agent) {
 		const library = land.boundingStructures;
 		const tightest = library.tightestFit(agent.shape);
 		const isTightest = agent.collideAs === "tightest" || tightest instanceof KINDS[agent.collideAs];
-		const structure = isTightest ? tightest : library.hasAll(agent.shape) ? library[agent.collideAs](agent.shape) : null;
+		const isKept = agent.collideAs === "hull" ? library.hasHull(agent.shape) : library.hasAll(agent.shape);
+		const structure = isTightest ? tightest : isKept ? library[agent.collideAs](agent.shape) : null;
 		return structure && [withExtents(ofStructure(structure, agent))];
 	}
 	const model = game.models.get(agent.shape);

@@ -35,7 +35,7 @@ package support
                     agent.hierarchical = !agent.hierarchical;
                     break;
                 case "collideAs":
-                    agent.collideAs = random.pick([Agent.SPHERE, Agent.BOX, Agent.CAPSULE]);
+                    agent.collideAs = random.pick([Agent.SPHERE, Agent.BOX, Agent.CAPSULE, Agent.HULL]);
                     break;
                 case "traversalDepth":
                     agent.traversalDepth = agent.traversalDepth == 1 ? 6 : 1;

@@ -5,6 +5,7 @@ package support
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
+    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
 
     /**
@@ -25,6 +26,18 @@ package support
             {
                 var capsule:Capsule = Capsule(structure);
                 return new Capsule(point(capsule.start, agent), point(capsule.end, agent), capsule.radius * size);
+            }
+            if (structure is Hull)
+            {
+                var corners:Vector.<Number> = Hull(structure).corners;
+                for (var i:int = 0; i < corners.length; i += 3)
+                {
+                    var corner:Vector3D = point(new Vector3D(corners[i], corners[i + 1], corners[i + 2]), agent);
+                    corners[i] = corner.x;
+                    corners[i + 1] = corner.y;
+                    corners[i + 2] = corner.z;
+                }
+                return new Hull(corners);
             }
             var box:Box = Box(structure);
             return new Box(point(box.center, agent), turned(box.axisX, agent), turned(box.axisY, agent), turned(box.axisZ, agent), box.halfX * size, box.halfY * size, box.halfZ * size);

@@ -429,6 +429,6 @@ function checkTraits(traits) {
 	for (const name of Object.keys(traits)) if (!TRAITS.includes(name)) throw new RangeError(`the traits are ${TRAITS.join(", ")}, not ${name}`);
 	const { depth = 0, structure = Agent.TIGHTEST } = traits;
 	if (!(Number.isInteger(depth) && depth >= 0)) throw new RangeError(`depth must be a whole number, 0 or more, not ${depth}`);
-	if (![Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE].includes(structure)) throw new RangeError(`structure must be tightest, sphere, box or capsule, not ${structure}`);
+	if (![Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE, Agent.HULL].includes(structure)) throw new RangeError(`structure must be tightest, sphere, box, capsule or hull, not ${structure}`);
 	return { ...traits };
 }

@@ -7,7 +7,7 @@ const BLOCKS = {
 	"starlogo-collision-hierarchical": { label: "hierarchical @value", trait: "hierarchical", ...YES_OR_NO },
 	"starlogo-collision-depth": { label: "collision depth @value", trait: "depth", read: (value) => `Math.min(99, Math.max(0, Math.round(${value}) || 0))` },
 	"starlogo-collision-sweeps": { label: "sweeping @value", trait: "sweeps", ...YES_OR_NO },
-	"starlogo-collision-structure": { label: "collide as @value", trait: "structure", options: ["tightest", "sphere", "box", "capsule"], read: (value) => value },
+	"starlogo-collision-structure": { label: "collide as @value", trait: "structure", options: ["tightest", "sphere", "box", "capsule", "hull"], read: (value) => value },
 };
 
 /**

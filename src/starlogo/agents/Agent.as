@@ -46,8 +46,11 @@ package starlogo.agents
         /** For <code>collideAs</code>: the smallest capsule. */
         public static const CAPSULE:String = "capsule";
 
+        /** For <code>collideAs</code>: a convex hull of few corners; the smallest sphere if that is not larger. */
+        public static const HULL:String = "hull";
+
         /** @private Names of structures. The index is the number of a kind in BoundingStructure. */
-        engine static const KINDS:Vector.<String> = new <String>[SPHERE, CAPSULE, BOX];
+        engine static const KINDS:Vector.<String> = new <String>[SPHERE, CAPSULE, BOX, HULL];
 
         /** @private Whether any agent has ever swept. As long as none has, colliders need not look for sweeping agents. */
         engine static var haveSwept:Boolean = false;
@@ -493,10 +496,10 @@ package starlogo.agents
         }
 
         /**
-         * The bounding structure that the agent collides as: TIGHTEST, or the smallest SPHERE, BOX or CAPSULE (thesis §7.3). It counts in
-         * the TightestFitCollider, and in the CombinationCollider if the agent is not hierarchical. May change between frames. If the
-         * structure was not kept when the model was added (loadAllBoundingStructures), it is computed when a collider first needs it. This
-         * takes as long as adding the model.
+         * The bounding structure that the agent collides as: TIGHTEST, or the smallest SPHERE, BOX or CAPSULE (thesis §7.3), or a HULL. It
+         * counts in the TightestFitCollider, and in the CombinationCollider if the agent is not hierarchical. May change between frames. If
+         * the structure was not kept when the model was added (loadAllBoundingStructures, loadHulls), it is computed when a collider first
+         * needs it. This takes as long as adding the model.
          *
          * @throws ArgumentError if you set it to anything else
          */
@@ -515,7 +518,7 @@ package starlogo.agents
             var kind:int = KINDS.indexOf(value);
             if (kind == ANY_KIND && value != TIGHTEST)
             {
-                throw new ArgumentError(this + ": collideAs must be \"tightest\", \"sphere\", \"box\" or \"capsule\", not "
+                throw new ArgumentError(this + ": collideAs must be \"tightest\", \"sphere\", \"box\", \"capsule\" or \"hull\", not "
                         + (value == null ? "null" : "\"" + value + "\""));
             }
             if (kind != structureKind)

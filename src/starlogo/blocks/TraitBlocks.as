@@ -12,7 +12,7 @@ package starlogo.blocks
         // stands before every key, because a breed may be called "hasOwnProperty"
         private static const PREFIX:String = ":";
 
-        private static const STRUCTURES:Array = [Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE];
+        private static const STRUCTURES:Array = [Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE, Agent.HULL];
 
         private var _agents:Vector.<Agent>;
 

@@ -38,6 +38,13 @@ package starlogo.bounding
         public static const OTHER:int = 9;
 
         /**
+         * The number of kinds that are collided. Their numbers are 0 and up.
+         *
+         * @private
+         */
+        engine static const KIND_COUNT:int = 4;
+
+        /**
          * The names of the kinds that are collided, by their numbers.
          *
          * @private

@@ -56,6 +56,14 @@ package starlogo.bounding
          */
         engine var margin:Number = 0;
 
+        /**
+         * A box around the hull, a little larger than the hull. Its axes are the coordinate axes of the space in which the hull was made. Tests
+         * look at it first.
+         *
+         * @private
+         */
+        engine var box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+
         private var _halfSpaces:Vector.<Number> = new Vector.<Number>();
         private var _hasHalfSpaces:Boolean = false;
 
@@ -86,6 +94,7 @@ package starlogo.bounding
                 outer[i + 2] -= center.z;
             }
             setCorners(outer);
+            setBox();
             checkSize(radius, "a hull");
         }
 
@@ -193,6 +202,7 @@ package starlogo.bounding
             }
             placement.turnPoints(points, placed.points);
             placement.place(center, placed.center);
+            box.place(placement, placed.box);
             placed.margin = margin * placement.size;
             placed.topology = topology;
             placed._hasHalfSpaces = false;
@@ -253,6 +263,10 @@ package starlogo.bounding
         override engine function widen(by:Number):void
         {
             margin += by;
+            // V8 would make an object for the argument of box.widen()
+            box.halfX += by;
+            box.halfY += by;
+            box.halfZ += by;
         }
 
         /** @private */
@@ -293,6 +307,7 @@ package starlogo.bounding
             setCorners(numbers.slice(FIRST_CORNER));
             center.setTo(numbers[0], numbers[1], numbers[2]);
             margin = numbers[3];
+            setBox();
         }
 
         // The largest distance of a corner from the centre.
@@ -319,6 +334,20 @@ package starlogo.bounding
             points = corners;
             topology = HullTopology.of(hull);
             _hasHalfSpaces = false;
+        }
+
+        private function setBox():void
+        {
+            var extents:Vector.<Number> = sExtents;
+            extentsInto(extents);
+            box.center.setTo((extents[0] + extents[1]) / 2, (extents[2] + extents[3]) / 2, (extents[4] + extents[5]) / 2);
+            var by:Number = (Tolerances.OUTER - 1) * radius;
+            box.halfX = (extents[1] - extents[0]) / 2 + by;
+            box.halfY = (extents[3] - extents[2]) / 2 + by;
+            box.halfZ = (extents[5] - extents[4]) / 2 + by;
+            box.axisX.setTo(1, 0, 0);
+            box.axisY.setTo(0, 1, 0);
+            box.axisZ.setTo(0, 0, 1);
         }
     }
 }

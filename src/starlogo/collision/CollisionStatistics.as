@@ -44,6 +44,7 @@ package starlogo.collision
             capsuleCapsuleTests = other.capsuleCapsuleTests;
             capsuleBoxTests = other.capsuleBoxTests;
             boxBoxTests = other.boxBoxTests;
+            hullTests = other.hullTests;
             hierarchyTests = other.hierarchyTests;
             nodeVisits = other.nodeVisits;
             triangleTests = other.triangleTests;

@@ -54,7 +54,7 @@ package starlogo.ground
             var above:Number = extents.z[row] - _grid.heightAt(extents.x[row], extents.y[row]);
             var inner:Number = isSphere ? extents.halfX[row] : 0;
             // Nodes of a tree may extend beyond the tree's extents.
-            if (form > BoundingStructure.BOX || !(above <= inner || above > inner))
+            if (form > BoundingStructure.HULL || !(above <= inner || above > inner))
             {
                 return UNKNOWN;
             }

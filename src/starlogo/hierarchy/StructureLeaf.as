@@ -16,7 +16,7 @@ package starlogo.hierarchy
 
     /**
      * A structure as a tree of one node, the box around it along its own axes. If the structure is a box, its node decides like any other. If
-     * it is a sphere or capsule, this test compares it with a node's box, by the kernel of the two.
+     * it is not, this test compares it with a node's box, by the kernel of the two.
      *
      * @private
      */
@@ -32,8 +32,9 @@ package starlogo.hierarchy
         public var moved:BoundingStructure = null;
 
         // A structure for each kind, and the axis of a capsule.
-        private var _placed:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
+        private var _placed:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
         private var _axis:Vector3D = new Vector3D();
+        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
         /** Creates a leaf without a structure. */
@@ -70,6 +71,10 @@ package starlogo.hierarchy
             if (kind == BoundingStructure.BOX)
             {
                 beginBox(Box(structure), Box(placed));
+            }
+            else if (kind > BoundingStructure.BOX)
+            {
+                beginExtents(structure, models.placement);
             }
             else if (kind == BoundingStructure.SPHERE)
             {
@@ -125,6 +130,19 @@ package starlogo.hierarchy
             var distance:Number = Math.abs(box.center.x) + Math.abs(box.center.y) + Math.abs(box.center.z);
             var margin:Number = Tolerances.ROUNDING * (box.halfX + box.halfY + box.halfZ + distance);
             node.setHalfExtents(box.halfX + margin, box.halfY + margin, box.halfZ + margin);
+        }
+
+        // The node is the box around the extents in the structure's model's space.
+        private function beginExtents(structure:BoundingStructure, placement:Placement):void
+        {
+            var extents:Vector.<Number> = _extents;
+            structure.extentsInto(extents);
+            _axis.setTo((extents[0] + extents[1]) / 2, (extents[2] + extents[3]) / 2, (extents[4] + extents[5]) / 2);
+            placement.place(_axis, _axis);
+            setMiddle(_axis);
+            pose.placement.copyRotation(placement);
+            pose.placement.isIdentity = false;
+            node.setHalfExtents((extents[1] - extents[0]) / 2, (extents[3] - extents[2]) / 2, (extents[5] - extents[4]) / 2);
         }
 
         private function beginCapsule(capsule:Capsule, placed:Capsule):void

@@ -32,7 +32,7 @@ package starlogo.intersection
         private var _pair:ConvexPair = new ConvexPair();
 
         // A structure for each kind, and a triangle's corners.
-        private var _structures:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
+        private var _structures:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
         private var _corners:Vector.<Number> = new Vector.<Number>();
 
         // The triangle: nine numbers of a list. Its shape is set when it is needed.

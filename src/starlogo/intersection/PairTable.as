@@ -1,10 +1,13 @@
 package starlogo.intersection
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /**
-     * Finds the kernel of a pair of structures by their two kinds: <code>OF[a.kind].against[b.kind]</code>. A further kind needs a line here
-     * for each of its pairs.
+     * Finds the kernel of a pair of structures by their two kinds: <code>OF[a.kind].against[b.kind]</code>. The convex core tests every pair
+     * with a kind from HULL on.
      *
      * <p>The package intersection says how two structures meet: whether they touch (<code>intersects()</code>), when they first do
      * (<code>sweep</code>), how they overlap (<code>contact</code>), how far apart they are (<code>distance</code>), and where a ray meets one
@@ -36,6 +39,13 @@ package starlogo.intersection
             addPair(kernels, BoundingStructure.CAPSULE, BoundingStructure.CAPSULE, new CapsuleCapsuleKernel());
             addPair(kernels, BoundingStructure.CAPSULE, BoundingStructure.BOX, new CapsuleBoxKernel());
             addPair(kernels, BoundingStructure.BOX, BoundingStructure.BOX, new BoxBoxKernel());
+            for (b = BoundingStructure.HULL; b < BoundingStructure.KIND_COUNT; b++)
+            {
+                for (a = 0; a <= b; a++)
+                {
+                    addPair(kernels, a, b, new ConvexKernel());
+                }
+            }
             return kernels;
         }
 

@@ -6,13 +6,14 @@ package starlogo.intersection
     import starlogo.bounding.Sphere;
 
     /**
-     * Whether two structures touch or overlap (thesis §3.6). Symmetric. Allocates nothing. This package has a function for each pair:
-     * sphereSphere, sphereCapsule, sphereBox, capsuleCapsule, capsuleBox, boxBox.
+     * Whether two structures touch or overlap (thesis §3.6). Symmetric. Allocates nothing. This package has a function for each pair
+     * of spheres, capsules and boxes: sphereSphere, sphereCapsule, sphereBox, capsuleCapsule, capsuleBox, boxBox. A test with a hull finds the
+     * distance of two convex shapes.
      *
      * <p>From the fastest to the slowest, these are: sphereSphere, sphereCapsule, sphereBox, capsuleCapsule, capsuleBox, boxBox.</p>
      *
-     * @param a a Sphere, Capsule or Box
-     * @param b a Sphere, Capsule or Box, in the same space
+     * @param a a Sphere, Capsule, Box or Hull
+     * @param b a Sphere, Capsule, Box or Hull, in the same space
      * @throws ArgumentError if there is no test for the pair, because cylinders are fitted but never collided (thesis §3.6.1)
      * @throws TypeError if a or b is null
      */

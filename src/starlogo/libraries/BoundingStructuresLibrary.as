@@ -194,6 +194,13 @@ package starlogo.libraries
             return shape != null && shape.keepsAll && shape.smallest.indexOf(null) < 0;
         }
 
+        /** Whether there is a hull for a shape, or a sphere in its place. */
+        public function hasHull(name:String):Boolean
+        {
+            var shape:ShapeStructures = shapes.of(name).structures;
+            return shape != null && shape.hull != null;
+        }
+
         /**
          * The smallest structure of a kind for a shape. If none was kept, the fitters find it now, once.
          *
@@ -206,17 +213,25 @@ package starlogo.libraries
         engine function ofKind(name:String, kind:int, vertices:Vector.<Number>):BoundingStructure
         {
             var shape:ShapeStructures = find(name);
-            if (shape.ofKind(kind) == null)
+            if (kind == BoundingStructure.HULL)
             {
-                var build:StructuresBuilder = new StructuresBuilder(name, vertices, fitters, kind == BoundingStructure.HULL ? hullFitter : null, true);
+                if (shape.hull == null)
+                {
+                    shape.setHull(StructuresBuilder.widened(hullFitter.fit(vertices)));
+                }
+                return shape.hull;
+            }
+            if (shape.smallest[kind] == null)
+            {
+                var build:StructuresBuilder = new StructuresBuilder(name, vertices, fitters, null, true);
                 finish(build);
                 shape.addMissing(build.structures);
             }
-            if (shape.ofKind(kind) == null)
+            if (shape.smallest[kind] == null)
             {
                 throw new ArgumentError("shape \"" + name + "\" cannot be a " + BoundingStructure.NAMES[kind] + ": none of the library's fitters finds one");
             }
-            return shape.ofKind(kind);
+            return shape.smallest[kind];
         }
 
         /**

@@ -22,7 +22,7 @@ package starlogo.libraries
          */
         public var smallest:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(FITTED, true);
 
-        /** The hull; the smallest sphere if that is not larger; null if no hull was wanted. */
+        /** The hull; the smallest sphere if that is not larger; null if there is none. Set it with setHull(). */
         public var hull:BoundingStructure = null;
 
         /** The structure with the least volume. It is never the hull. Among equal volumes, the one with the cheapest tests. */
@@ -56,14 +56,14 @@ package starlogo.libraries
                     tightest = structure;
                 }
             }
-            var sphere:BoundingStructure = smallest[BoundingStructure.SPHERE];
-            this.hull = hull != null && sphere != null && sphere.volume <= hull.volume ? sphere : hull;
+            setHull(hull);
         }
 
-        /** The smallest structure of a kind; null if there is none. */
-        public function ofKind(kind:int):BoundingStructure
+        /** Sets the hull, or null. If the smallest sphere is not larger, it takes the hull's place. */
+        public function setHull(found:BoundingStructure):void
         {
-            return kind == BoundingStructure.HULL ? hull : smallest[kind];
+            var sphere:BoundingStructure = smallest[BoundingStructure.SPHERE];
+            hull = found != null && sphere != null && sphere.volume <= found.volume ? sphere : found;
         }
 
         /** Adds the structures of kinds that are missing here. */
@@ -73,7 +73,6 @@ package starlogo.libraries
             {
                 smallest[kind] ||= other.smallest[kind];
             }
-            hull ||= other.hull;
         }
     }
 }

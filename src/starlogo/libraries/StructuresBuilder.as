@@ -149,7 +149,8 @@ package starlogo.libraries
             structures = new ShapeStructures(_found, _hullFit == null ? null : widened(_hullFit.structure), _keepsAll);
         }
 
-        private static function widened(structure:BoundingStructure):BoundingStructure
+        /** A copy of a fitted structure, enlarged by the distance at which surfaces still touch. */
+        public static function widened(structure:BoundingStructure):BoundingStructure
         {
             var wider:BoundingStructure = structure.clone();
             wider.widenForSurfaces();

@@ -120,7 +120,7 @@ package starlogo.search
         /**
          * Becomes the body of a structure.
          *
-         * @throws ArgumentError if it is null, or not a sphere, box or capsule
+         * @throws ArgumentError if it is null, or not a sphere, box, capsule or hull
          * @throws RangeError if it is not in the world
          */
         public function readStructure(structure:BoundingStructure):void
@@ -136,7 +136,7 @@ package starlogo.search
         /** Becomes the body of the structure that another body is in the world, without its margin. */
         public function readPlaced(whole:Body):void
         {
-            _worlds ||= new Vector.<BoundingStructure>(3, true);
+            _worlds ||= new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
             var world:BoundingStructure = _worlds[whole.form] = whole.shape.structure.place(whole.placement, _worlds[whole.form]);
             world.rotatedExtentsInto(UPRIGHT, sExtents);
             takeStructure(world);
@@ -146,7 +146,7 @@ package starlogo.search
         private function takeStructure(structure:BoundingStructure):void
         {
             var found:Vector.<Number> = sExtents;
-            _ownShapes ||= new Vector.<ModelShape>(3, true);
+            _ownShapes ||= new Vector.<ModelShape>(BoundingStructure.KIND_COUNT, true);
             var own:ModelShape = _ownShapes[structure.kind];
             if (own == null)
             {
@@ -279,7 +279,7 @@ package starlogo.search
             return Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
         }
 
-        /** The sphere, capsule or box in the world, widened by the margin. It is placed only when a test needs it. */
+        /** The structure in the world, widened by the margin. It is placed only when a test needs it. */
         public function structure():BoundingStructure
         {
             if (!_isPlaced)
@@ -311,12 +311,12 @@ package starlogo.search
             return Math.min(halfX, Math.min(halfY, halfZ));
         }
 
-        /** Throws an ArgumentError if a structure is null, or not a sphere, box or capsule. */
+        /** Throws an ArgumentError if a structure is null, or not a sphere, box, capsule or hull. */
         public static function requireStructure(structure:BoundingStructure):void
         {
-            if (structure == null || structure.kind > BoundingStructure.BOX)
+            if (structure == null || structure.kind > BoundingStructure.HULL)
             {
-                throw new ArgumentError("a sphere, box or capsule is needed, not " + structure);
+                throw new ArgumentError("a sphere, box, capsule or hull is needed, not " + structure);
             }
         }
 
@@ -363,7 +363,7 @@ package starlogo.search
         {
             if (_placed != null)
             {
-                _spares ||= new Vector.<BoundingStructure>(3, true);
+                _spares ||= new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
                 _spares[_placed.kind] = _placed;
                 _placed = _spares[form];
             }

@@ -115,7 +115,7 @@ package starlogo.search
             {
                 table.readWorldAgent(row, fixtures == null ? null : fixtures[row]);
             }
-            areSpheres = _shapes.forms == 1 << BoundingStructure.SPHERE;
+            areSpheres = _shapes.areSpheres;
             isSwept = Agent.haveSwept && SweptPairs.anySweeping(agents);
             this.takePart = takePart;
             _list = agents;

@@ -10,15 +10,15 @@ package starlogo.search
     public final class ModelShape
     {
         /**
-         * @private The form of a hierarchy. It is a bit of its own, besides the forms of structures: BoundingStructure.SPHERE, CAPSULE and BOX.
+         * @private The form of a hierarchy. The forms of structures are lower: BoundingStructure.SPHERE to HULL.
          */
-        engine static const TREE:int = 4;
+        engine static const TREE:int = 16;
 
-        /** @private The forms of the ground and of the edges of the world. They are bits of their own too, larger than those of agents. */
-        engine static const GROUND:int = 8;
+        /** @private The forms of the ground and of the edges of the world. The forms of agents are lower. */
+        engine static const GROUND:int = 17;
 
         /** @copy #GROUND */
-        engine static const EDGES:int = 16;
+        engine static const EDGES:int = 18;
 
         /** The model's name. */
         public var model:String;
@@ -35,7 +35,7 @@ package starlogo.search
         /** @private Whether the model has a newer revision, so that this shape is void. */
         internal var isVoid:Boolean = false;
 
-        /** @private BoundingStructure.SPHERE, CAPSULE or BOX, or TREE, GROUND or EDGES. */
+        /** @private The kind of the structure, or TREE, GROUND or EDGES. */
         engine var form:int = -1;
 
         // The structure, or the structure around the hierarchy; and the hierarchy, or null.
@@ -65,7 +65,7 @@ package starlogo.search
         /**
          * Uses a structure as the model's shape.
          *
-         * @param structure a Sphere, Capsule or Box in the model's space. Do not change it afterwards
+         * @param structure a Sphere, Capsule, Box or Hull in the model's space. Do not change it afterwards
          */
         public function setStructure(structure:BoundingStructure):void
         {

@@ -4,6 +4,7 @@ package starlogo.search
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -18,8 +19,8 @@ package starlogo.search
      */
     public final class ModelShapes
     {
-        /** The forms of all shapes so far: one bit is set for each form. */
-        public var forms:int = 0;
+        /** Whether all shapes so far are spheres. */
+        public var areSpheres:Boolean = true;
 
         private var _choice:AgentShapes;
         private var _greatLand:GreatLand;
@@ -94,7 +95,7 @@ package starlogo.search
             var shape:ModelShape = new ModelShape(agent.shape, kind, _greatLand == null ? 0 : _greatLand.revisionOf(agent.shape));
             _choice.bind(shape, agent);
             requireExtents(shape, agent);
-            forms |= 1 << shape.form;
+            areSpheres = areSpheres && shape.form == BoundingStructure.SPHERE;
             shape.next = _ofModels[PREFIX + shape.model];
             _ofModels[PREFIX + shape.model] = shape;
             return shape;

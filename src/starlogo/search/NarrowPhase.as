@@ -73,13 +73,13 @@ package starlogo.search
         /** Whether two bodies touch. */
         public function areTouching(a:Body, b:Body):Boolean
         {
-            var forms:int = a.form | b.form;
-            if (forms == BoundingStructure.SPHERE)
+            var last:int = a.form > b.form ? a.form : b.form;
+            if (last == BoundingStructure.SPHERE)
             {
                 spheres.tests++;
                 return spheres.areTouching(a, b);
             }
-            if (forms < ModelShape.TREE)
+            if (last < ModelShape.TREE)
             {
                 return structures.areTouching(a, b);
             }
@@ -152,20 +152,20 @@ package starlogo.search
         /** The tests for two bodies, by their forms. The ground or the edges of the world are the second of the two. */
         public function testsOf(a:Body, b:Body):PairTests
         {
-            var forms:int = a.form | b.form;
-            if (forms >= ModelShape.EDGES)
+            var last:int = a.form > b.form ? a.form : b.form;
+            if (last == ModelShape.EDGES)
             {
                 return _edges ||= b.shape.fixture.newTests(this);
             }
-            if (forms >= ModelShape.GROUND)
+            if (last == ModelShape.GROUND)
             {
                 return _ground ||= b.shape.fixture.newTests(this);
             }
-            if (forms >= ModelShape.TREE)
+            if (last == ModelShape.TREE)
             {
                 return trees;
             }
-            return forms == BoundingStructure.SPHERE ? spheres : structures;
+            return last == BoundingStructure.SPHERE ? spheres : structures;
         }
     }
 }

@@ -36,6 +36,9 @@ package starlogo.search
         /** Box-box tests. */
         public var boxBoxTests:int;
 
+        /** Tests of a hull with a sphere, a capsule, a box or a hull. */
+        public var hullTests:int;
+
         /** Pairs of agents of which at least one was tested by its hierarchy. */
         public var hierarchyTests:int;
 
@@ -54,7 +57,7 @@ package starlogo.search
         /** All tests between two structures. Tests of the nodes of hierarchies are not included. */
         public function get tests():int
         {
-            return sphereSphereTests + sphereCapsuleTests + sphereBoxTests + capsuleCapsuleTests + capsuleBoxTests + boxBoxTests;
+            return sphereSphereTests + sphereCapsuleTests + sphereBoxTests + capsuleCapsuleTests + capsuleBoxTests + boxBoxTests + hullTests;
         }
     }
 }

@@ -21,8 +21,8 @@ package starlogo.search
      */
     public final class StructurePairTests extends PairTests
     {
-        /** The number of tests since <code>takeCounts()</code>. The index has a bit for the kind of each of the two structures. */
-        public var tests:Vector.<int> = new Vector.<int>(8, true);
+        // The number of tests since takeCounts(), by the kinds of the first and the second structure.
+        private var _tests:Vector.<int> = new Vector.<int>(BoundingStructure.KIND_COUNT * BoundingStructure.KIND_COUNT, true);
 
         private var _displacement:RelativeMotion = new RelativeMotion(0);
 
@@ -46,7 +46,7 @@ package starlogo.search
             var row:int = rows[at];
             var spheres:SpherePairTests = _narrowPhase.spheres;
             var forms:Vector.<int> = table.forms;
-            var form:int = forms[row];
+            var isSphere:Boolean = forms[row] == BoundingStructure.SPHERE;
             var xs:Vector.<Number> = circles.x;
             var ys:Vector.<Number> = circles.y;
             var zs:Vector.<Number> = circles.z;
@@ -97,7 +97,7 @@ package starlogo.search
                         continue;
                     }
                 }
-                else if ((form | forms[otherRow]) == BoundingStructure.SPHERE)
+                else if (isSphere && forms[otherRow] == BoundingStructure.SPHERE)
                 {
                     spheres.tests++;
                     include "sphereTest.inc";
@@ -109,22 +109,34 @@ package starlogo.search
                 others[kept] = other;
                 kept++;
             }
-            tests[1 << BoundingStructure.BOX] += boxTests;
+            _tests[BoundingStructure.KIND_COUNT * BoundingStructure.BOX + BoundingStructure.BOX] += boxTests;
             return kept;
         }
 
         /** Writes the numbers of tests, and sets them to 0. */
         public function takeCounts(out:SearchCounts):void
         {
-            out.sphereCapsuleTests = tests[1 << BoundingStructure.SPHERE | 1 << BoundingStructure.CAPSULE];
-            out.sphereBoxTests = tests[1 << BoundingStructure.SPHERE | 1 << BoundingStructure.BOX];
-            out.capsuleCapsuleTests = tests[1 << BoundingStructure.CAPSULE];
-            out.capsuleBoxTests = tests[1 << BoundingStructure.CAPSULE | 1 << BoundingStructure.BOX];
-            out.boxBoxTests = tests[1 << BoundingStructure.BOX];
-            for (var i:int = 0; i < tests.length; i++)
+            out.sphereCapsuleTests = countOf(BoundingStructure.SPHERE, BoundingStructure.CAPSULE);
+            out.sphereBoxTests = countOf(BoundingStructure.SPHERE, BoundingStructure.BOX);
+            out.capsuleCapsuleTests = countOf(BoundingStructure.CAPSULE, BoundingStructure.CAPSULE);
+            out.capsuleBoxTests = countOf(BoundingStructure.CAPSULE, BoundingStructure.BOX);
+            out.boxBoxTests = countOf(BoundingStructure.BOX, BoundingStructure.BOX);
+            out.hullTests = 0;
+            for (var kind:int = 0; kind < BoundingStructure.KIND_COUNT; kind++)
             {
-                tests[i] = 0;
+                out.hullTests += countOf(kind, BoundingStructure.HULL);
             }
+            for (var i:int = 0; i < _tests.length; i++)
+            {
+                _tests[i] = 0;
+            }
+        }
+
+        // The number of tests of two kinds, in either order.
+        private function countOf(a:int, b:int):int
+        {
+            var count:int = _tests[BoundingStructure.KIND_COUNT * a + b];
+            return a == b ? count : count + _tests[BoundingStructure.KIND_COUNT * b + a];
         }
 
         /** @inheritDoc */
@@ -132,7 +144,7 @@ package starlogo.search
         {
             var structureA:BoundingStructure = a.structure();
             var structureB:BoundingStructure = b.structure();
-            tests[1 << a.form | 1 << b.form]++;
+            _tests[BoundingStructure.KIND_COUNT * a.form + b.form]++;
             return intersects(structureA, structureB);
         }
 
@@ -141,7 +153,7 @@ package starlogo.search
         {
             var structureA:BoundingStructure = a.structure();
             var structureB:BoundingStructure = b.structure();
-            tests[1 << a.form | 1 << b.form]++;
+            _tests[BoundingStructure.KIND_COUNT * a.form + b.form]++;
             findTimeOfImpact(structureA, structureB, motion);
             // rounding can miss a touch at the end of the motion
             if (motion.time == RelativeMotion.NEVER && areTouching(a, b))

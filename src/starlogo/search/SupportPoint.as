@@ -5,6 +5,7 @@ package starlogo.search
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
@@ -49,6 +50,7 @@ package starlogo.search
         private var _low:Vector3D = new Vector3D();
         private var _high:Vector3D = new Vector3D();
         private var _added:Vector3D = new Vector3D();
+        private var _shape:ConvexShape = new ConvexShape();
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 1, 1);
 
         /**
@@ -206,13 +208,39 @@ package starlogo.search
                 var capsule:Capsule = Capsule(structure);
                 return Math.max(along(capsule.start), along(capsule.end)) + capsule.radius;
             }
+            if (structure.kind > BoundingStructure.BOX)
+            {
+                _shape.setStructure(structure);
+                var at:int = _shape.farthest(_direction, 1);
+                _added.setTo(_shape.x + _shape.points[at], _shape.y + _shape.points[int(at + 1)], _shape.z + _shape.points[int(at + 2)]);
+                return along(_added) + _shape.radius;
+            }
             var box:Box = Box(structure);
             return along(box.center) + box.halfX * Math.abs(along(box.axisX)) + box.halfY * Math.abs(along(box.axisY)) + box.halfZ * Math.abs(along(box.axisZ));
+        }
+
+        // Adds the corners of a shape that count as the farthest.
+        private function addShape(shape:ConvexShape):void
+        {
+            for (var i:int = 0; i < shape.end; i += 3)
+            {
+                _added.setTo(shape.x + shape.points[i], shape.y + shape.points[int(i + 1)], shape.z + shape.points[int(i + 2)]);
+                if (along(_added) + shape.radius >= _least)
+                {
+                    addPoint();
+                }
+            }
         }
 
         // Adds the farthest point of a structure, or the middle of several.
         private function addStructure(structure:BoundingStructure):void
         {
+            if (structure.kind > BoundingStructure.BOX)
+            {
+                _shape.setStructure(structure);
+                addShape(_shape);
+                return;
+            }
             if (structure.kind == BoundingStructure.BOX)
             {
                 var box:Box = Box(structure);

@@ -115,7 +115,7 @@ package starlogo.search
             motion.endAfter(way.x[a] - way.x[b], way.y[a] - way.y[b], way.z[a] - way.z[b]);
             motion.time = RelativeMotion.NEVER;
             var isSwept:Boolean = _isSweeping[a] || _isSweeping[b];
-            var areSpheres:Boolean = (table.forms[a] | table.forms[b]) == BoundingStructure.SPHERE;
+            var areSpheres:Boolean = table.forms[a] == BoundingStructure.SPHERE && table.forms[b] == BoundingStructure.SPHERE;
             if (!isSwept && bins != null && !NarrowPhase.areNear(table.extents, bins, a, b))
             {
                 return;

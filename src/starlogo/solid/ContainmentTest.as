@@ -5,6 +5,7 @@ package starlogo.solid
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.HierarchyNode;
@@ -28,7 +29,8 @@ package starlogo.solid
         public var innerPoint:Vector3D = new Vector3D();
 
         // For each kind, a structure of the second model in the first model's space.
-        private var _moved:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
+        private var _moved:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
+        private var _shape:ConvexShape = new ConvexShape();
 
         /**
          * Whether a part of one model is inside of the other. False if one of them has no triangles.
@@ -73,6 +75,13 @@ package starlogo.solid
                 var capsule:Capsule = Capsule(structure);
                 innerPoint.copyFrom(capsule.start);
                 return outer.isInside(innerPoint, capsule.radius);
+            }
+            if (structure.kind > BoundingStructure.BOX)
+            {
+                // The origin of its points is inside of it.
+                _shape.setStructure(structure);
+                innerPoint.setTo(_shape.x, _shape.y, _shape.z);
+                return outer.isInside(innerPoint, 0);
             }
             var box:Box = Box(structure);
             innerPoint.copyFrom(box.center);

@@ -42,7 +42,7 @@ package starlogo.solid
         // For contacts: nodes, and for each kind, a structure of the second model in the first model's space.
         private var _boxA:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _boxB:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
-        private var _moved:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
+        private var _moved:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
         private var _displacement:RelativeMotion = new RelativeMotion(0);
 
         /** @param overlaps tests the two where they stand */

@@ -44,7 +44,7 @@ package starlogo.blocks
         {
             sGreatLand = new GreatLand();
             sThorough = new GreatLand();
-            sThorough.loadAllBoundingStructures = true;
+            sThorough.loadAllBoundingStructures = sThorough.loadHulls = true;
             sModels = {};
             for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(),
                         new ObjModel("bear", Fixtures.text(FIXTURES[0])), new ObjModel("kelp", Fixtures.text(FIXTURES[1]))])
@@ -64,7 +64,7 @@ package starlogo.blocks
             for (var i:int = 0; i < 100; i++)
             {
                 var agent:Agent = randomAgent(random);
-                agent.collideAs = kinds[i % 4];
+                agent.collideAs = kinds[i % kinds.length];
                 agent.hierarchical = i % 3 == 0;
                 agent.traversalDepth = i % 5;
                 for each (var system:String in CollisionBlocks.systemNames)
@@ -229,6 +229,8 @@ package starlogo.blocks
                     return kept.sphere(agent.shape);
                 case Agent.BOX:
                     return kept.box(agent.shape);
+                case Agent.HULL:
+                    return kept.hull(agent.shape);
                 default:
                     return kept.capsule(agent.shape);
             }

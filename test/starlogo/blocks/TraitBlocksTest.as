@@ -66,7 +66,7 @@ package starlogo.blocks
         [Test]
         public function wrongUsesSaySoAndChangeNothing():void
         {
-            assertThrows(BlockError, /^The block "collide as" does not know "ball"\. Choose one of these: tightest, sphere, box, capsule\.$/,
+            assertThrows(BlockError, /^The block "collide as" does not know "ball"\. Choose one of these: tightest, sphere, box, capsule, hull\.$/,
                     _blocks.collideAs, "bears", "ball");
             assertThrows(BlockError, /^The block "collide as" needs an agent or a breed, but got nothing\. Remember: "collidee"/, _blocks.collideAs, null, "box");
             assertThrows(BlockError, /^The block "set hierarchical" needs an agent or a breed, but got 7\./, _blocks.setHierarchical, 7, true);

@@ -71,6 +71,19 @@ package starlogo.collision
         }
 
         [Test]
+        public function hullsAllocateNothing():void
+        {
+            _agents.length = 100;
+            for (var i:int = 0; i < _agents.length; i++)
+            {
+                _agents[i].collideAs = i % 5 == 0 ? Agent.TIGHTEST : Agent.HULL;
+                _agents[i].sweeps = i % 7 == 0;
+                _agents[i].hierarchical = i % 11 == 0;
+            }
+            assertAllocatesNothing(new CombinationCollider(_greatLand));
+        }
+
+        [Test]
         public function hierarchicalColliderAllocatesNothing():void
         {
             _agents.length = 80;

@@ -23,7 +23,7 @@ package starlogo.collision
     {
         public static const FIXTURES:Array = ["/assets/kelp.obj"];
 
-        private static const KINDS:Array = [Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE];
+        private static const KINDS:Array = [Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE, Agent.HULL];
         private static const SHAPES:Array = ["sphere", "cube", "kelp"];
 
         private static var sSparing:GreatLand;
@@ -34,7 +34,7 @@ package starlogo.collision
         {
             sSparing = new GreatLand();
             sThorough = new GreatLand();
-            sThorough.loadAllBoundingStructures = true;
+            sThorough.loadAllBoundingStructures = sThorough.loadHulls = true;
             for each (var greatLand:GreatLand in [sSparing, sThorough])
             {
                 addModels(greatLand);
@@ -74,9 +74,9 @@ package starlogo.collision
             var tightest:BoundingStructure = greatLand.boundingStructures.tightestFit("kelp");
             var collider:TightestFitCollider = new TightestFitCollider(greatLand);
             var kelp:Agent = new Agent("kelp");
-            kelp.collideAs = Agent.SPHERE;
-            for (var i:int = 0; i < 3; i++)
+            for (var i:int = 0; i < 6; i++)
             {
+                kelp.collideAs = i % 2 == 0 ? Agent.SPHERE : Agent.HULL;
                 collider.areColliding(kelp, new Agent("kelp"));
                 kelp.size += 0.1;
             }
@@ -111,7 +111,7 @@ package starlogo.collision
             agent.collideAs = Agent.CAPSULE;
             for each (var name:String in ["ball", "", null, "Sphere"])
             {
-                assertThrows(ArgumentError, /collideAs must be "tightest", "sphere", "box" or "capsule", not /, assign, agent, "collideAs", name);
+                assertThrows(ArgumentError, /collideAs must be "tightest", "sphere", "box", "capsule" or "hull", not /, assign, agent, "collideAs", name);
             }
             assertEquals(Agent.CAPSULE, agent.collideAs);
         }
@@ -144,6 +144,8 @@ package starlogo.collision
                     return kept.box(agent.shape);
                 case Agent.CAPSULE:
                     return kept.capsule(agent.shape);
+                case Agent.HULL:
+                    return kept.hull(agent.shape);
                 default:
                     return kept.tightestFit(agent.shape);
             }

@@ -302,7 +302,7 @@ package starlogo.collision
                     agent.hierarchical = !agent.hierarchical;
                     break;
                 case 9:
-                    agent.collideAs = random.pick(["tightest", "sphere", "box", "capsule"]);
+                    agent.collideAs = random.pick(["tightest", "sphere", "box", "capsule", "hull"]);
                     break;
                 case 10:
                     agent.traversalDepth = random.integer(0, 9);

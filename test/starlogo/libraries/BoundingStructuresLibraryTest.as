@@ -72,6 +72,8 @@ package starlogo.libraries
             _library.keepHulls = true;
             _library.add("stick", _stick);
             var hull:Hull = Hull(_library.hull("stick"));
+            assertTrue(_library.hasHull("stick"));
+            assertFalse(_library.hasHull("unknown"));
             assertEquals(16, hull.corners.length / 3);
             assertEquals("it takes no part in the tightest fit", tightest.kind, _library.tightestFit("stick").kind);
             _library.hullFitter = new HullFitter(32);

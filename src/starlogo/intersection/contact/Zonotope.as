@@ -9,7 +9,8 @@ package starlogo.intersection.contact
     import starlogo.intersection.sweep.RelativeMotion;
 
     /**
-     * A structure's core as a sum of segments about a middle: three segments for a box, one for a capsule's axis, none for a sphere's centre.
+     * A structure's core as a sum of segments about a middle: three segments for a box, one for a capsule's axis, none for a sphere's centre. A hull
+     * is no such sum. In its place stands the box around its extents, so that tests which rule out what is far still hold.
      *
      * @private
      */
@@ -33,11 +34,12 @@ package starlogo.intersection.contact
         public var reach:Number = 0;
 
         private var _halves:Vector.<Number> = new Vector.<Number>(3, true);
+        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /**
          * Sets the sum to a structure.
          *
-         * @param structure a Box, a Capsule or a Sphere
+         * @param structure a Box, a Capsule, a Sphere or a Hull
          * @param displacement moves the structure from its stored place
          */
         public function setTo(structure:BoundingStructure, displacement:RelativeMotion):void
@@ -57,6 +59,11 @@ package starlogo.intersection.contact
                 _halves[0] = box.halfX;
                 _halves[1] = box.halfY;
                 _halves[2] = box.halfZ;
+                return;
+            }
+            if (structure.kind > BoundingStructure.BOX)
+            {
+                setToExtents(structure);
                 return;
             }
             if (structure.kind == BoundingStructure.SPHERE)
@@ -139,6 +146,21 @@ package starlogo.intersection.contact
                     feature.widen();
                 }
             }
+        }
+
+        private function setToExtents(structure:BoundingStructure):void
+        {
+            structure.extentsInto(_extents);
+            x += (_extents[0] + _extents[1]) / 2;
+            y += (_extents[2] + _extents[3]) / 2;
+            z += (_extents[4] + _extents[5]) / 2;
+            for (var i:int = 0; i < 3; i++)
+            {
+                _halves[i] = (_extents[int(2 * i + 1)] - _extents[int(2 * i)]) / 2;
+            }
+            add(Vector3D.X_AXIS);
+            add(Vector3D.Y_AXIS);
+            add(Vector3D.Z_AXIS);
         }
 
         private function moveBy(point:Vector3D, share:Number):void

@@ -20,8 +20,8 @@ package starlogo.intersection.contact
      * on a capsule's axis, or two capsules are parallel, the normal is perpendicular to the axis and points upwards as far as possible. In
      * the middle of a box any face is chosen.</p>
      *
-     * @param a a Sphere, Capsule or Box
-     * @param b a Sphere, Capsule or Box, in the same space
+     * @param a a Sphere, Capsule, Box or Hull
+     * @param b a Sphere, Capsule, Box or Hull, in the same space
      * @param displacement moves the first structure from its stored place to the start of this motion. Its other fields must be 0
      * @param out receives the contact
      * @throws ArgumentError if there is no such test for the pair

@@ -10,8 +10,8 @@ package starlogo.intersection.distance
      * <p>The result is exact except for rounding, which is 1e-15 of their sizes and of the distance. So structures that just touch may have
      * a distance as small as that. Symmetric to the last bit. Allocates nothing.</p>
      *
-     * @param a a Sphere, Capsule or Box; a radius, length or half-extent may be 0
-     * @param b a Sphere, Capsule or Box, in the same space
+     * @param a a Sphere, Capsule, Box or Hull; a radius, length or half-extent may be 0
+     * @param b a Sphere, Capsule, Box or Hull, in the same space
      * @param out receives the distance and the points
      * @throws ArgumentError if there is no such test for the pair
      * @private

@@ -12,8 +12,8 @@ package starlogo.intersection.sweep
      * a straight line. So Newton's method finds the time, because from the left it never steps over the first zero (van den Bergen, "Ray casting
      * against general convex objects with application to continuous collision detection", 2004).</p>
      *
-     * @param a a Sphere, Capsule or Box, which moves
-     * @param b a Sphere, Capsule or Box, in the same space
+     * @param a a Sphere, Capsule, Box or Hull, which moves
+     * @param b a Sphere, Capsule, Box or Hull, in the same space
      * @param motion the motion of a; receives the time: 0 if they touch at the beginning, at most 1, or RelativeMotion.NEVER if they do not
      *     touch
      * @throws ArgumentError if there is no such test for the pair

@@ -15,11 +15,13 @@ package evaluation
                 sphereBox: [BoundingStructure.SPHERE, BoundingStructure.BOX],
                 capsuleCapsule: [BoundingStructure.CAPSULE, BoundingStructure.CAPSULE],
                 capsuleBox: [BoundingStructure.CAPSULE, BoundingStructure.BOX],
-                boxBox: [BoundingStructure.BOX, BoundingStructure.BOX]};
+                boxBox: [BoundingStructure.BOX, BoundingStructure.BOX],
+                boxHull: [BoundingStructure.BOX, BoundingStructure.HULL],
+                hullHull: [BoundingStructure.HULL, BoundingStructure.HULL]};
 
         /** The names of the tests. */
         public static const TESTS:Array = ["sphereSphere", "sphereCapsule", "sphereBox", "capsuleCapsule", "capsuleBox",
-                "boxBox"];
+                "boxBox", "boxHull", "hullHull"];
 
         private var _test:String;
         private var _byVariant:Object = {};
@@ -60,7 +62,9 @@ package evaluation
         {
             var pairs:PairSet = new PairSet(KINDS[_test][0], KINDS[_test][1], hits, SEED);
             var loop:String = _test + "Pairs";
-            _byVariant["engine" + suffix] = measure(_test, new PairLoops(pairs)[loop], PairSet.COUNT);
+            var loops:PairLoops = new PairLoops(pairs);
+            // hulls have no function for each pair
+            _byVariant["engine" + suffix] = measure(_test, loop in loops ? loops[loop] : loops.intersectsPairs, PairSet.COUNT);
             var literal:LiteralPairLoops = new LiteralPairLoops(pairs);
             if (loop in literal)
             {

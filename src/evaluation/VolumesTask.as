@@ -5,6 +5,7 @@ package evaluation
     import starlogo.fitting.CapsuleFitter;
     import starlogo.fitting.FitSession;
     import starlogo.fitting.Fitter;
+    import starlogo.fitting.HullFitter;
     import starlogo.fitting.MinimalCapsuleFitter;
     import starlogo.fitting.MinimalSphereFitter;
     import starlogo.fitting.NaiveSphereFitter;
@@ -14,13 +15,14 @@ package evaluation
     import starlogo.models.Model;
 
     /**
-     * Figure 6-1: the volumes of the structures around a model, the smallest known ones, and those of a researcher's own fitters. The
+     * Figure 6-1: the volumes of the structures around a model, the smallest known ones, hulls, and those of a researcher's own fitters. The
      * z-aligned boxes are fitted in steps of 1 degree, because these volumes agree with the thesis's column on the thesis's own models
      * (figure "nova"). Those in steps of 10 degrees do not.
      */
     public final class VolumesTask extends Task
     {
         private static const MINIMAL:Array = ["minimal sphere", "minimal capsule"];
+        private static const HULL:String = "hull";
         private static const DEG_INCREMENT:Number = 10;
         private static const Z_DEG_INCREMENT:Number = 1;
 
@@ -47,8 +49,8 @@ package evaluation
             var box:OrientedBoxFitter = new OrientedBoxFitter(DEG_INCREMENT);
             _fitters = new <Fitter>[new NaiveSphereFitter(), new RitterSphereFitter(), new AxisAlignedBoxFitter(),
                     new ZAlignedBoxFitter(Z_DEG_INCREMENT), box, new CapsuleFitter(box), new MinimalSphereFitter(),
-                    new MinimalCapsuleFitter()];
-            _names = Thesis.STRUCTURES.concat(MINIMAL, settings.fitters);
+                    new MinimalCapsuleFitter(), new HullFitter()];
+            _names = Thesis.STRUCTURES.concat(MINIMAL, HULL, settings.fitters);
             for each (var name:String in settings.fitters)
             {
                 _fitters.push(settings.own.fitter(name));

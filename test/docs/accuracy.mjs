@@ -23,18 +23,26 @@ buildSync({
 	bundle: true, format: 'esm', outfile: out, logLevel: 'warning',
 	alias: { 'starlogo-collision': path.join(root, 'bin/module', JSON.parse(read('bin/module/package.json')).exports['.'].default) },
 });
-const { Agent, BinCollider, BuiltInModel, ColladaModel, CombinationCollider, GreatLand, HierarchicalCollider, ObjModel, ScatteredGame, TightestFitCollider } = await import(pathToFileURL(out).href);
+const { Agent, BinCollider, BuiltInModel, Collider, ColladaModel, CombinationCollider, GreatLand, HierarchicalCollider, ObjModel, ScatteredGame, ShapeChoice, TightestFitCollider } = await import(pathToFileURL(out).href);
 
-const greatLand = new GreatLand();
+const greatLand = Object.assign(new GreatLand(), { loadHulls: true });
 for (const [name, file] of Object.entries(FILES)) {
 	const bytes = new Uint8Array(readFileSync(path.join(root, 'assets', file)));
 	greatLand.addModel(file.endsWith('.obj') ? ObjModel.fromBytes(name, bytes) : ColladaModel.fromBytes(name, bytes));
+}
+
+/** What the TightestFitCollider has if all agents collide as hulls. */
+class Hulls extends ShapeChoice {
+	bind(shape) {
+		shape.setStructure(this.greatLand.boundingStructures.hull(shape.model));
+	}
 }
 
 const atDepth = (maxDepth) => Object.assign(new HierarchicalCollider(greatLand), { maxDepth });
 const systems = {
 	'BinCollider': new BinCollider(greatLand),
 	'TightestFitCollider': new TightestFitCollider(greatLand),
+	'TightestFitCollider, hulls': new Collider(new Hulls(greatLand)),
 	'CombinationCollider, every other agent hierarchical': new CombinationCollider(greatLand),
 	'HierarchicalCollider, depth 1': atDepth(1),
 	'HierarchicalCollider, depth 3': atDepth(3),

@@ -212,7 +212,7 @@ test('Inspect: models by their names and by dropped files, with their volumes', 
 	await page.getByLabel('Model', { exact: true }).selectOption('cube');
 	await page.waitForFunction(() => document.querySelector('.status').textContent.startsWith('Cube: 24 vertices'));
 	const rows = await page.locator('tbody tr').allTextContents();
-	assert.equal(rows.length, 10);
+	assert.equal(rows.length, 11);
 	assert.match(rows.find((row) => row.startsWith('Oriented box')), /^Oriented box( tightest)?1\.001\.00/);
 	assert.match(rows.find((row) => row.startsWith('Naive sphere')), /^Naive sphere2\.722\.72/);
 	await drop(page, ['bear.obj', readFileSync(path.join(root, 'assets/bear.obj'))]);
@@ -311,10 +311,10 @@ test('Inspect: rays, nearest agents, distances and contacts by the pointer', asy
 test('Compare: two agents are moved by sliders and by dragging', async () => {
 	const { page, said } = await shared('compare');
 	const verdicts = () => page.locator('.verdict strong').allTextContents();
-	assert.deepEqual(await verdicts(), ['false collision', 'false collision', ...Array(3).fill('no collision')]);
+	assert.deepEqual(await verdicts(), ['false collision', 'false collision', ...Array(4).fill('no collision')]);
 	const z = page.locator('details[open] .slider', { hasText: /^z/ }).locator('input');
 	await z.fill('3');
-	assert.deepEqual(await verdicts(), [...Array(5).fill('no collision')]);
+	assert.deepEqual(await verdicts(), [...Array(6).fill('no collision')]);
 	await z.fill('0.1');
 	const x = page.locator('details[open] .slider', { hasText: /^x/ }).locator('input');
 	const before = await x.inputValue();
@@ -329,7 +329,7 @@ test('Compare: the program that it shows runs, and gives the same verdict', asyn
 	const folder = path.join(root, 'bin/generated/compare-code');
 	mkdirSync(folder, { recursive: true });
 	try {
-		for (const [system, shape] of [['Tightest fits', 'bear'], ['Unit spheres', 'cube'], ['Exact', 'sphere']]) {
+		for (const [system, shape] of [['Tightest fits', 'bear'], ['Convex hulls', 'fireman'], ['Unit spheres', 'cube'], ['Exact', 'sphere']]) {
 			await page.locator('.verdict', { hasText: system }).click();
 			await page.locator('details[open] select').selectOption(shape);
 			const text = await page.textContent('.code code');
@@ -381,7 +381,7 @@ test('Compare: each pair of systems, with a line for each pair of agents', async
 		}
 		return { systems: names, only: differences };
 	});
-	assert.equal(Object.keys(only).length, 5 * 4);
+	assert.equal(Object.keys(only).length, 6 * 5);
 	for (const [pair, { said: numbers, drawn }] of Object.entries(only)) {
 		assert.deepEqual(drawn, numbers, pair);
 		only[pair] = numbers.slice(1);
@@ -426,7 +426,7 @@ test('Inspect: a model that is missing is said to be, and works when it is there
 	await page.unroute('**/models/dragon.json');
 	await page.getByLabel('Model', { exact: true }).selectOption('dragon');
 	await measured(page, /^Dragon: /);
-	assert.equal(await page.locator('tbody tr').count(), 10);
+	assert.equal(await page.locator('tbody tr').count(), 11);
 	assert.equal(said.splice(0).length, isChromium ? 1 : 0, 'Chromium says on the console that it was missing');
 });
 
@@ -569,7 +569,7 @@ test('a file that is dropped elsewhere, and a graphics card that goes away, are 
 	});
 	await page.waitForSelector('.world .lost[role=alert]');
 	assert.match(await page.textContent('.lost'), /has stopped drawing 3D/);
-	assert.equal(await page.locator('tbody tr').count(), 10);
+	assert.equal(await page.locator('tbody tr').count(), 11);
 	await page.evaluate(() => globalThis.loss.restoreContext());
 	await page.waitForSelector('.lost', { state: 'detached' });
 	const colours = await page.evaluate(() => {
@@ -721,7 +721,7 @@ test('Compare: milliseconds stand beside precision, for the other system too', a
 	const { page, said, leave } = await open(site, 'compare/game~tightest-fits~exact~3', { ...SIZES.desktop, locale: 'de-DE' });
 	await page.waitForFunction(() => [...document.querySelectorAll('.scattered tr:is([data-system], [data-reference])')].every(({ lastChild }) => /^\d/.test(lastChild.textContent)));
 	const rows = await page.locator('.scattered tr:is([data-system], [data-reference])').evaluateAll((all) => all.map((row) => [row.dataset.system ?? row.dataset.reference, Number(row.lastChild.textContent.replace(',', '.'))]));
-	assert.deepEqual(rows.map(([name]) => name), ['unit spheres', 'tightest fits', 'hierarchies', 'combination', 'exact']);
+	assert.deepEqual(rows.map(([name]) => name), ['unit spheres', 'tightest fits', 'hulls', 'hierarchies', 'combination', 'exact']);
 	assert.ok(rows.every(([, ms]) => ms > 0), JSON.stringify(rows));
 	for (const width of [1366, 1920]) {
 		await page.setViewportSize({ width, height: 768 });

@@ -47,7 +47,7 @@ test('numbers read well', () => {
 });
 
 test('the chart of volumes has bars of the thesis', () => {
-	const structures = ['naive sphere', 'Ritter sphere', 'axis-aligned box', 'z-aligned box', 'oriented box', 'oriented capsule', 'minimal sphere', 'minimal capsule'];
+	const structures = ['naive sphere', 'Ritter sphere', 'axis-aligned box', 'z-aligned box', 'oriented box', 'oriented capsule', 'minimal sphere', 'minimal capsule', 'hull'];
 	const volumes = structures.map((variant, i) => ({ figure: 'volumes', subject: 'bear', variant, value: 9 - i, thesis: i < 6 ? 10 - i : undefined, vertices: 547 }));
 	const series = chartsOf(volumes).volumes.series;
 	assert.deepEqual(series.find(({ color }) => color === 'thesis').values, [5]);
@@ -139,13 +139,13 @@ test('the page is self-contained and has every figure there are entries of', asy
 	assert.match(html, /&lt;fast&gt;/);
 });
 
-const STRUCTURES = ['naive sphere', 'Ritter sphere', 'axis-aligned box', 'z-aligned box', 'oriented box', 'oriented capsule', 'minimal sphere', 'minimal capsule'];
+const STRUCTURES = ['naive sphere', 'Ritter sphere', 'axis-aligned box', 'z-aligned box', 'oriented box', 'oriented capsule', 'minimal sphere', 'minimal capsule', 'hull'];
 
 test('the volumes stand under the heads of their structures', () => {
 	const volumes = STRUCTURES.map((variant, i) => ({ figure: 'volumes', subject: 'bear', variant, value: 10 + i, vertices: 547 }));
 	const [, , first, second, , row] = tables(volumes).split('\n');
-	assert.deepEqual([first.trim().split(/ {2,}/).at(-1), second.trim().split(/ {2,}/).at(-1)], ['min.', 'capsule']);
-	assert.match(row, / 17\.0$/);
+	assert.deepEqual([first.trim().split(/ {2,}/).at(-1), second.trim().split(/ {2,}/).at(-1)], ['hull', '16']);
+	assert.match(row, / 18\.0$/);
 });
 
 test("a researcher's own fitters and colliders stand beside the engine's", async () => {

@@ -1,9 +1,11 @@
 /** Writes a program for the npm package with two agents and a collision system. */
 import { BUILT_IN, MADE, fileOf } from "../shared/assets.js";
+import { CollisionBlocks } from "starlogo-collision";
 import { INSTALL } from "../shared/names.js";
+import { HULLS } from "./systems.js";
 
 /** The traits of a new agent. The code sets only traits that differ. */
-const USUAL = { x: 0, y: 0, z: 0, heading: 0, pitch: 0, roll: 0, size: 1, hierarchical: false };
+const USUAL = { x: 0, y: 0, z: 0, heading: 0, pitch: 0, roll: 0, size: 1, hierarchical: false, collideAs: "tightest" };
 
 /**
  * A program that asks a collision system about two agents.
@@ -27,12 +29,12 @@ export function codeOf(agents, system, areColliding) {
 		...(isUsed("loader") ? ["const loader = new ModelLoader(greatLand);"] : []),
 		...models,
 		...agents.map((agent, i) => `const ${"ab"[i]} = ${made(agent)};`),
-		`const system = new CollisionBlocks(greatLand, [a, b]).systemNamed("${system}");`,
+		`const system = new CollisionBlocks(greatLand, [a, b]).systemNamed("${system === HULLS ? CollisionBlocks.TIGHTEST_FITS : system}");`,
 		`console.log(system.areColliding(a, b)); // ${areColliding}`,
 	].join("\n");
 }
 
 function made(agent) {
-	const traits = Object.entries(USUAL).filter(([name, usual]) => agent[name] !== usual).map(([name]) => `${name}: ${agent[name]}`);
+	const traits = Object.entries(USUAL).filter(([name, usual]) => agent[name] !== usual).map(([name]) => `${name}: ${JSON.stringify(agent[name])}`);
 	return traits.length > 0 ? `Object.assign(new Agent("${agent.shape}"), { ${traits.join(", ")} })` : `new Agent("${agent.shape}")`;
 }

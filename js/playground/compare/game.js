@@ -1,5 +1,6 @@
 /** A game of agents all over the ground, and the pairs that each collision system finds in it. Nothing here draws. */
 import { Agent, CollisionBlocks } from "starlogo-collision";
+import { SYSTEMS, finderOf } from "./systems.js";
 
 /** Half the width of the ground. */
 export const HALF_WIDTH = 50;
@@ -78,9 +79,9 @@ const [WARM, COUNTED, FRAMES] = [2, 3, 30];
  */
 export async function timesOf(greatLand, count, isWanted) {
 	const game = new ScatteredGame(count);
-	const blocks = new CollisionBlocks(greatLand, game.agents);
+	const systemNamed = finderOf(new CollisionBlocks(greatLand, game.agents));
 	// the first one only moves
-	const works = [() => {}, ...CollisionBlocks.systemNames.map((name) => () => blocks.systemNamed(name).findCollisions(game.agents))];
+	const works = [() => {}, ...SYSTEMS.map((name) => () => systemNamed(name).findCollisions(game.agents))];
 	const shortest = works.map(() => Infinity);
 	for (let round = 0; round < WARM + COUNTED; round++) {
 		for (const [i, search] of works.entries()) {
@@ -95,22 +96,22 @@ export async function timesOf(greatLand, count, isWanted) {
 		}
 	}
 	const [moving, ...all] = shortest;
-	return Object.fromEntries(CollisionBlocks.systemNames.map((name, i) => [name, Math.max(0.001, (all[i] - moving) / FRAMES)]));
+	return Object.fromEntries(SYSTEMS.map((name, i) => [name, Math.max(0.001, (all[i] - moving) / FRAMES)]));
 }
 
 /**
  * Compares the pairs of all systems with those of a reference system, which is taken as right.
  *
- * @param {CollisionBlocks} blocks has the systems by their names
+ * @param {(name: string) => object} systemNamed gives the system with a name
  * @param {Agent[]} agents
  * @param {string} reference the reference system's name
  * @returns {{truth: Map, systems: Record<string, {right: Agent[][], wrong: Agent[][], missed: Agent[][]}>}} pairs of agents
  */
-export function compare(blocks, agents, reference) {
-	const truth = pairsOf(blocks.systemNamed(reference), agents);
+export function compare(systemNamed, agents, reference) {
+	const truth = pairsOf(systemNamed(reference), agents);
 	const systems = {};
-	for (const name of CollisionBlocks.systemNames.filter((each) => each !== reference)) {
-		const found = pairsOf(blocks.systemNamed(name), agents);
+	for (const name of SYSTEMS.filter((each) => each !== reference)) {
+		const found = pairsOf(systemNamed(name), agents);
 		const pick = (pairs, isWanted) => [...pairs].filter(([key]) => isWanted(key)).map(([, pair]) => pair);
 		systems[name] = { right: pick(found, (key) => truth.has(key)), wrong: pick(found, (key) => !truth.has(key)), missed: pick(truth, (key) => !found.has(key)) };
 	}

@@ -1,6 +1,6 @@
 /** A scene of Compare as text for an address. */
-import { CollisionBlocks } from "starlogo-collision";
 import { SHAPES } from "../shared/names.js";
+import { SYSTEMS } from "./systems.js";
 
 const TRAITS = ["x", "y", "z", "heading", "pitch", "roll", "size"];
 /** The text of a scattered game begins with this. */
@@ -10,7 +10,7 @@ const MOST_FRAMES = 2000;
 const MOST = 360;
 
 const systemTo = (name) => name.replaceAll(" ", "-");
-const systemFrom = (text) => CollisionBlocks.systemNames.find((name) => systemTo(name) === text) ?? null;
+const systemFrom = (text) => SYSTEMS.find((name) => systemTo(name) === text) ?? null;
 
 /** Two agents as a system sees them. */
 export const pairTo = (agents, system) => [...agents.map((agent) => [agent.shape, ...TRAITS.map((trait) => Number(agent[trait].toFixed(3)))].join("_")), systemTo(system)].join("~");

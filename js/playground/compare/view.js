@@ -13,8 +13,11 @@ import { texts } from "../shared/language.js";
 import { codeOf } from "./code.js";
 import { ScatteredGame, compare, timesOf } from "./game.js";
 import { gameTo, pairTo, sceneFrom } from "./link.js";
+import { HULLS, SYSTEMS, finderOf, useFor } from "./systems.js";
 
 const words = texts.compare;
+const titles = { ...texts.systems, [HULLS]: words.hulls };
+const notes = { ...texts.systemNotes, [HULLS]: words.hullsNote };
 const COLOURS = [AGENTS.first, AGENTS.other];
 const COUNT = 150;
 /** The kinds of pairs, with their colours' names. */
@@ -51,7 +54,7 @@ class CompareView {
 		this.legend = h("ul.legend");
 		this.gameSystem = CollisionBlocks.UNIT_SPHERES;
 		this.reference = CollisionBlocks.EXACT;
-		this.references = choice(CollisionBlocks.systemNames.map((name) => [name, texts.systems[name]]), this.reference, (name) => {
+		this.references = choice(SYSTEMS.map((name) => [name, titles[name]]), this.reference, (name) => {
 			this.reference = name;
 			this.#judge();
 			this.#keep();
@@ -83,7 +86,8 @@ class CompareView {
 		if (this.gameStage.renderer) this.gameStage.agents.materials.outline.visible = false;
 		orbitByKeys(this.stage, this.pairHost);
 		this.sight = new Sight(this.stage, greatLand, models, this.agents, CollisionBlocks.TIGHTEST_FITS);
-		this.blocks = this.sight.blocks;
+		this.system = this.sight.system;
+		this.systemNamed = finderOf(this.sight.blocks);
 		this.#buildVerdicts();
 		dragAgents(this.stage, (agent) => {
 			this.sliders[this.agents.indexOf(agent)].update();
@@ -120,13 +124,13 @@ class CompareView {
 			this.shapes[i].value = agent.shape;
 			this.sliders[i].update();
 		});
-		this.sight.use(scene.system);
+		this.#use(scene.system);
 		for (const { row, name } of this.rows) row.firstChild.checked = name === scene.system;
 		this.#update();
 	}
 
 	get #link() {
-		return this.isGame ? gameTo(this.gameSystem, this.reference, this.#frame) : pairTo(this.agents, this.sight.system);
+		return this.isGame ? gameTo(this.gameSystem, this.reference, this.#frame) : pairTo(this.agents, this.system);
 	}
 
 	/** Puts the scene into the address, so that it is there when the page is loaded again. */
@@ -162,13 +166,13 @@ class CompareView {
 	}
 
 	#buildVerdicts() {
-		this.rows = CollisionBlocks.systemNames.map((name) => {
+		this.rows = SYSTEMS.map((name) => {
 			const verdict = h("strong");
-			const pick = h("input", { type: "radio", name: "shown", value: name, checked: name === this.sight.system, onchange: () => {
-				this.sight.use(name);
+			const pick = h("input", { type: "radio", name: "shown", value: name, checked: name === this.system, onchange: () => {
+				this.#use(name);
 				this.#change();
 			} });
-			const row = h("label.verdict", {}, pick, h("span", {}, texts.systems[name], h("small", {}, texts.systemNotes[name]), verdict));
+			const row = h("label.verdict", {}, pick, h("span", {}, titles[name], h("small", {}, notes[name]), verdict));
 			return { name, row, verdict };
 		});
 		this.verdicts.replaceChildren(...this.rows.map(({ row }) => row));
@@ -183,9 +187,9 @@ class CompareView {
 	/** Updates the answers and the picture. */
 	#update() {
 		const [a, b] = this.agents;
-		const truth = this.blocks.systemNamed(CollisionBlocks.EXACT).areColliding(a, b);
+		const truth = this.systemNamed(CollisionBlocks.EXACT).areColliding(a, b);
 		for (const { name, row, verdict } of this.rows) {
-			const answer = this.blocks.systemNamed(name).areColliding(a, b);
+			const answer = this.systemNamed(name).areColliding(a, b);
 			const isRight = answer === truth;
 			row.dataset.verdict = isRight ? (answer ? "hit" : "none") : answer ? "wrong" : "missed";
 			verdict.textContent = { hit: words.hit, none: words.miss, wrong: words.falseHit, missed: words.missed }[row.dataset.verdict];
@@ -196,9 +200,15 @@ class CompareView {
 		});
 		this.sight.update();
 		this.sight.showTested();
-		const { system } = this.sight;
-		this.meeting.textContent = `${texts.systems[system]}: ${this.sight.showMeeting(a, b)}`;
-		this.code.textContent = codeOf(this.agents, system, this.blocks.systemNamed(system).areColliding(a, b));
+		const { system } = this;
+		this.meeting.textContent = `${titles[system]}: ${this.sight.showMeeting(a, b)}`;
+		this.code.textContent = codeOf(this.agents, system, this.systemNamed(system).areColliding(a, b));
+	}
+
+	/** Chooses the system whose tests are shown for two agents. */
+	#use(name) {
+		this.system = name;
+		this.sight.use(useFor(this.agents, name));
 	}
 
 	#restart() {
@@ -215,14 +225,14 @@ class CompareView {
 	}
 
 	#judge() {
-		this.judged = compare(this.blocks, this.game.agents, this.reference);
+		this.judged = compare(this.systemNamed, this.game.agents, this.reference);
 		const { truth, systems } = this.judged;
 		if (!(this.gameSystem in systems)) [this.gameSystem] = Object.keys(systems);
 		const isExact = this.reference === CollisionBlocks.EXACT;
 		const percent = (part, whole) => (whole === 0 ? "–" : `${Math.round((100 * part) / whole)} %`);
-		const [right, wrong, missed, none] = (isExact ? words.outcomes : words.differences)(texts.systems[this.reference]);
+		const [right, wrong, missed, none] = (isExact ? words.outcomes : words.differences)(titles[this.reference]);
 		this.legend.replaceChildren(...Object.entries({ hit: right, wrong, missed, none }).map(([name, text]) => h("li", { class: name }, text)));
-		this.gameNote.textContent = (isExact ? words.gameNote : words.differenceNote)(COUNT, truth.size, texts.systems[this.reference]);
+		this.gameNote.textContent = (isExact ? words.gameNote : words.differenceNote)(COUNT, truth.size, titles[this.reference]);
 		const heads = [words.system, words.found, ...(isExact ? [words.falseCount, words.missedCount] : [words.onlyIt, words.onlyOther]), words.precision, words.recall, words.ms];
 		this.table.replaceChildren(h("table", {}, h("thead", {}, h("tr", {}, ...heads.map((text) => h("th", { scope: "col" }, text)))),
 			h("tbody", {}, ...Object.entries(systems).map(([name, pairs]) => {
@@ -232,10 +242,10 @@ class CompareView {
 					this.#colour();
 					this.#keep();
 				} });
-				return h("tr", { "data-system": name }, h("th", { scope: "row" }, h("label.tick", {}, pick, texts.systems[name])),
+				return h("tr", { "data-system": name }, h("th", { scope: "row" }, h("label.tick", {}, pick, titles[name])),
 					...[found, pairs.wrong.length, pairs.missed.length, percent(pairs.right.length, found), percent(pairs.right.length, truth.size), "…"].map((text) => h("td", {}, String(text))));
 			})),
-			h("tfoot", {}, h("tr", { "data-reference": this.reference }, h("th", { scope: "row" }, texts.systems[this.reference]), ...[truth.size, "", "", "", "", "…"].map((text) => h("td", {}, String(text)))))),
+			h("tfoot", {}, h("tr", { "data-reference": this.reference }, h("th", { scope: "row" }, titles[this.reference]), ...[truth.size, "", "", "", "", "…"].map((text) => h("td", {}, String(text)))))),
 		h("p.note", {}, words.msNote));
 		this.#colour();
 		this.#time();
@@ -261,7 +271,7 @@ class CompareView {
 			signs.push(...places.map(([a, b]) => ({ kind, x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2, z: (a[2] + b[2]) / 2 })));
 		}
 		this.gameStage.showSigns(signs);
-		this.colourNote.textContent = words.colourBy(texts.systems[this.gameSystem]);
+		this.colourNote.textContent = words.colourBy(titles[this.gameSystem]);
 		this.gameStage.showAgents(this.game.agents, this.models);
 	}
 

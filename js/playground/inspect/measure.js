@@ -1,6 +1,6 @@
 /** Computes Inspect's table of a model. */
 import {
-	AxisAlignedBoxFitter, CapsuleFitter, CentredRitterSphereFitter, CylinderFitter, FitSession, GreatLand, MinimalCapsuleFitter, MinimalSphereFitter,
+	AxisAlignedBoxFitter, CapsuleFitter, CentredRitterSphereFitter, CylinderFitter, FitSession, GreatLand, HullFitter, MinimalCapsuleFitter, MinimalSphereFitter,
 	NaiveSphereFitter, OrientedBoxFitter, RitterSphereFitter, ZAlignedBoxFitter,
 } from "starlogo-collision";
 
@@ -16,6 +16,7 @@ const FITTERS = {
 	capsule: (increment) => new CapsuleFitter(new OrientedBoxFitter(increment)),
 	minimalCapsule: () => new MinimalCapsuleFitter(),
 	cylinder: (increment) => new CylinderFitter(new OrientedBoxFitter(increment)),
+	hull: () => new HullFitter(),
 };
 
 /** The fitters that the engine compares by default (thesis §3.7). */

@@ -23,6 +23,7 @@ export function loadModel(name) {
 /** What a game needs of models: the models by their names, and the engine's land of them. */
 export function landOf(models) {
 	const greatLand = new GreatLand();
+	greatLand.loadHulls = true;
 	for (const model of models.values()) greatLand.addModel(model);
 	return { models, greatLand };
 }

@@ -46,7 +46,7 @@ package evaluation.pairs
         /**
          * Draws a set.
          *
-         * @param kindA the kind of the first structures: BoundingStructure.SPHERE, CAPSULE or BOX
+         * @param kindA the kind of the first structures: BoundingStructure.SPHERE, CAPSULE, BOX or HULL
          * @param kindB the kind of the second structures
          * @param hits the share of pairs that touch, 0 to 1
          * @param seed the same seed draws the same set

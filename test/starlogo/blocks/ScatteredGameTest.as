@@ -41,7 +41,19 @@ package starlogo.blocks
                         assertEquals(name, frame[name].join(), [count(pairs, null), count(pairs, truth), count(truth, pairs)].join());
                     }
                 }
+                useHulls(scene.agents, Agent.HULL);
+                pairs = pairsOf(blocks, CollisionBlocks.TIGHTEST_FITS);
+                assertEquals("hulls", frame.hulls.join(), [count(pairs, null), count(pairs, truth), count(truth, pairs)].join());
+                useHulls(scene.agents, Agent.TIGHTEST);
                 scene.step();
+            }
+        }
+
+        private static function useHulls(agents:Vector.<Agent>, collideAs:String):void
+        {
+            for each (var agent:Agent in agents)
+            {
+                agent.collideAs = collideAs;
             }
         }
 

@@ -24,7 +24,7 @@ export const texts = {
 		directions: { left: "links", right: "rechts" },
 		modes: { held: "gehalten wird", pressed: "gedrückt wird" },
 		onOff: { on: "ein", off: "aus" },
-		structures: { tightest: "am engsten", sphere: "Kugel", box: "Quader", capsule: "Kapsel" },
+		structures: { tightest: "am engsten", sphere: "Kugel", box: "Quader", capsule: "Kapsel", hull: "konvexe Hülle" },
 		controls_if: "wenn %1",
 		controls_ifelse: "wenn %1",
 		controls_repeat_ext: "wiederhole %1 mal",

@@ -24,7 +24,7 @@ export const texts = {
 		directions: { left: "left", right: "right" },
 		modes: { held: "is held", pressed: "is pressed" },
 		onOff: { on: "on", off: "off" },
-		structures: { tightest: "tightest", sphere: "sphere", box: "box", capsule: "capsule" },
+		structures: { tightest: "tightest", sphere: "sphere", box: "box", capsule: "capsule", hull: "convex hull" },
 		controls_if: "if %1",
 		controls_ifelse: "if %1",
 		controls_repeat_ext: "repeat %1 times",

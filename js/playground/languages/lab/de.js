@@ -43,7 +43,7 @@ export const texts = {
 		fitters: {
 			naiveSphere: "Einfache Kugel", ritterSphere: "Ritter-Kugel", centredRitterSphere: "Zentrierte Ritter-Kugel", minimalSphere: "Kleinste Kugel",
 			axisAlignedBox: "Achsenparalleler Quader", zAlignedBox: "Um z gedrehter Quader", orientedBox: "Gedrehter Quader",
-			capsule: "Kapsel", minimalCapsule: "Kleinste Kapsel", cylinder: "Zylinder",
+			capsule: "Kapsel", minimalCapsule: "Kleinste Kapsel", cylinder: "Zylinder", hull: "Konvexe Hülle aus 16 Ecken",
 		},
 	},
 	questions: {
@@ -65,6 +65,7 @@ export const texts = {
 		other: (shape, number) => `${shape} ${number}`,
 	},
 	compare: {
+		hulls: "Konvexe Hüllen", hullsNote: "eine konvexe Hülle aus 16 Ecken",
 		world: "Zwei Agenten zum Ziehen; Pfeiltasten drehen die Ansicht, Plus und Minus ändern den Abstand",
 		modes: { pair: "Zwei Agenten", game: "Ein verstreutes Spiel" },
 		mode: "Was verglichen wird",

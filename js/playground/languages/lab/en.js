@@ -44,7 +44,7 @@ export const texts = {
 		fitters: {
 			naiveSphere: "Naive sphere", ritterSphere: "Ritter sphere", centredRitterSphere: "Centred Ritter sphere", minimalSphere: "Smallest sphere",
 			axisAlignedBox: "Axis-aligned box", zAlignedBox: "Box turned about z", orientedBox: "Oriented box",
-			capsule: "Capsule", minimalCapsule: "Smallest capsule", cylinder: "Cylinder",
+			capsule: "Capsule", minimalCapsule: "Smallest capsule", cylinder: "Cylinder", hull: "Hull of 16 corners",
 		},
 	},
 	questions: {
@@ -66,6 +66,7 @@ export const texts = {
 		other: (shape, number) => `${shape} ${number}`,
 	},
 	compare: {
+		hulls: "Convex hulls", hullsNote: "a convex hull of 16 corners",
 		world: "Two agents to drag; arrow keys turn the view, plus and minus zoom",
 		modes: { pair: "Two agents", game: "A scattered game" },
 		mode: "What is compared",

@@ -68,6 +68,8 @@ async function begin() {
 	const languages = choice(Object.entries(LANGUAGES).map(([each, { name }]) => [each, name]), code, changeLanguage);
 	languages.setAttribute("aria-label", texts.page.language);
 	languages.className = "language";
+	// a link would change the address, which names the view
+	document.body.prepend(button(texts.page.skip, () => main.focus(), { class: "skip" }));
 	document.querySelector("header").append(note, languages);
 	await show();
 }

@@ -110,3 +110,16 @@ test('at the first visit no button leads back to a game that nobody opened; draw
 	assert.deepEqual(said, []);
 	await leave();
 });
+
+test('one key leads past the views into the open one', async () => {
+	const { page, said, leave } = await open(site, 'measure', SIZES.laptop);
+	await page.keyboard.press('Tab');
+	await page.locator('.skip:focus').waitFor();
+	assert.ok(await page.locator('.skip').evaluate((each) => each.getBoundingClientRect().width > 50));
+	await page.keyboard.press('Enter');
+	await page.keyboard.press('Tab');
+	assert.ok(await page.evaluate(() => document.activeElement !== document.body && document.querySelector('main').contains(document.activeElement)));
+	assert.equal(await page.evaluate(() => location.hash), '#measure');
+	assert.deepEqual(said, []);
+	await leave();
+});

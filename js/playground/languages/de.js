@@ -5,7 +5,7 @@ export const texts = {
 	code: "de",
 	numbers: { decimal: ",", between: "; " },
 	inSentence: (noun) => noun,
-	page: { name: "Kollisionswerkstatt", views: "Ansichten", language: "Sprache", help: "Dokumentation", guide: "Anleitung", api: "API" },
+	page: { skip: "Zum Inhalt", name: "Kollisionswerkstatt", views: "Ansichten", language: "Sprache", help: "Dokumentation", guide: "Anleitung", api: "API" },
 	views: { play: "Spielen", inspect: "Untersuchen", compare: "Vergleichen", measure: "Messen", level: "Level", teach: "Lehrkräfte" },
 	loading: "Wird geladen …",
 	failed: (file) => `Das konnte nicht geladen werden${file ? `: ${file}` : ""}.`,

@@ -10,7 +10,7 @@ export const texts = {
 	/** A noun of these texts as it is written inside a sentence. */
 	inSentence: lower,
 	/** The page's own words: its name, its views, the choice of languages. */
-	page: { name: "Collision playground", views: "Views", language: "Language", help: "Documentation", guide: "Guide", api: "API" },
+	page: { name: "Collision playground", views: "Views", skip: "To the content", language: "Language", help: "Documentation", guide: "Guide", api: "API" },
 	views: { play: "Play", inspect: "Inspect", compare: "Compare", measure: "Measure", level: "Level", teach: "For teachers" },
 	loading: "Loading…",
 	failed: (file) => `This could not be loaded${file ? `: ${file}` : ""}.`,

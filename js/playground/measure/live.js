@@ -69,6 +69,7 @@ export class Live {
 					this.#isDrawn = isOn;
 					this.host.parentElement.hidden = !isOn;
 					this.scene.classList.toggle("alone", !isOn);
+					this.parts.draw((ms) => short(ms));
 				}), tick(words.beside, true, (isOn) => {
 					this.#isBeside = isOn;
 					this.#found.near = NaN;

@@ -5,6 +5,7 @@ package
     import benchmark.DistanceBenchmark;
     import benchmark.FewMoveBenchmark;
     import benchmark.GroundBenchmark;
+    import benchmark.HullFitBenchmark;
     import benchmark.MoveBenchmark;
     import benchmark.PairBenchmark;
     import benchmark.QueriesBenchmark;
@@ -23,7 +24,7 @@ package
     public class Benchmarks extends Sprite
     {
         private static const BENCHMARKS:Array = [BroadPhaseBenchmark, FewMoveBenchmark, GroundBenchmark, TraversalBenchmark, PairBenchmark, DistanceBenchmark,
-                MoveBenchmark, QueriesBenchmark, RayBenchmark, ReadingBenchmark, CookedBenchmark];
+                MoveBenchmark, QueriesBenchmark, RayBenchmark, ReadingBenchmark, CookedBenchmark, HullFitBenchmark];
 
         private var _pending:Array;
 

@@ -20,7 +20,7 @@ package benchmark
     {
         private static const ROUNDS:int = 15;
         private static const STRUCTURES:int = 1000;
-        private static const KINDS:Array = ["sphere", "capsule", "box"];
+        private static const KINDS:Array = ["sphere", "capsule", "box", "hull"];
 
         private var _random:SeededRandom = new SeededRandom(2210);
         private var _all:Vector.<Measurement> = new Vector.<Measurement>();
@@ -31,9 +31,9 @@ package benchmark
         public function run():String
         {
             var names:Array = [];
-            for (var a:int = 0; a < 3; a++)
+            for (var a:int = 0; a < KINDS.length; a++)
             {
-                for (var b:int = 0; b < 3; b++)
+                for (var b:int = 0; b < KINDS.length; b++)
                 {
                     names.push(KINDS[a] + " and " + KINDS[b]);
                     addPair(a, b);

@@ -6,6 +6,8 @@ package starlogo.bounding
     import starlogo.geometry.ConvexHull;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.VertexBounds;
+    import starlogo.geometry.VertexData;
 
     use namespace engine;
 
@@ -28,11 +30,10 @@ package starlogo.bounding
         private static const POINT:Vector.<Number> = new <Number>[0, 0, 0];
         private static const AT_ORIGIN:Placement = new Placement();
 
-        private static var sTurning:Placement = new Placement();
         private static var sExtents:Vector.<Number> = new Vector.<Number>(6, true);
-        private static var sTurned:Hull = null;
+        private static var sMiddle:Vector3D = new Vector3D();
 
-        /** A point inside of the hull: the mean of its corners. */
+        /** A point inside of the hull: the mean of the points of which it was made. */
         public var center:Vector3D = new Vector3D();
 
         /**
@@ -79,21 +80,27 @@ package starlogo.bounding
         public function Hull(points:Vector.<Number>)
         {
             super(HULL);
-            var outer:Vector.<Number> = new ConvexHull(points).points;
-            var count:int = outer.length / 3;
-            for (var i:int = 0; i < outer.length; i += 3)
+            var problem:String = VertexData.vertexProblem(points);
+            if (problem != null)
             {
-                center.x += outer[i] / count;
-                center.y += outer[i + 1] / count;
-                center.z += outer[i + 2] / count;
+                throw new ArgumentError(problem);
             }
-            for (i = 0; i < outer.length; i += 3)
+            VertexBounds.requireWithin(VertexBounds.of(points).largest);
+            var count:int = points.length / 3;
+            for (var i:int = 0; i < points.length; i += 3)
             {
-                outer[i] -= center.x;
-                outer[i + 1] -= center.y;
-                outer[i + 2] -= center.z;
+                center.x += points[i] / count;
+                center.y += points[i + 1] / count;
+                center.z += points[i + 2] / count;
             }
-            setCorners(outer);
+            var relative:Vector.<Number> = new Vector.<Number>(points.length);
+            for (i = 0; i < points.length; i += 3)
+            {
+                relative[i] = points[i] - center.x;
+                relative[i + 1] = points[i + 1] - center.y;
+                relative[i + 2] = points[i + 2] - center.z;
+            }
+            setCorners(relative);
             setBox();
             checkSize(radius, "a hull");
         }
@@ -280,16 +287,49 @@ package starlogo.bounding
         /** @private */
         override engine function rotatedExtentsInto(placement:Placement, out:Vector.<Number>):void
         {
-            var extents:Vector.<Number> = sExtents;
-            sTurning.copyRotation(placement);
-            sTurning.size = placement.size;
-            sTurned = Hull(place(sTurning, sTurned));
-            sTurned.extentsInto(extents);
-            for (var i:int = 0; i < 3; i++)
+            var r00:Number = placement.r00;
+            var r01:Number = placement.r01;
+            var r02:Number = placement.r02;
+            var r10:Number = placement.r10;
+            var r11:Number = placement.r11;
+            var r12:Number = placement.r12;
+            var r20:Number = placement.r20;
+            var r21:Number = placement.r21;
+            var r22:Number = placement.r22;
+            var from:Vector.<Number> = points;
+            var end:int = from.length;
+            var lowX:Number = Infinity;
+            var lowY:Number = Infinity;
+            var lowZ:Number = Infinity;
+            var highX:Number = -Infinity;
+            var highY:Number = -Infinity;
+            var highZ:Number = -Infinity;
+            for (var i:int = 0; i < end; i += 3)
             {
-                out[i] = (extents[2 * i] + extents[2 * i + 1]) / 2;
-                out[i + 3] = (extents[2 * i + 1] - extents[2 * i]) / 2;
+                var fromX:Number = from[i];
+                var fromY:Number = from[int(i + 1)];
+                var fromZ:Number = from[int(i + 2)];
+                var x:Number = r00 * fromX + r01 * fromY + r02 * fromZ;
+                var y:Number = r10 * fromX + r11 * fromY + r12 * fromZ;
+                var z:Number = r20 * fromX + r21 * fromY + r22 * fromZ;
+                lowX = x < lowX ? x : lowX;
+                lowY = y < lowY ? y : lowY;
+                lowZ = z < lowZ ? z : lowZ;
+                highX = x > highX ? x : highX;
+                highY = y > highY ? y : highY;
+                highZ = z > highZ ? z : highZ;
             }
+            var size:Number = placement.size;
+            var middle:Vector3D = sMiddle;
+            placement.turn(center, middle);
+            var reach:Number = margin + Tolerances.ROUNDING * (highX - lowX + (highY - lowY) + (highZ - lowZ)
+                    + Math.abs(center.x) + Math.abs(center.y) + Math.abs(center.z));
+            out[0] = size * (middle.x + (lowX + highX) / 2);
+            out[1] = size * (middle.y + (lowY + highY) / 2);
+            out[2] = size * (middle.z + (lowZ + highZ) / 2);
+            out[3] = size * ((highX - lowX) / 2 + reach);
+            out[4] = size * ((highY - lowY) / 2 + reach);
+            out[5] = size * ((highZ - lowZ) / 2 + reach);
         }
 
         /** @private The centre, the margin, then the corners relative to the centre. */

@@ -51,7 +51,7 @@ package starlogo.libraries
         private static const FINGERPRINT:String = "37c383a5473e80ee";
 
         // The same of their hulls.
-        private static const HULLS:String = "ff6508f8a867d0ee";
+        private static const HULLS:String = "471c071615689a0f";
 
         private var _greatLand:GreatLand = new GreatLand();
 

@@ -26,8 +26,8 @@ package starlogo.fitting.hull
         public function push(edge:int, cost:Number):void
         {
             var at:int = _edges.length;
-            _edges.push(edge);
-            _costs.push(cost);
+            _edges[at] = edge;
+            _costs[at] = cost;
             while (at > 0)
             {
                 var parent:int = (at - 1) >> 1;
@@ -48,8 +48,9 @@ package starlogo.fitting.hull
         {
             var first:int = _edges[0];
             var edge:int = _edges.pop();
-            var cost:Number = _costs.pop();
             var count:int = _edges.length;
+            var cost:Number = _costs[count];
+            _costs.length = count;
             if (count > 0)
             {
                 var at:int = 0;

@@ -25,11 +25,11 @@ package starlogo.fitting.hull
         private var _corners:Vector.<int> = new Vector.<int>();
         private var _across:Vector.<int> = new Vector.<int>();
 
-        // by face: four numbers of the plane, twice the area, whether the face is inside of the solid by now, and the number of the search
-        // that found the face last
+        // by face: four numbers of the plane, twice the area, whether the face is inside of the solid by now (1, otherwise 0), and the number of
+        // the search that found the face last
         private var _planes:Vector.<Number> = new Vector.<Number>();
         private var _areas:Vector.<Number> = new Vector.<Number>();
-        private var _isInside:Vector.<Boolean> = new Vector.<Boolean>();
+        private var _isInside:Vector.<int> = new Vector.<int>();
         private var _foundBy:Vector.<int> = new Vector.<int>();
         private var _search:int = 0;
 
@@ -90,7 +90,7 @@ package starlogo.fitting.hull
         /** Whether a number is that of an edge of the present surface. */
         public function isEdge(number:int):Boolean
         {
-            return (number & 3) < 3 && !_isInside[number >> 2];
+            return (number & 3) < 3 && _isInside[number >> 2] == 0;
         }
 
         /** The corner at which an edge begins. */
@@ -114,7 +114,7 @@ package starlogo.fitting.hull
         /** The edge of the present surface that is where an earlier edge was; -1 if there is none. */
         public function presentEdge(edge:int):int
         {
-            while (_isInside[edge >> 2])
+            while (_isInside[edge >> 2] == 1)
             {
                 var other:int = _across[edge];
                 if (_across[other] == edge)
@@ -129,9 +129,20 @@ package starlogo.fitting.hull
         /** The shortest edge of a face. */
         public function shortestEdge(face:int):int
         {
-            var shortest:int = -1;
+            return shortest(4 * face, 4 * face + 3, 1);
+        }
+
+        /** The shortest edge at the corner that grow() made last. @param face the first new face */
+        public function shortestNewEdge(face:int):int
+        {
+            return shortest(4 * face + 1, 4 * faceCount, 4);
+        }
+
+        private function shortest(first:int, end:int, step:int):int
+        {
+            var found:int = -1;
             var least:Number = Infinity;
-            for (var edge:int = 4 * face; edge < 4 * face + 3; edge++)
+            for (var edge:int = first; edge < end; edge += step)
             {
                 var a:int = 3 * startOf(edge);
                 var b:int = 3 * endOf(edge);
@@ -142,10 +153,10 @@ package starlogo.fitting.hull
                 if (square < least)
                 {
                     least = square;
-                    shortest = edge;
+                    found = edge;
                 }
             }
-            return shortest;
+            return found;
         }
 
         /**
@@ -196,7 +207,7 @@ package starlogo.fitting.hull
             }
             for (var i:int = 0; i < point.faceCount; i++)
             {
-                _isInside[point.faces[i]] = true;
+                _isInside[point.faces[i]] = 1;
             }
             _presentCount -= point.faceCount;
             var corner:int = _points.length / 3;
@@ -220,45 +231,61 @@ package starlogo.fitting.hull
         // Adds the faces around the start of an edge to a point's faces, unless this search has found them already.
         private function findFaces(edge:int, out:OuterPoint):void
         {
+            var foundBy:Vector.<int> = _foundBy;
+            var count:int = out.faceCount;
             var next:int = edge;
             do
             {
                 var face:int = next >> 2;
-                if (_foundBy[face] != _search)
+                if (foundBy[face] != _search)
                 {
-                    _foundBy[face] = _search;
-                    out.faces[out.faceCount++] = face;
+                    foundBy[face] = _search;
+                    out.faces[count] = face;
+                    count++;
                 }
-                next = _across[before(next)];
+                next = _across[(next & 3) == 0 ? next + 2 : next - 1];
             }
-            while (next != edge && out.faceCount <= MOST_FACES);
+            while (next != edge && count <= MOST_FACES);
+            out.faceCount = count;
         }
 
         // Adds the faces that a point sees to the faces at its edge, and sums the volume between the point and all of them.
         private function findSeen(point:OuterPoint):void
         {
+            var planes:Vector.<Number> = _planes;
+            var foundBy:Vector.<int> = _foundBy;
+            var search:int = _search;
+            var faces:Vector.<int> = point.faces;
+            var count:int = point.faceCount;
+            var x:Number = point.x;
+            var y:Number = point.y;
+            var z:Number = point.z;
             var sum:Number = 0;
-            for (var i:int = 0; i < point.faceCount; i++)
+            for (var i:int = 0; i < count; i++)
             {
-                var face:int = point.faces[i];
-                sum += _areas[face] * Math.max(0, heightOver(face, point));
-                for (var edge:int = 4 * face; edge < 4 * face + 3; edge++)
+                var face:int = faces[i];
+                var first:int = 4 * face;
+                var height:Number = planes[first] * x + planes[int(first + 1)] * y + planes[int(first + 2)] * z - planes[int(first + 3)];
+                sum += height > 0 ? height * _areas[face] : 0;
+                for (var edge:int = first; edge < first + 3; edge++)
                 {
                     var neighbor:int = _across[edge] >> 2;
-                    if (_foundBy[neighbor] != _search && heightOver(neighbor, point) > Tolerances.HULL_FLAT)
+                    if (foundBy[neighbor] == search)
                     {
-                        _foundBy[neighbor] = _search;
-                        point.faces[point.faceCount++] = neighbor;
+                        continue;
+                    }
+                    var at:int = 4 * neighbor;
+                    height = planes[at] * x + planes[int(at + 1)] * y + planes[int(at + 2)] * z - planes[int(at + 3)];
+                    if (height > Tolerances.HULL_FLAT)
+                    {
+                        foundBy[neighbor] = search;
+                        faces[count] = neighbor;
+                        count++;
                     }
                 }
             }
+            point.faceCount = count;
             point.growth = sum / 6;
-        }
-
-        private function heightOver(face:int, point:OuterPoint):Number
-        {
-            var at:int = 4 * face;
-            return _planes[at] * point.x + _planes[int(at + 1)] * point.y + _planes[int(at + 2)] * point.z - _planes[int(at + 3)];
         }
 
         // Writes the edges between the faces that a point sees and the others to the outline, one after the other. Returns their number; 0 if
@@ -325,25 +352,27 @@ package starlogo.fitting.hull
             x *= scale;
             y *= scale;
             z *= scale;
-            _planes.push(x, y, z, Math.max(x * _points[i] + y * _points[i + 1] + z * _points[i + 2],
-                        x * _points[j] + y * _points[j + 1] + z * _points[j + 2], x * _points[k] + y * _points[k + 1] + z * _points[k + 2]));
-            _areas.push(length);
-            _isInside.push(false);
-            _foundBy.push(-1);
+            var offset:Number = x * _points[i] + y * _points[i + 1] + z * _points[i + 2];
+            offset = Math.max(offset, x * _points[j] + y * _points[j + 1] + z * _points[j + 2]);
+            offset = Math.max(offset, x * _points[k] + y * _points[k + 1] + z * _points[k + 2]);
+            // Numbers that are pushed would be boxed in Adobe's VM.
+            var face:int = _areas.length;
+            _areas[face] = length;
+            _planes[4 * face] = x;
+            _planes[4 * face + 1] = y;
+            _planes[4 * face + 2] = z;
+            _planes[4 * face + 3] = offset;
+            _isInside[face] = 0;
+            _foundBy[face] = -1;
             _corners.push(a, b, c, -1);
             _across.push(-1, -1, -1, -1);
             _presentCount++;
-            return _areas.length - 1;
+            return face;
         }
 
         private static function after(edge:int):int
         {
             return (edge & 3) == 2 ? edge - 2 : edge + 1;
-        }
-
-        private static function before(edge:int):int
-        {
-            return (edge & 3) == 0 ? edge + 2 : edge - 1;
         }
     }
 }

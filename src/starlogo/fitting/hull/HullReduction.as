@@ -11,7 +11,7 @@ package starlogo.fitting.hull
      * The steps that find few corners whose hull is around the convex hull of a session's vertices, up to rounding.
      *
      * <p>A GrowingHull loses edges, each time the edge for which it grows least. As long as it has many corners, the search looks only at the
-     * shortest edge of each face, because short edges cost least. If rounding stops the search, the corners of a box are the result.</p>
+     * shortest edge of each face, and then at the shortest edge at each new corner, because short edges cost least. If rounding stops the search, the corners of a box are the result.</p>
      *
      * <p>Vertices in a plane have a polygon instead of a solid hull. The search then takes the double pyramid on the polygon, and both tips
      * stay.</p>
@@ -24,7 +24,7 @@ package starlogo.fitting.hull
         private static const EDGES_PER_STEP:int = 200;
 
         // With this many times the wanted corners or fewer, the search looks at all edges.
-        private static const FEW:int = 2;
+        private static const FEW:Number = 1.5;
 
         // how far the tips are from the polygon's plane
         private static const TIP:Number = 0.5;
@@ -34,7 +34,7 @@ package starlogo.fitting.hull
         private var _space:UnitSpace;
         private var _solid:GrowingHull = null;
         private var _queue:EdgeQueue = new EdgeQueue();
-        private var _isQueued:Vector.<Boolean> = new Vector.<Boolean>();
+        private var _isQueued:Vector.<int> = new Vector.<int>(); // by edge: 1 if it is in the queue
         private var _point:OuterPoint = new OuterPoint();
         private var _looksAtAll:Boolean = false;
 
@@ -135,9 +135,9 @@ package starlogo.fitting.hull
         private function takeFirst():void
         {
             var queued:int = _queue.pop();
-            _isQueued[queued] = false;
+            _isQueued[queued] = 0;
             var edge:int = _solid.presentEdge(queued);
-            if (edge < 0 || isQueued(edge) || !_solid.findPoint(edge, _point))
+            if (edge < 0 || isQueued(edge) || isQueued(_solid.acrossOf(edge)) || !_solid.findPoint(edge, _point))
             {
                 return;
             }
@@ -147,10 +147,19 @@ package starlogo.fitting.hull
                 return;
             }
             var face:int = _solid.grow(_point);
-            while (face >= 0 && face < _solid.faceCount)
+            if (face < 0)
             {
-                // The first edge of a new face is where an earlier edge was, and the third one belongs to the next new face.
-                look(_looksAtAll ? 4 * face + 1 : _solid.shortestEdge(face));
+                return;
+            }
+            if (!_looksAtAll)
+            {
+                look(_solid.shortestNewEdge(face));
+                return;
+            }
+            while (face < _solid.faceCount)
+            {
+                // the edge to the new corner; the first edge of a new face is where an earlier edge was
+                look(4 * face + 1);
                 face++;
             }
         }
@@ -175,13 +184,13 @@ package starlogo.fitting.hull
             {
                 _isQueued.length = 4 * _solid.faceCount;
             }
-            _isQueued[edge] = true;
+            _isQueued[edge] = 1;
             _queue.push(edge, _point.growth);
         }
 
         private function isQueued(edge:int):Boolean
         {
-            return edge < _isQueued.length && _isQueued[edge];
+            return edge < _isQueued.length && _isQueued[edge] == 1;
         }
 
         private function isTip(corner:int):Boolean

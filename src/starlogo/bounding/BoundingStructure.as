@@ -31,7 +31,7 @@ package starlogo.bounding
         /** The kind of a Box. */
         public static const BOX:int = 2;
 
-        /** The kind of a Hull. */
+        /** The kind of a Hull, and of any other convex structure that has no tests of its own. */
         public static const HULL:int = 3;
 
         /** The kind of a structure that no test of the engine takes: a Cylinder, or a structure of your own. */
@@ -169,10 +169,13 @@ package starlogo.bounding
             throw missing("place");
         }
 
-        /** A new structure for the result of <code>place</code> if out is null. If out is of another kind, throws an error. */
+        /**
+         * A new structure for the result of <code>place</code> if out is null, or of another class with the same kind. If out is of another
+         * kind, throws an error.
+         */
         protected final function newFor(out:BoundingStructure):BoundingStructure
         {
-            if (out != null)
+            if (out != null && (out.kind != HULL || kind != HULL))
             {
                 throw new ArgumentError("out must be null or of the same kind as " + this + ": " + out);
             }
@@ -227,6 +230,26 @@ package starlogo.bounding
         engine function rotatedExtentsInto(placement:Placement, out:Vector.<Number>):void
         {
             throw missing("rotatedExtentsInto");
+        }
+
+        /**
+         * Writes what the convex core tests. Every structure of the kind HULL implements it. The lists are the structure's own.
+         *
+         * @private
+         */
+        engine function coreInto(out:ConvexCore):void
+        {
+            throw missing("coreInto");
+        }
+
+        /**
+         * A simpler structure around this one, which tests look at first; this structure if there is none.
+         *
+         * @private
+         */
+        engine function get around():BoundingStructure
+        {
+            return this;
         }
 
         /**

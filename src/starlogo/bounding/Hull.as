@@ -57,13 +57,8 @@ package starlogo.bounding
          */
         engine var margin:Number = 0;
 
-        /**
-         * A box around the hull, a little larger than the hull. Its axes are the coordinate axes of the space in which the hull was made. Tests
-         * look at it first.
-         *
-         * @private
-         */
-        engine var box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+        // A box around the hull, a little larger than it. Its axes are the coordinate axes of the space in which the hull was made.
+        private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
         private var _halfSpaces:Vector.<Number> = new Vector.<Number>();
         private var _hasHalfSpaces:Boolean = false;
@@ -209,7 +204,7 @@ package starlogo.bounding
             }
             placement.turnPoints(points, placed.points);
             placement.place(center, placed.center);
-            box.place(placement, placed.box);
+            _box.place(placement, placed._box);
             placed.margin = margin * placement.size;
             placed.topology = topology;
             placed._hasHalfSpaces = false;
@@ -270,10 +265,10 @@ package starlogo.bounding
         override engine function widen(by:Number):void
         {
             margin += by;
-            // V8 would make an object for the argument of box.widen()
-            box.halfX += by;
-            box.halfY += by;
-            box.halfZ += by;
+            // V8 would make an object for the argument of _box.widen()
+            _box.halfX += by;
+            _box.halfY += by;
+            _box.halfZ += by;
         }
 
         /** @private */
@@ -332,6 +327,22 @@ package starlogo.bounding
             out[5] = size * ((highZ - lowZ) / 2 + reach);
         }
 
+        /** @private */
+        override engine function coreInto(out:ConvexCore):void
+        {
+            out.center = center;
+            out.points = points;
+            out.faces = topology.faces;
+            out.edges = topology.edges;
+            out.radius = margin;
+        }
+
+        /** @private */
+        override engine function get around():BoundingStructure
+        {
+            return _box;
+        }
+
         /** @private The centre, the margin, then the corners relative to the centre. */
         override engine function numbers():Vector.<Number>
         {
@@ -380,14 +391,14 @@ package starlogo.bounding
         {
             var extents:Vector.<Number> = sExtents;
             extentsInto(extents);
-            box.center.setTo((extents[0] + extents[1]) / 2, (extents[2] + extents[3]) / 2, (extents[4] + extents[5]) / 2);
+            _box.center.setTo((extents[0] + extents[1]) / 2, (extents[2] + extents[3]) / 2, (extents[4] + extents[5]) / 2);
             var by:Number = (Tolerances.OUTER - 1) * radius;
-            box.halfX = (extents[1] - extents[0]) / 2 + by;
-            box.halfY = (extents[3] - extents[2]) / 2 + by;
-            box.halfZ = (extents[5] - extents[4]) / 2 + by;
-            box.axisX.setTo(1, 0, 0);
-            box.axisY.setTo(0, 1, 0);
-            box.axisZ.setTo(0, 0, 1);
+            _box.halfX = (extents[1] - extents[0]) / 2 + by;
+            _box.halfY = (extents[3] - extents[2]) / 2 + by;
+            _box.halfZ = (extents[5] - extents[4]) / 2 + by;
+            _box.axisX.setTo(1, 0, 0);
+            _box.axisY.setTo(0, 1, 0);
+            _box.axisZ.setTo(0, 0, 1);
         }
     }
 }

@@ -4,7 +4,7 @@ package starlogo.convex
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
-    import starlogo.bounding.Hull;
+    import starlogo.bounding.ConvexCore;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
@@ -69,6 +69,8 @@ package starlogo.convex
         /** Whether the core is a box. */
         public var isBox:Boolean = false;
 
+        private var _core:ConvexCore = new ConvexCore();
+
         // The list of points for all shapes but hulls.
         private var _own:Vector.<Number> = new Vector.<Number>(24, true);
 
@@ -77,7 +79,7 @@ package starlogo.convex
             points = _own;
         }
 
-        /** Sets a Sphere, Capsule, Box or Hull. A hull that moves has to be set again. */
+        /** Sets a structure. A hull that moves has to be set again. */
         public function setStructure(structure:BoundingStructure):void
         {
             if (structure.kind == BoundingStructure.BOX)
@@ -90,9 +92,9 @@ package starlogo.convex
             }
             else if (structure.kind == BoundingStructure.HULL)
             {
-                var hull:Hull = structure as Hull;
-                setHull(hull.center, hull.points, hull.topology.faces, hull.topology.edges);
-                radius = hull.margin;
+                structure.coreInto(_core);
+                setHull(_core.center, _core.points, _core.faces, _core.edges);
+                radius = _core.radius;
             }
             else
             {

@@ -4,8 +4,8 @@ package starlogo.debug
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
+    import starlogo.bounding.ConvexCore;
     import starlogo.bounding.Cylinder;
-    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.PointTable;
@@ -57,7 +57,7 @@ package starlogo.debug
                     drawRound(pen, capsule.start, capsule.end, capsule.radius, true);
                     break;
                 case BoundingStructure.HULL:
-                    drawHull(pen, Hull(structure));
+                    drawCore(pen, structure);
                     break;
                 default:
                     var cylinder:Cylinder = structure as Cylinder;
@@ -166,13 +166,14 @@ package starlogo.debug
             drawEdges(pen, box.center, box.axisZ, box.halfZ, box.axisX, box.halfX, box.axisY, box.halfY);
         }
 
-        private static function drawHull(pen:LinePen, hull:Hull):void
+        // Draws the edges of a convex structure, without the radius around them.
+        private static function drawCore(pen:LinePen, structure:BoundingStructure):void
         {
-            var corners:Vector.<Number> = hull.corners;
-            var edges:Vector.<int> = hull.topology.edges;
-            for (var i:int = 0; i < edges.length; i += 4)
+            var core:ConvexCore = new ConvexCore();
+            structure.coreInto(core);
+            for (var i:int = 0; i < core.edges.length; i += 4)
             {
-                pen.drawLine(vertexAt(corners, edges[i] / 3), vertexAt(corners, edges[i + 1] / 3));
+                pen.drawLine(core.center.add(vertexAt(core.points, core.edges[i] / 3)), core.center.add(vertexAt(core.points, core.edges[i + 1] / 3)));
             }
         }
 

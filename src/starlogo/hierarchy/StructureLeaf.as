@@ -53,18 +53,16 @@ package starlogo.hierarchy
         public function begin(structure:BoundingStructure, models:RelativePose):void
         {
             var kind:int = structure.kind;
-            _placed[kind] ||= structure.clone();
-            var placed:BoundingStructure = _placed[kind];
+            var placed:BoundingStructure = structure.place(models.placement, _placed[kind]);
             // Writing an object to a field costs Adobe's VM more than comparing it first.
             if (moved !== placed)
             {
-                moved = placed;
+                moved = _placed[kind] = placed;
             }
             if (pose.motion !== models.motion)
             {
                 pose.motion = models.motion;
             }
-            structure.place(models.placement, placed);
             models.widen(placed);
             pose.gap = models.gap;
             pose.placement.size = models.placement.size;

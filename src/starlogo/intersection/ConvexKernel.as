@@ -1,7 +1,6 @@
 package starlogo.intersection
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Hull;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ConvexContact;
     import starlogo.convex.ConvexMotion;
@@ -14,7 +13,7 @@ package starlogo.intersection
 
     use namespace engine;
 
-    /** The kernel of any two structures of which one is a hull: the convex core decides. */
+    /** The kernel of any two structures of which one is a hull, or another convex structure: the convex core decides. */
     internal final class ConvexKernel extends PairKernel
     {
         private var _pair:ConvexPair = new ConvexPair();
@@ -27,7 +26,9 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
         {
-            if (!intersects(boxOf(a), boxOf(b)))
+            var aroundA:BoundingStructure = a.around;
+            var aroundB:BoundingStructure = b.around;
+            if ((aroundA !== a || aroundB !== b) && !intersects(aroundA, aroundB))
             {
                 return false;
             }
@@ -61,12 +62,6 @@ package starlogo.intersection
             setShapes(a, b);
             _pair.findClosest(_a, _b, _closest);
             out.copyConvex(_closest);
-        }
-
-        // The box around a hull; any other structure is as quick to test.
-        private static function boxOf(structure:BoundingStructure):BoundingStructure
-        {
-            return structure.kind == BoundingStructure.HULL ? (structure as Hull).box : structure;
         }
 
         private function setShapes(a:BoundingStructure, b:BoundingStructure):void

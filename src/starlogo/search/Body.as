@@ -354,8 +354,12 @@ package starlogo.search
             {
                 changeKind();
             }
-            shape.structure.place(placement, _placed);
-            _placed.widen(by);
+            var placed:BoundingStructure = shape.structure.place(placement, _placed);
+            if (_placed !== placed)
+            {
+                _placed = placed;
+            }
+            placed.widen(by);
             _isPlaced = true;
         }
 

@@ -1,20 +1,12 @@
 package starlogo.collision
 {
     import evaluation.pairs.SeededRandom;
-    import flash.geom.Vector3D;
-    import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.Model;
-    import starlogo.queries.AgentQueries;
-    import starlogo.queries.Footing;
-    import starlogo.queries.RayHit;
-    import starlogo.queries.ShapeHit;
-    import starlogo.terrain.Terrain;
-    import starlogo.terrain.WorldBounds;
     import support.Effort;
+    import support.SameAnswers;
     import support.SteppedModels;
 
     /** Agents that collide as hulls. A cube's hull is the cube, so every question has the answers that it has for the box. */
@@ -22,15 +14,10 @@ package starlogo.collision
     {
         public static const FIXTURES:Array = SteppedModels.FIXTURES;
 
-        private static const NEAR:Number = 1e-9;
-
         private static var sLand:GreatLand;
 
-        private var _random:SeededRandom = new SeededRandom(7131);
-
-        // the same agents twice: as boxes, and as hulls
-        private var _boxes:Vector.<Agent> = new Vector.<Agent>();
-        private var _hulls:Vector.<Agent> = new Vector.<Agent>();
+        private var _same:SameAnswers = new SameAnswers(sLand, "cube", Agent.BOX, 7131);
+        private var _random:SeededRandom = new SeededRandom(7132);
 
         [BeforeClass]
         public static function load():void
@@ -43,329 +30,46 @@ package starlogo.collision
             }
         }
 
-        private function addAgents(count:int, spread:Number, hierarchical:Number):void
-        {
-            _boxes.length = _hulls.length = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                var shape:String = _random.pick(["cube", "cube", "cube", "sphere", "bear"]);
-                var places:Array = [];
-                for (var k:int = 0; k < 6; k++)
-                {
-                    places.push(_random.between(-spread, spread), _random.between(0, 360));
-                }
-                var isTree:Boolean = _random.chance(hierarchical);
-                for each (var list:Vector.<Agent> in [_boxes, _hulls])
-                {
-                    var agent:Agent = new Agent(shape, i % 2 == 0 ? "even" : "odd");
-                    agent.collideAs = shape != "cube" ? Agent.TIGHTEST : list == _boxes ? Agent.BOX : Agent.HULL;
-                    agent.hierarchical = isTree && shape != "cube";
-                    agent.moveTo(places[0], places[2], places[4]);
-                    agent.heading = places[1];
-                    agent.pitch = i % 3 == 0 ? places[3] : 0;
-                    agent.roll = i % 3 == 0 ? places[5] : 0;
-                    agent.size = 1 + (places[7] / 360);
-                    list.push(agent);
-                }
-            }
-        }
-
-        private static function systems():Array
-        {
-            var exact:CombinationCollider = new CombinationCollider(sLand);
-            exact.exact = true;
-            return [new TightestFitCollider(sLand), new CombinationCollider(sLand), exact];
-        }
-
-        private static function indices(found:Vector.<Agent>, of:Vector.<Agent>):String
-        {
-            var list:Array = [];
-            for each (var agent:Agent in found)
-            {
-                list.push(of.indexOf(agent));
-            }
-            return list.join();
-        }
-
-        private static function assertNear(name:String, expected:Number, actual:Number, tolerance:Number = NEAR):void
-        {
-            assertTrue(name + ": " + actual + " instead of " + expected, expected == actual || Math.abs(expected - actual) <= tolerance);
-        }
-
         [Test]
         public function framesFindTheSamePairs():void
         {
-            var pairs:int = 0;
-            for each (var system:CollisionSystem in systems())
-            {
-                for (var i:int = 0; i < Effort.choose(4, 40); i++)
-                {
-                    addAgents(60, 4, 0.4);
-                    var expected:Vector.<Agent> = system.findCollisions(_boxes).concat();
-                    var found:Vector.<Agent> = system.findCollisions(_hulls);
-                    assertEquals(system + "", indices(expected, _boxes), indices(found, _hulls));
-                    pairs += found.length / 2;
-                    assertTrue(system.statistics.hullTests > 0);
-                }
-            }
-            assertTrue(pairs + "", pairs > 200);
+            _same.framesFindTheSamePairs();
         }
 
         [Test]
         public function contactsAreAsDeep():void
         {
-            var compared:int = 0;
-            for each (var system:Collider in systems())
-            {
-                addAgents(80, 3.5, 0.4);
-                var found:Vector.<Agent> = system.findCollisions(_boxes).concat();
-                for (var i:int = 0; i < found.length; i += 2)
-                {
-                    var a:int = _boxes.indexOf(found[i]);
-                    var b:int = _boxes.indexOf(found[i + 1]);
-                    var expected:Contact = system.contactOf(_boxes[a], _boxes[b], new Contact());
-                    var contact:Contact = system.contactOf(_hulls[a], _hulls[b], new Contact());
-                    assertNear(system + ", " + _hulls[a] + ", " + _hulls[b] + ", depth", expected.depth, contact.depth, 1e-8);
-                    compared++;
-                }
-            }
-            assertTrue(compared + "", compared > 100);
+            _same.contactsAreAsDeep();
         }
 
         [Test]
         public function sweepsTouchAtTheSameTime():void
         {
-            var touched:int = 0;
-            for (var round:int = 0; round < 9; round++)
-            {
-                addAgents(30, 5, 0.3);
-                var system:CollisionSystem = systems()[round % 3];
-                var expected:Array = sweptTimes(system, _boxes, round);
-                var found:Array = sweptTimes(systems()[round % 3], _hulls, round);
-                assertEquals(expected.length, found.length);
-                for (var i:int = 0; i < expected.length; i += 2)
-                {
-                    assertEquals(system + "", expected[i], found[i]);
-                    assertNear(system + ", " + expected[i], expected[i + 1], found[i + 1]);
-                    touched += expected[i + 1] < 1 ? 1 : 0;
-                }
-            }
-            assertTrue(touched + "", touched > 60);
-        }
-
-        private static function sweptTimes(system:CollisionSystem, agents:Vector.<Agent>, seed:int):Array
-        {
-            var random:SeededRandom = new SeededRandom(seed + 1);
-            var collision:Collision = new Collision(system);
-            var times:Object = {};
-            collision.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, function(a:Agent, b:Agent, contact:Contact):void
-                {
-                    times[Math.min(agents.indexOf(a), agents.indexOf(b)) + "-" + Math.max(agents.indexOf(a), agents.indexOf(b))] = contact.time;
-                });
-            for each (var agent:Agent in agents)
-            {
-                agent.sweeps = true;
-            }
-            collision.update(agents);
-            for each (agent in agents)
-            {
-                agent.moveTo(agent.x + random.between(-3, 3), agent.y + random.between(-3, 3), agent.z + random.between(-3, 3));
-            }
-            times = {};
-            collision.update(agents);
-            var list:Array = [];
-            for (var key:String in times)
-            {
-                list.push(key);
-            }
-            list.sort();
-            var result:Array = [];
-            for each (key in list)
-            {
-                result.push(key, times[key]);
-            }
-            return result;
+            _same.sweepsTouchAtTheSameTime();
         }
 
         [Test]
         public function questionsHaveTheSameAnswers():void
         {
-            for each (var system:CollisionSystem in systems())
-            {
-                for (var round:int = 0; round < Effort.choose(3, 30); round++)
-                {
-                    addAgents(40, 5, 0.3);
-                    var box:AgentQueries = new AgentQueries(system);
-                    var hull:AgentQueries = new AgentQueries(system);
-                    box.update(_boxes);
-                    hull.update(_hulls);
-                    compareQuestions(system + ", round " + round, box, hull);
-                }
-            }
-        }
-
-        private function compareQuestions(name:String, box:AgentQueries, hull:AgentQueries):void
-        {
-            var hits:int = 0;
-            for (var i:int = 0; i < 20; i++)
-            {
-                var from:Vector3D = new Vector3D(_random.between(-7, 7), _random.between(-7, 7), _random.between(-7, 7));
-                var to:Vector3D = new Vector3D(_random.between(-4, 4), _random.between(-4, 4), _random.between(-4, 4)).subtract(from);
-                var a:RayHit = box.cast(from, to);
-                var b:RayHit = hull.cast(from, to);
-                assertEquals(name + ", ray", a == null, b == null);
-                if (a != null)
-                {
-                    hits++;
-                    assertEquals(name, _boxes.indexOf(a.agent), _hulls.indexOf(b.agent));
-                    assertNear(name + ", ray", a.distance, b.distance);
-                }
-                var x:Agent = _boxes[i];
-                var y:Agent = _boxes[(i + 7) % _boxes.length];
-                assertNear(name + ", distance", box.distance(x, y), hull.distance(_hulls[i], _hulls[(i + 7) % _hulls.length]));
-                assertNear(name + ", point", box.distanceToPoint(x, from), hull.distanceToPoint(_hulls[i], from));
-                assertEquals(name + ", touching", indices(box.touching(x), _boxes), indices(hull.touching(_hulls[i]), _hulls));
-                assertEquals(name, indices(box.overlapping(sLand.boundingStructures.box("cube").clone().translate(from)), _boxes),
-                        indices(hull.overlapping(sLand.boundingStructures.hull("cube").clone().translate(from)), _hulls));
-                compareShapes(name, box.castShape(sLand.boundingStructures.box("cube").clone().translate(from), to.x, to.y, to.z),
-                        hull.castShape(sLand.boundingStructures.hull("cube").clone().translate(from), to.x, to.y, to.z));
-                compareShapes(name, box.castAgent(x, to.x, to.y, to.z), hull.castAgent(_hulls[i], to.x, to.y, to.z));
-            }
-            assertTrue(name + ", " + hits + " rays", hits > 3);
-        }
-
-        private function compareShapes(name:String, a:ShapeHit, b:ShapeHit):void
-        {
-            assertEquals(name, a == null, b == null);
-            if (a != null)
-            {
-                assertEquals(name, _boxes.indexOf(a.agent), _hulls.indexOf(b.agent));
-                assertNear(name + ", time", a.time, b.time);
-            }
+            _same.questionsHaveTheSameAnswers();
         }
 
         [Test]
-        public function motionsEndWhereTheyDoForBoxes():void
+        public function motionsEndInTheSamePlace():void
         {
-            var stopped:int = 0;
-            for each (var system:CollisionSystem in systems())
-            {
-                addAgents(40, 4, 0.3);
-                var box:AgentQueries = new AgentQueries(system);
-                var hull:AgentQueries = new AgentQueries(system);
-                box.update(_boxes);
-                hull.update(_hulls);
-                for (var i:int = 0; i < 30; i++)
-                {
-                    var way:Vector3D = new Vector3D(_random.between(-3, 3), _random.between(-3, 3), _random.between(-3, 3));
-                    var went:Number = box.moveUntilTouch(_boxes[i], way.x, way.y, way.z);
-                    assertNear(system + ", " + i, went, hull.moveUntilTouch(_hulls[i], way.x, way.y, way.z), 1e-8);
-                    stopped += went < 1 ? 1 : 0;
-                    // so that small differences do not add up
-                    _hulls[i].moveTo(_boxes[i].x, _boxes[i].y, _boxes[i].z);
-                    hull.moved(_hulls[i]);
-                }
-            }
-            assertTrue(stopped + "", stopped > 20);
+            _same.motionsEndInTheSamePlace();
         }
 
         [Test]
         public function theGroundAndTheEdgesAreMet():void
         {
-            var touched:int = 0;
-            for (var round:int = 0; round < 6; round++)
-            {
-                addAgents(30, 6, 0.2);
-                var system:Collider = systems()[round >> 1];
-                var expected:Array = groundCalls(system, _boxes, round % 2 == 0);
-                var found:Array = groundCalls(systems()[round >> 1], _hulls, round % 2 == 0);
-                assertEquals(system + "", expected.join(), found.join());
-                touched += found.length;
-            }
-            assertTrue(touched + "", touched > 50);
-        }
-
-        // Who touches the ground or the edges. Moved out by the contact, it does not.
-        private static function groundCalls(system:Collider, agents:Vector.<Agent>, isBlocky:Boolean):Array
-        {
-            var random:SeededRandom = new SeededRandom(5);
-            var collision:Collision = new Collision(system);
-            var terrain:Terrain = new Terrain(15, 15, 1, -7, -7);
-            terrain.isBlocky = isBlocky;
-            for (var column:int = 0; column < 15; column++)
-            {
-                for (var row:int = 0; row < 15; row++)
-                {
-                    terrain.setHeight(column, row, random.between(-2, 1));
-                }
-            }
-            collision.terrain = terrain;
-            collision.bounds = new WorldBounds(-5, -5, -5, 5, 5, 5);
-            var calls:Array = [];
-            for each (var world:String in [Collision.TERRAIN, Collision.EDGE])
-            {
-                collision.onCollision(Collision.ANY_BREED, world, function(a:Agent, b:Agent, contact:Contact):void
-                    {
-                        calls.push(agents.indexOf(a) + " " + b.breed);
-                        var out:Number = contact.depth + 1e-8;
-                        var moved:Agent = a.collideAs == Agent.HULL && b === terrain.agent ? copyOf(a, contact, out) : null;
-                        assertFalse(a + " is out of the ground", moved != null && system.areColliding(moved, b));
-                    });
-            }
-            collision.update(agents);
-            return calls;
-        }
-
-        private static function copyOf(agent:Agent, contact:Contact, by:Number):Agent
-        {
-            var copy:Agent = new Agent(agent.shape, agent.breed);
-            copy.collideAs = agent.collideAs;
-            copy.heading = agent.heading;
-            copy.pitch = agent.pitch;
-            copy.roll = agent.roll;
-            copy.size = agent.size;
-            copy.moveTo(agent.x + by * contact.normal.x, agent.y + by * contact.normal.y, agent.z + by * contact.normal.z);
-            return copy;
+            _same.theGroundAndTheEdgesAreMet();
         }
 
         [Test]
-        public function walksGoWhereBoxesGo():void
+        public function walksGoTheSameWay():void
         {
-            var stood:int = 0;
-            for each (var system:CollisionSystem in systems())
-            {
-                addAgents(50, 5, 0);
-                var walkers:Array = [];
-                for each (var list:Vector.<Agent> in [_boxes, _hulls])
-                {
-                    for (var k:int = 0; k < list.length; k++)
-                    {
-                        // none overlaps another
-                        list[k].pitch = list[k].roll = 0;
-                        list[k].moveTo(1.7 * (k % 8) - 6, 1.7 * int(k / 8) - 6, 0);
-                        list[k].size = 0.3 + 0.2 * (k % 4);
-                    }
-                    var queries:AgentQueries = new AgentQueries(system);
-                    queries.terrain = new Terrain(15, 15, 1, -7, -7);
-                    queries.update(list);
-                    walkers.push(queries);
-                }
-                for (var i:int = 0; i < 40; i++)
-                {
-                    var x:Number = _random.between(-1, 1);
-                    var y:Number = _random.between(-1, 1);
-                    var expected:Footing = walkers[0].walk(_boxes[i], x, y);
-                    var found:Footing = walkers[1].walk(_hulls[i], x, y);
-                    assertEquals(system + ", " + i, expected.stands, found.stands);
-                    assertNear(system + ", x of " + i, _boxes[i].x, _hulls[i].x, 1e-6);
-                    assertNear(system + ", y of " + i, _boxes[i].y, _hulls[i].y, 1e-6);
-                    assertNear(system + ", z of " + i, _boxes[i].z, _hulls[i].z, 1e-6);
-                    stood += found.stands ? 1 : 0;
-                    _hulls[i].moveTo(_boxes[i].x, _boxes[i].y, _boxes[i].z);
-                    walkers[1].moved(_hulls[i]);
-                }
-            }
-            assertTrue(stood + "", stood > 60);
+            _same.walksGoTheSameWay();
         }
 
         // Whoever touches by surfaces is reported by hulls too; and hulls are tighter than the tightest of the three.

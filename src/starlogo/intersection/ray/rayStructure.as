@@ -10,7 +10,7 @@ package starlogo.intersection.ray
      * Narrows a ray to the part inside of a structure. Allocates nothing.
      *
      * @param ray in the space of the structure; its part is narrowed, and its normal is set if it enters the structure
-     * @param structure a sphere, a capsule, a box or a hull
+     * @param structure a sphere, a capsule, a box, a hull or another convex structure
      * @return whether the ray meets the structure
      * @throws ArgumentError for any other structure
      * @private
@@ -26,7 +26,8 @@ package starlogo.intersection.ray
             case BoundingStructure.BOX:
                 return rayBox(ray, Box(structure));
             case BoundingStructure.HULL:
-                return rayHull(ray, Hull(structure));
+                var hull:Hull = structure as Hull;
+                return hull != null ? rayHull(ray, hull) : ConvexRay.SHARED.narrow(ray, structure);
             default:
                 throw new ArgumentError("there is no test of rays for " + structure);
         }

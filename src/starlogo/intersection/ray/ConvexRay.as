@@ -1,0 +1,62 @@
+package starlogo.intersection.ray
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Sphere;
+    import starlogo.convex.ConvexContact;
+    import starlogo.convex.ConvexMotion;
+    import starlogo.convex.ConvexPair;
+    import starlogo.convex.ConvexShape;
+
+    /**
+     * Narrows rays to the part inside of any convex structure. A point that moves along the ray meets the structure where the ray enters it, and a
+     * point that moves back meets it where the ray leaves it. Hulls, boxes and round structures have faster functions.
+     */
+    internal final class ConvexRay
+    {
+        /** All rays share it. */
+        public static const SHARED:ConvexRay = new ConvexRay();
+
+        private var _pair:ConvexPair = new ConvexPair();
+        private var _place:Sphere = new Sphere(new Vector3D(), 0);
+        private var _point:ConvexShape = new ConvexShape();
+        private var _shape:ConvexShape = new ConvexShape();
+        private var _motion:ConvexMotion = new ConvexMotion();
+        private var _contact:ConvexContact = new ConvexContact();
+
+        /**
+         * Narrows a ray.
+         *
+         * @param ray in the space of the structure; its part is narrowed, and its normal is set if it enters the structure
+         * @param structure convex
+         * @return whether the ray meets the structure
+         */
+        public function narrow(ray:Ray, structure:BoundingStructure):Boolean
+        {
+            _shape.setStructure(structure);
+            // the part of the line that may be inside
+            var middle:Number = (_shape.x - ray.x) * ray.directionX + (_shape.y - ray.y) * ray.directionY + (_shape.z - ray.z) * ray.directionZ;
+            var reach:Number = 2 * (_shape.size + _shape.radius) + Number.MIN_VALUE;
+            ray.near = middle - reach + 2 * reach * timeFrom(ray, middle - reach, 2 * reach);
+            if (ray.near > ray.from && ray.near < Infinity)
+            {
+                _pair.findContact(_point, _shape, _motion, _contact);
+                ray.setNormal(_contact.normalX, _contact.normalY, _contact.normalZ);
+            }
+            ray.far = middle + reach - 2 * reach * timeFrom(ray, middle + reach, -2 * reach);
+            return ray.narrow();
+        }
+
+        // When a point first meets the shape, if it moves by a length from a place on the ray.
+        private function timeFrom(ray:Ray, from:Number, length:Number):Number
+        {
+            _place.center.setTo(ray.x + from * ray.directionX, ray.y + from * ray.directionY, ray.z + from * ray.directionZ);
+            _point.setSphere(_place);
+            _motion.x = length * ray.directionX;
+            _motion.y = length * ray.directionY;
+            _motion.z = length * ray.directionZ;
+            _pair.findTime(_point, _shape, _motion);
+            return _motion.time;
+        }
+    }
+}

@@ -293,7 +293,7 @@ package starlogo.queries
             var agents:Vector.<Agent> = new <Agent>[cubeAt(0, "a"), cubeAt(3, "b")];
             queries.update(agents);
             var ball:Sphere = new Sphere(new Vector3D(), 1);
-            assertThrows(ArgumentError, /structure|sphere, box or capsule.*null/, queries.castShape, null, 1, 0, 0);
+            assertThrows(ArgumentError, /structure|sphere, box, capsule or hull.*null/, queries.castShape, null, 1, 0, 0);
             assertThrows(ArgumentError, /Cylinder/, queries.castShapeAll, new Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 1), 1, 0, 0);
             assertThrows(RangeError, /NaN/, queries.castShape, ball, NaN, 0, 0);
             assertThrows(RangeError, /Infinity/, queries.castAgent, agents[0], 0, Infinity, 0);

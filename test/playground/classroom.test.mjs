@@ -259,7 +259,7 @@ test('a game of one\'s own is made, named, kept, shared and opened elsewhere, wi
 	assert.equal(await other.page.getByLabel('Collision system').inputValue(), 'exact');
 	assert.equal((await agents(other.page)).length, 3);
 	assert.deepEqual(await own(other.page), []);
-	await press(other.page, 'Keep a copy');
+	await press(other.page, 'Save a copy');
 	await other.page.reload();
 	await ready(other.page, 'play');
 	assert.equal(await other.page.locator('.title').inputValue(), 'Bears: “one”');

@@ -127,7 +127,7 @@ test('a code hands in, too; a file that is dropped on the wrong page is named fo
 	const { page, said, leave } = await open(site, 'play/lesson-helmet', Desktop);
 	await doHelmet(page);
 	await refuseCopies(page);
-	await press(page, 'Keep a copy');
+	await press(page, 'Save a copy');
 	await press(page, 'Hand in…');
 	await page.getByRole('dialog').getByLabel('Name').fill('Ada');
 	await press(page, 'Copy a code');

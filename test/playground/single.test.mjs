@@ -81,7 +81,7 @@ test('without a server, every view works, programs and models are kept, and noth
 	await ready(page, 'play');
 	await page.setInputFiles('input[type=file]', path.join(root, 'assets/bear.obj'));
 	await page.waitForFunction(() => /Agents can have the shape “bear 2”.*keeps it/.test(document.querySelector('.controls .status').textContent));
-	await press(page, 'Keep a copy');
+	await press(page, 'Save a copy');
 	await page.reload();
 	await ready(page, 'play');
 	assert.deepEqual(await page.evaluate(() => [document.querySelector('.title').value, globalThis.playground.own.names]), ['Maze (mine)', ['bear 2']]);

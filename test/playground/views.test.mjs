@@ -229,7 +229,7 @@ test('Inspect: models by their names and by dropped files, with their volumes', 
 	await drop(page, ['picture.png', Buffer.from('x')]);
 	await page.waitForFunction(() => /picture\.png/.test(document.querySelector('.status.problem')?.textContent));
 	assert.match(await status(page), /^picture\.png cannot be shown\. .*OBJ, DAE, GLB, glTF and STL files can be/);
-	assert.equal(await page.locator('tbody tr').count(), 10, 'what was there is there');
+	assert.equal(await page.locator('tbody tr').count(), 11, 'what was there is there');
 	assert.deepEqual(said.splice(0), []);
 });
 
@@ -610,7 +610,7 @@ test('without WebGL the page says so, and the rest works', async () => {
 		},
 	} }, 'inspect', { ...SIZES.desktop, isDrawn: true });
 	assert.match(await page.textContent('.world'), /^This browser draws no 3D here/);
-	assert.equal(await page.locator('tbody tr').count(), 10);
+	assert.equal(await page.locator('tbody tr').count(), 11);
 	await leave();
 });
 

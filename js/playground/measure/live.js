@@ -143,6 +143,8 @@ export class Live {
 	}
 
 	stop() {
+		// the figures are those of the world that is in sight
+		if (this.#loop.isRunning) this.#compare();
 		this.#loop.stop();
 		this.runButton.textContent = words.run;
 		this.#show();
@@ -162,21 +164,28 @@ export class Live {
 		frame.engine = part();
 		if (this.#isDrawn) this.crowd?.draw(agents, DRAWN / (2 * this.halfWidth), COLOURS, (agent) => this.#touched[agent.id - this.#first] === this.#frame);
 		frame.draw = part();
-		if (this.#frame % SELDOM === 0) {
-			// all of the figures are of this frame, so that they can be compared
-			this.#found = { pairs: this.#pairs };
-			if (this.#isBeside) {
-				this.#found.near = nearIn(agents);
-				frame.kdbush = part();
-			}
-			if (this.rapier) {
-				this.rapier.pairs();
-				frame.rapier = part();
-				// not measured: it only makes the figure one of the same frame
-				this.#found.inRapier = this.rapier.settled();
-			}
-		}
+		if (this.#frame % SELDOM === 0) this.#compare(frame, part);
 		graph.add(frame);
+	}
+
+	/**
+	 * Asks the others too. All of the figures are then of this frame, so that they can be compared.
+	 *
+	 * @param {Object} frame receives the times of the others
+	 * @param {() => number} part the time since its last call
+	 */
+	#compare(frame = {}, part = () => 0) {
+		this.#found = { pairs: this.#pairs };
+		if (this.#isBeside) {
+			this.#found.near = nearIn(this.game.agents);
+			frame.kdbush = part();
+		}
+		if (this.rapier) {
+			this.rapier.pairs();
+			frame.rapier = part();
+			// not measured: it only makes the figure one of the same frame
+			this.#found.inRapier = this.rapier.settled();
+		}
 	}
 
 	#show() {

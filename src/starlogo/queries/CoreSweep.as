@@ -80,6 +80,10 @@ package starlogo.queries
         private var _at:Vector3D = new Vector3D();
         private var _taken:Number = 0;
 
+        // The largest and the least half-extent of the row.
+        private var _largestHalf:Number = 0;
+        private var _leastHalf:Number = 0;
+
         // The largest extent of the row and those near it, and half of the width of a cell of the ground.
         private var _largest:Number = 0;
         private var _cell:Number = 0;
@@ -108,7 +112,9 @@ package starlogo.queries
         {
             _body = body;
             _at.x = NaN;
-            _largest = 2 * body.largestHalf;
+            _largestHalf = body.largestHalf;
+            _leastHalf = body.leastHalf;
+            _largest = 2 * _largestHalf;
             _cell = 0;
             clearRow = -1;
         }
@@ -130,12 +136,12 @@ package starlogo.queries
         /** Computes the slop of a motion. */
         public function beginMotion(at:Vector3D, motion:Vector3D):void
         {
-            slop = OF_EXTENT * 2 * _body.largestHalf + OF_OTHERS * _largest
+            slop = OF_EXTENT * 2 * _largestHalf + OF_OTHERS * _largest
                 + OF_PLACES * (Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z) + _cell)
                 + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             clearance = slop / 4;
             setCoreInset(slop);
-            isFlat = _shrink * _body.leastHalf < FLAT * slop;
+            isFlat = _shrink * _leastHalf < FLAT * slop;
         }
 
         /** Whether the row touches another when it stands at a place. */
@@ -198,7 +204,7 @@ package starlogo.queries
             {
                 return _seen.narrowPhase.testsOf(_moving, body).isDeeper(_moving, body, slop);
             }
-            _standing.readShrunk(body, null, shrinkOf(body, slop));
+            _standing.readShrunk(body, null, shrinkOf(body.largestHalf, body.leastHalf, slop));
             return touches(_standing);
         }
 
@@ -289,7 +295,8 @@ package starlogo.queries
             {
                 return false;
             }
-            var met:Number = impactOf(body, _tried);
+            findImpact(body, _tried);
+            var met:Number = _motion.time;
             if (met == RelativeMotion.NEVER && body.form == ModelShape.GROUND)
             {
                 // a sheet may be wholly under the ground at the beginning, and then it touches no surface
@@ -310,20 +317,25 @@ package starlogo.queries
         private function isWholeClear(other:Body):Boolean
         {
             _whole = NaN;
-            if (other.form != ModelShape.TREE || other.largestHalf < LARGE * _body.largestHalf)
+            if (other.form != ModelShape.TREE || other.largestHalf < LARGE * _largestHalf)
             {
                 return false;
             }
             put(_end, 0);
-            _whole = isNear(other, _motion, slop) ? impactOf(other, null) : RelativeMotion.NEVER;
+            _whole = RelativeMotion.NEVER;
+            if (isNear(other, _motion, slop))
+            {
+                findImpact(other, null);
+                _whole = _motion.time;
+            }
             return _whole == RelativeMotion.NEVER;
         }
 
-        // When the row, which stands at its end, first meets another on the motion.
-        private function impactOf(other:Body, out:ContactPoint):Number
+        // Finds when the row, which stands at its end, first meets another on the motion. The motion's record receives the time, because V8 would
+        // make an object for a Number that is returned.
+        private function findImpact(other:Body, out:ContactPoint):void
         {
             _seen.narrowPhase.testsOf(_moving, other).findImpact(_moving, other, _motion, out);
-            return _motion.time;
         }
 
         /**
@@ -341,7 +353,11 @@ package starlogo.queries
                     + touch.normalY * (_moving.y - (1 - time) * _motion.y - touch.y)
                     + touch.normalZ * (_moving.z - (1 - time) * _motion.z - touch.z));
             var early:Number = Math.max(0, Math.min(1, time + skin / along));
-            wholeTime = isNaN(wholeTime) ? impactOf(_seen.table.bodyOf(other), null) : wholeTime;
+            if (isNaN(wholeTime))
+            {
+                findImpact(_seen.table.bodyOf(other), null);
+                wholeTime = _motion.time;
+            }
             wholeTime = Math.abs(wholeTime - early) <= Math.abs(time - early) ? wholeTime : early;
         }
 
@@ -355,7 +371,7 @@ package starlogo.queries
         private function extentWith(other:Body):Number
         {
             var largest:Number = other.form == ModelShape.GROUND ? 0 : other.largestHalf;
-            return 2 * Math.max(largest, _body.largestHalf);
+            return 2 * Math.max(largest, _largestHalf);
         }
 
         private function put(at:Vector3D, share:Number):void
@@ -391,12 +407,12 @@ package starlogo.queries
         private function setCoreInset(width:Number):void
         {
             _coreInset = width;
-            _shrink = shrinkOf(_body, width);
+            _shrink = shrinkOf(_largestHalf, _leastHalf, width);
         }
 
-        private static function shrinkOf(body:Body, width:Number):Number
+        private static function shrinkOf(largestHalf:Number, leastHalf:Number, width:Number):Number
         {
-            var share:Number = width / Math.max(body.leastHalf, body.largestHalf / SLIMMEST);
+            var share:Number = width / Math.max(leastHalf, largestHalf / SLIMMEST);
             return share < MOST_SHRINK ? share : MOST_SHRINK;
         }
     }

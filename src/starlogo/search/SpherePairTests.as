@@ -7,6 +7,7 @@ package starlogo.search
     import starlogo.broadphase.Circles;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.SphereSphereKernel;
     import starlogo.intersection.contact.ContactPoint;
@@ -108,10 +109,15 @@ package starlogo.search
 
         private function setTo(a:Body, b:Body):void
         {
+            // without Body.margin, because V8 makes objects for Numbers that are returned
+            var placeA:Placement = a.placement;
+            var placeB:Placement = b.placement;
+            var marginA:Number = Tolerances.PLACES * (Math.abs(placeA.x) + Math.abs(placeA.y) + Math.abs(placeA.z));
+            var marginB:Number = Tolerances.PLACES * (Math.abs(placeB.x) + Math.abs(placeB.y) + Math.abs(placeB.z));
             _gap.x = a.x - b.x;
             _gap.y = a.y - b.y;
             _gap.z = a.z - b.z;
-            _gap.radiusA = (a.halfX + b.halfX) * Tolerances.TOUCHING + (a.margin + b.margin);
+            _gap.radiusA = (a.halfX + b.halfX) * Tolerances.TOUCHING + (marginA + marginB);
         }
 
         private function setToRows(table:AgentTable, a:int, b:int):void

@@ -158,7 +158,7 @@ package starlogo.convex
         private function relate(a:ConvexShape, b:ConvexShape):void
         {
             var cores:CorePair = _cores;
-            var isSwapped:Boolean = a.x == b.x && a.y == b.y && a.z == b.z ? isAfter(a, b) : a.x > b.x || a.x == b.x && (a.y > b.y || a.y == b.y && a.z > b.z);
+            var isSwapped:Boolean = isAfter(a, b);
             var first:ConvexShape = isSwapped ? b : a;
             var second:ConvexShape = isSwapped ? a : b;
             // Writing an object to a field costs Adobe's VM more than comparing it first.
@@ -178,9 +178,21 @@ package starlogo.convex
             cores.reach = (first.radius + second.radius) * Tolerances.TOUCHING + (first.margin + second.margin) + Tolerances.CORES * (first.size + second.size);
         }
 
-        // Whether a shape comes after another one at the same place, by the numbers that they are made of.
+        // Whether a shape comes after another one: by their places, or at the same place by the numbers that they are made of.
         private static function isAfter(a:ConvexShape, b:ConvexShape):Boolean
         {
+            if (a.x != b.x)
+            {
+                return a.x > b.x;
+            }
+            if (a.y != b.y)
+            {
+                return a.y > b.y;
+            }
+            if (a.z != b.z)
+            {
+                return a.z > b.z;
+            }
             if (a.radius != b.radius || a.end != b.end)
             {
                 return a.radius > b.radius || a.radius == b.radius && a.end > b.end;

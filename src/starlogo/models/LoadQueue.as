@@ -31,14 +31,20 @@ package starlogo.models
         /** Whether it has a load of this name. */
         public function has(name:String):Boolean
         {
-            return _newest[PREFIX + name] != null;
+            return newest(name) != null;
+        }
+
+        /** The load of this name that was added last, or null. */
+        public function newest(name:String):ModelLoad
+        {
+            return _newest[PREFIX + name];
         }
 
         /** Returns a list of the loads of a name, or of all if the name is null. The load that was added last comes first. */
         public function newestFirst(name:String):Vector.<ModelLoad>
         {
             var found:Vector.<ModelLoad> = new Vector.<ModelLoad>();
-            var load:ModelLoad = name == null ? _last : _newest[PREFIX + name];
+            var load:ModelLoad = name == null ? _last : newest(name);
             while (load != null)
             {
                 found.push(load);
@@ -60,7 +66,7 @@ package starlogo.models
                 _last.next = load;
             }
             _last = load;
-            var older:ModelLoad = _newest[PREFIX + load.name];
+            var older:ModelLoad = newest(load.name);
             load.olderNamesake = older;
             if (older != null)
             {

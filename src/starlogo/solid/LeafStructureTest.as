@@ -164,11 +164,7 @@ package starlogo.solid
                 }
                 triangleTests++;
                 _test.setTriangle(_solid.corners, 9 * i);
-                if (!isMoving && !_test.areTouching())
-                {
-                    continue;
-                }
-                if (isMoving && !isTouchedEarlier())
+                if (isMoving ? !isTouchedEarlier() : !_test.areTouching())
                 {
                     continue;
                 }

@@ -100,15 +100,12 @@ package starlogo.convex
                 {
                     _distance.findAgain(_cores, _witness);
                 }
-                if (isFirstTouch(motion))
+                if (!advance(motion))
                 {
                     return;
                 }
             }
-            if (motion.time > motion.latest)
-            {
-                motion.time = _touch;
-            }
+            motion.time = _touch;
         }
 
         /**
@@ -235,8 +232,8 @@ package starlogo.convex
             }
         }
 
-        // Whether the motion's time is that of the first touch. If not, sets the time of the next step.
-        private function isFirstTouch(motion:ConvexMotion):Boolean
+        // Sets the motion's time to that of the next step. If the search ends, sets it to the time of the first touch and returns false.
+        private function advance(motion:ConvexMotion):Boolean
         {
             var witness:CoreWitness = _witness;
             var cores:CorePair = _cores;
@@ -246,11 +243,11 @@ package starlogo.convex
             {
                 // the last step counts only if they still touch after it
                 motion.time = areTouching ? motion.time : _touch;
-                return true;
+                return false;
             }
             if (areTouching && (motion.time == 0 || witness.distance <= radii))
             {
-                return true;
+                return false;
             }
             if (areTouching)
             {
@@ -265,10 +262,12 @@ package starlogo.convex
             var next:Number = speed > 0 ? motion.time + (witness.separation - radii) / speed : ConvexMotion.NEVER;
             if (!(next > motion.time))
             {
-                return true;
+                // rounding leaves no step
+                motion.time = _touch;
+                return false;
             }
             motion.time = next;
-            return false;
+            return true;
         }
 
         // Replaces the direction that keeps the cores apart. A short line between two points is too imprecise where an edge or a face is nearly

@@ -40,10 +40,9 @@ package starlogo.ground
         /** A lower bound for the length of every way out of the last contact; 0 if none is known. */
         public var leastDepth:Number = 0;
 
-        // The contact with the last triangle; the contact that leads out of its plane; the triangle of the ground that the last contact was with, if
-        // there was one; and the distance of the nearest triangle so far.
+        // The contact with the last triangle; the triangle of the ground that the last contact was with, if there was one; and the distance of the
+        // nearest triangle so far.
         private var _tried:ContactPoint = new ContactPoint();
-        private var _behind:ContactPoint = new ContactPoint();
         private var _part:Vector.<Number> = new Vector.<Number>(9, true);
         private var _hasPart:Boolean = false;
         private var _nearest:Number = 0;
@@ -134,7 +133,8 @@ package starlogo.ground
                     first = _faces.limit = _sweep.time;
                     if (out != null)
                     {
-                        _piece.findContactOfSolid(_sweep, out);
+                        _piece.findContact(_sweep, out);
+                        _piece.leadOutside(_sweep, out);
                     }
                 }
             }
@@ -201,7 +201,7 @@ package starlogo.ground
             begin(null, RelativeMotion.NONE, reach);
             while (next())
             {
-                _piece.findBehind(_tried);
+                _piece.findBehind(_still, _tried);
                 if (_tried.depth >= -_faces.gap && (!_hasPart || isPartBehind()))
                 {
                     count = addExit(ways, count);
@@ -305,8 +305,7 @@ package starlogo.ground
             begin(_tree, RelativeMotion.NONE, 0);
             while (next())
             {
-                var isUnder:Boolean = _piece.findBehind(_tried);
-                _behind.copyFrom(_tried);
+                var isUnder:Boolean = _piece.findBehind(_still, _tried);
                 if (deepest > 0 && _tried.depth < deepest + _faces.gap)
                 {
                     continue;
@@ -315,30 +314,27 @@ package starlogo.ground
                 if (isDecided && (_tried.depth > deepest || _tried.depth == deepest && !_hasPart))
                 {
                     deepest = _tried.depth;
-                    keep(isDeeperBehind() ? _behind : _tried, out);
-                    if (!overlaps)
+                    if (overlaps)
+                    {
+                        _piece.leadOutside(_still, _tried);
+                    }
+                    else
                     {
                         _faces.above = deepest;
                     }
+                    keep(_tried, out);
                 }
             }
         }
 
-        // Whether the last contact has the triangle's own normal, but is less deep than the piece is behind the plane. The piece may overlap the
-        // triangle least along a normal that points into the ground. The contact has the triangle's normal in its place, which leads farther.
-        private function isDeeperBehind():Boolean
-        {
-            return _tried.normalX == _behind.normalX && _tried.normalY == _behind.normalY && _tried.normalZ == _behind.normalZ
-                && _tried.depth < _behind.depth - _faces.gap;
-        }
-
+        // Finds the contact of the piece and the triangle along its own normal. Returns false if they are apart.
         private function findOverlap():Boolean
         {
             if (!_piece.areTouching())
             {
                 return false;
             }
-            _piece.findContactOfSolid(_still, _tried);
+            _piece.findContact(_still, _tried);
             return true;
         }
 

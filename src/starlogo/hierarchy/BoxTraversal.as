@@ -125,7 +125,98 @@ package starlogo.hierarchy
                         }
                     }
                 }
-                include "goOn.inc";
+                if (overlap)
+                {
+                    var aEnds:Boolean = a.stopDepth >= depthA;
+                    var bEnds:Boolean = b.stopDepth >= depthB;
+                    if (aEnds && bEnds)
+                    {
+                        if (leaves == null || leaves.touch(a, b))
+                        {
+                            nodeVisits += visits;
+                            return true;
+                        }
+                    }
+                    else
+                    {
+                        var axis:int;
+                        var side:Number;
+                        var far:HierarchyNode;
+                        var dividesA:Boolean = !aEnds && (bEnds || isDeep || a.radius >= scale * b.radius);
+                        if (dividesA)
+                        {
+                            if (a.low == null)
+                            {
+                                a.goesBelow(depthA);
+                            }
+                            axis = a.splitAxis;
+                            side = z;
+                            if (axis == 0)
+                            {
+                                side = x;
+                            }
+                            else if (axis == 1)
+                            {
+                                side = y;
+                            }
+                            var near:HierarchyNode = a.low;
+                            far = a.high;
+                            if (side > 0)
+                            {
+                                near = far;
+                                far = a.low;
+                            }
+                            stack[top] = far;
+                            stack[top + 1] = b;
+                            top += 2;
+                            x += a.x - near.x;
+                            y += a.y - near.y;
+                            z += a.z - near.z;
+                            a = near;
+                        }
+                        if (isDeep ? !bEnds : !dividesA)
+                        {
+                            if (b.low == null)
+                            {
+                                b.goesBelow(depthB);
+                            }
+                            axis = b.splitAxis;
+                            if (axis == 0)
+                            {
+                                side = m00 * x + m10 * y + m20 * z;
+                            }
+                            else if (axis == 1)
+                            {
+                                side = m01 * x + m11 * y + m21 * z;
+                            }
+                            else
+                            {
+                                side = m02 * x + m12 * y + m22 * z;
+                            }
+                            far = b.high;
+                            b = b.low;
+                            if (side < 0)
+                            {
+                                near = b;
+                                b = far;
+                                far = near;
+                            }
+                            stack[top] = a;
+                            stack[top + 1] = far;
+                            top += 2;
+                        }
+                        continue;
+                    }
+                }
+                if (top == 0)
+                {
+                    nodeVisits += visits;
+                    rootsOverlapped = visits > 1;
+                    return false;
+                }
+                top -= 2;
+                a = stack[top];
+                b = stack[top + 1];
             }
             return false;
         }

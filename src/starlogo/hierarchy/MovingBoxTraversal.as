@@ -115,12 +115,34 @@ package starlogo.hierarchy
                     var place:Number;
                     var enter:Number = begin;
                     var leave:Number = limit;
-                    include "movingBoxAndLow.inc";
+                    middle = (pair.lowX - fromX) * inverseX;
+                    half = (pair.lowHalfX + widerX) * absX;
+                    enter = middle - half > enter ? middle - half : enter;
+                    leave = middle + half < leave ? middle + half : leave;
+                    middle = (pair.lowY - fromY) * inverseY;
+                    half = (pair.lowHalfY + widerY) * absY;
+                    enter = middle - half > enter ? middle - half : enter;
+                    leave = middle + half < leave ? middle + half : leave;
+                    middle = (pair.lowZ - fromZ) * inverseZ;
+                    half = (pair.lowHalfZ + widerZ) * absZ;
+                    enter = middle - half > enter ? middle - half : enter;
+                    leave = middle + half < leave ? middle + half : leave;
                     var enterLow:Number = enter;
                     var leaveLow:Number = leave;
                     enter = begin;
                     leave = limit;
-                    include "movingBoxAndHigh.inc";
+                    middle = (pair.highX - fromX) * inverseX;
+                    half = (pair.highHalfX + widerX) * absX;
+                    enter = middle - half > enter ? middle - half : enter;
+                    leave = middle + half < leave ? middle + half : leave;
+                    middle = (pair.highY - fromY) * inverseY;
+                    half = (pair.highHalfY + widerY) * absY;
+                    enter = middle - half > enter ? middle - half : enter;
+                    leave = middle + half < leave ? middle + half : leave;
+                    middle = (pair.highZ - fromZ) * inverseZ;
+                    half = (pair.highHalfZ + widerZ) * absZ;
+                    enter = middle - half > enter ? middle - half : enter;
+                    leave = middle + half < leave ? middle + half : leave;
                     if (enterLow <= leaveLow)
                     {
                         if (enter > leave)

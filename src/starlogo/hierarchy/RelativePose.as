@@ -22,9 +22,6 @@ package starlogo.hierarchy
         /** The largest distance at which the two models still touch, in the first model's space: the rounding error of their places. */
         public var gap:Number = 0;
 
-        /** Whether both models are rotated about z only, as almost always. */
-        public var isUpright:Boolean;
-
         /**
          * The second model's motion from its pose, from time 0 to time 1, in the first model's space. Its start is 0. If the models stand
          * still, RelativeMotion.NONE.
@@ -69,7 +66,6 @@ package starlogo.hierarchy
             var b20:Number = b.r20;
             var b21:Number = b.r21;
             var b22:Number = b.r22;
-            isUpright = a20 == 0 && a21 == 0 && a22 == 1 && b20 == 0 && b21 == 0 && b22 == 1;
             relative.x = a00 * x + a10 * y + a20 * z;
             relative.y = a01 * x + a11 * y + a21 * z;
             relative.z = a02 * x + a12 * y + a22 * z;

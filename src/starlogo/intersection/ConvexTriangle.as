@@ -108,18 +108,25 @@ package starlogo.intersection
             out.copyConvex(_contact);
         }
 
-        /** Finds the contact as <code>findContact()</code> does. The triangle is of the outside of a solid, and the normal never points into it. */
-        public function findContactOfSolid(motion:ConvexMotion, out:ContactPoint):void
+        /**
+         * Replaces a contact with this triangle, which is of the outside of a solid, if the normal points into the solid. The new contact leads out of
+         * the triangle's plane.
+         *
+         * @param motion the motion of <code>findContact()</code>
+         * @param contact the contact that it found
+         */
+        public function leadOutside(motion:ConvexMotion, contact:ContactPoint):void
         {
-            findContact(motion, out);
             // Where a moving shape first touches a sharp edge, the normal may point behind one of the edge's faces.
-            var isFirstTouch:Boolean = motion.time > 0 && out.normalX * motion.x + out.normalY * motion.y + out.normalZ * motion.z < 0;
+            var isFirstTouch:Boolean = motion.time > 0
+                && contact.normalX * motion.x + contact.normalY * motion.y + contact.normalZ * motion.z < 0;
             if (!isFirstTouch)
             {
                 setFace();
-                if (out.normalX * _face.normalX + out.normalY * _face.normalY + out.normalZ * _face.normalZ < -Tolerances.DIRECTION)
+                var face:ContactPoint = _face;
+                if (contact.normalX * face.normalX + contact.normalY * face.normalY + contact.normalZ * face.normalZ < -Tolerances.DIRECTION)
                 {
-                    out.setNormal(_face.normalX, _face.normalY, _face.normalZ);
+                    findBehind(motion, contact);
                 }
             }
         }
@@ -127,16 +134,20 @@ package starlogo.intersection
         /**
          * Finds how far the shape reaches behind the triangle's plane.
          *
+         * @param motion of the shape; the shape is where it is at the motion's time
          * @param out receives the depth, the triangle's normal, and the middle of the overlap at the shape's deepest point. All are NaN if the triangle
          *     has no area
          * @return whether this point is behind the triangle itself
          */
-        public function findBehind(out:ContactPoint):Boolean
+        public function findBehind(motion:ConvexMotion, out:ContactPoint):Boolean
         {
             setFace();
             out.setNormal(_face.normalX, _face.normalY, _face.normalZ);
             _deepest.find(shape, out);
             var deepest:Vector3D = _deepest.point;
+            deepest.x += motion.startX + motion.time * motion.x;
+            deepest.y += motion.startY + motion.time * motion.y;
+            deepest.z += motion.startZ + motion.time * motion.z;
             out.depth = out.normalX * _list[_at] + out.normalY * _list[int(_at + 1)] + out.normalZ * _list[int(_at + 2)] - out.along(deepest);
             out.x = deepest.x + out.depth / 2 * out.normalX;
             out.y = deepest.y + out.depth / 2 * out.normalY;

@@ -6,10 +6,8 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTraversal;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.LeafTest;
-    import starlogo.hierarchy.NodePairTraversal;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.StructureLeaf;
-    import starlogo.hierarchy.UprightBoxTraversal;
     import starlogo.intersection.distance.DistanceResult;
 
     use namespace engine;
@@ -31,7 +29,6 @@ package starlogo.solid
         // Transforms the second model into the first model's space.
         private var _pose:RelativePose = new RelativePose();
 
-        private var _uprightBoxes:UprightBoxTraversal = new UprightBoxTraversal();
         private var _boxes:BoxTraversal = new BoxTraversal();
 
         // The tests that decide about leaves.
@@ -43,7 +40,7 @@ package starlogo.solid
         /** The number of pairs of nodes visited since resetCounts. */
         public function get nodeVisits():int
         {
-            return _uprightBoxes.nodeVisits + _boxes.nodeVisits + _triangles.boxes.nodeVisits;
+            return _boxes.nodeVisits + _triangles.boxes.nodeVisits;
         }
 
         /** The number of pairs of triangles, or of a triangle and a structure, tested since resetCounts. */
@@ -55,7 +52,7 @@ package starlogo.solid
         /** Sets all counts to 0. */
         public function resetCounts():void
         {
-            _uprightBoxes.nodeVisits = _boxes.nodeVisits = _triangles.boxes.nodeVisits = 0;
+            _boxes.nodeVisits = _triangles.boxes.nodeVisits = 0;
             _trianglePairs.triangleTests = _triangles.triangleTests = 0;
         }
 
@@ -80,7 +77,6 @@ package starlogo.solid
             var pose:RelativePose = _pose;
             pose.relate(placementA, placementB);
             var decider:LeafTest = null;
-            var traversal:NodePairTraversal = pose.isUpright ? _uprightBoxes : _boxes;
             if (exact && a.hasTriangles && b == null)
             {
                 return touchesTriangle(a, structureB) || isOneInside(a, null, structureB);
@@ -99,13 +95,12 @@ package starlogo.solid
             {
                 _leaf.begin(structureB, pose);
                 decider = _leaf.decider;
-                traversal = _boxes;
                 pose = _leaf.pose;
                 second = _leaf.node;
             }
             // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
-            return traversal.find(pose, a.root, depthA, second, depthB, decider)
-                || ((traversal.rootsOverlapped || decider != null) && isOneInside(a, b, structureB));
+            return _boxes.find(pose, a.root, depthA, second, depthB, decider)
+                || ((_boxes.rootsOverlapped || decider != null) && isOneInside(a, b, structureB));
         }
 
         /**

@@ -157,7 +157,7 @@ package starlogo.intersection
                     corners[6 + k] = corners[k] + share * (corners[3 + k] - corners[k]);
                 }
                 triangle.setTriangle(corners, 0);
-                _wrong.addIf(triangle.findBehind(out), "behind", "triangle " + corners);
+                _wrong.addIf(triangle.findBehind(new ConvexMotion(), out), "behind", "triangle " + corners);
             }
             _wrong.assertNone();
         }

@@ -90,7 +90,7 @@ package starlogo.intersection.sweep
             if (4 * squared < radiusSum * radiusSum)
             {
                 // The slope had so large a rounding error that the step went beyond the zero.
-                way.time = (_lastTime + time) / 2;
+                way.time = _count < MOST_STEPS ? (_lastTime + time) / 2 : _lastTime;
                 _hasOvershot = true;
                 return _count < MOST_STEPS;
             }
@@ -126,12 +126,14 @@ package starlogo.intersection.sweep
             }
             if (!(nextTime > time))
             {
+                // The rest of the gap is so short that rounding leaves no step. They touch at this time.
                 return false;
             }
             _lastTime = time;
             _lastDistance = distance;
-            way.time = nextTime <= way.latest ? nextTime : RelativeMotion.NEVER;
-            return nextTime <= way.latest && _count < MOST_STEPS;
+            var isNeeded:Boolean = nextTime <= way.latest && _count < MOST_STEPS;
+            way.time = isNeeded ? nextTime : RelativeMotion.NEVER;
+            return isNeeded;
         }
     }
 }

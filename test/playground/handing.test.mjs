@@ -232,12 +232,39 @@ test('in the table of a class names and signs lead to what was handed in, lesson
 	assert.deepEqual(links, [['Ada', `#play/handed-${at}-0`], ['…', `#play/handed-${at}-1`]]);
 	assert.equal(await page.locator('.class thead a').nth(2).evaluate(({ hash }) => hash), '#teach/wing');
 	const rows = (await saved(page, () => press(page, 'Download the table'))).split('\r\n');
-	assert.match(rows[0], /^\uFEFF?"Pupil","Blocks make turtles move",.*"Programs"$/);
-	assert.ok(rows.includes('"Ada","","✓?","…","","","","","","","","0","2"'), rows.join('\n'));
+	assert.match(rows[0], /^\uFEFF?"Pupil","Handed in","Blocks make turtles move",.*"Programs"$/);
+	assert.ok(rows.some((row) => /^"Ada","[^"]+20\d\d[^"]+","","✓\?","…","","","","","","","","0","2"$/.test(row)), rows.join('\n'));
 	assert.ok(rows.some((row) => row.startsWith('"\'=1+1 ""x""",')), 'a name is no formula');
 	await page.getByRole('link', { name: 'Ada', exact: true }).click();
 	await page.waitForSelector('.title');
 	await titled(page, 'One (Ada)');
+	assert.deepEqual(said, []);
+	await leave();
+});
+
+test('if a pupil hands in twice, the newest work counts, and the earlier one is folded below it', async () => {
+	const { page, said, leave } = await open(site, 'teach/class', Desktop);
+	const blocks = { languageVersion: 0, blocks: [{ type: 'starlogo_start', inputs: {} }] };
+	const work = (pupil, when, name) => ({ name: `${name}.json`, mimeType: 'application/json', buffer: Buffer.from(JSON.stringify({ kind: 'starlogo-nova-work', when, pupil, done: [], won: [], programs: [{ name, program: { blocks } }] })) });
+	await page.setInputFiles('input[type=file]', [work('Ada', Date.UTC(2026, 8, 2, 10), 'Second'), work('Ada', Date.UTC(2026, 8, 1, 10), 'First'), work('Ben', Date.UTC(2026, 8, 1, 10), 'Only')]);
+	await page.waitForFunction(() => document.querySelectorAll('.class tbody tr').length === 2);
+	assert.match(await page.textContent('.class tfoot'), /All 2/);
+	const ada = page.getByRole('region', { name: 'Ada' });
+	assert.match(await ada.locator('.head small').textContent(), /^Sep 2, 2026/);
+	assert.deepEqual(await ada.locator('.cards .name').allTextContents(), ['Second']);
+	assert.ok(!await ada.getByRole('link', { name: 'First' }).isVisible());
+	await ada.getByText('Handed in before: 1 work').click();
+	await ada.getByRole('link', { name: 'First' }).click();
+	await page.waitForSelector('.title');
+	await titled(page, 'First (Ada)');
+	await page.goBack();
+	// the same content is known, whenever it was handed in
+	await page.setInputFiles('input[type=file]', [work('Ada', Date.UTC(2026, 8, 3, 10), 'Second')]);
+	await page.waitForFunction(() => /0 works are new. 1 was here already/.test(document.querySelector('.status').textContent));
+	// what is removed is all of it
+	await page.getByRole('button', { name: 'Remove the work of Ada' }).click();
+	await page.waitForFunction(() => document.querySelectorAll('.class tbody tr').length === 1);
+	assert.equal(await page.getByRole('region', { name: 'Ada' }).count(), 0);
 	assert.deepEqual(said, []);
 	await leave();
 });

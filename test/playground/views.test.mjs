@@ -653,6 +653,10 @@ test('Level: the game in the level of examples/level runs, is steered, saved and
 	await page.keyboard.press('f');
 	await until((shots) => globalThis.playground.game.shots > shots, before.shots);
 	await hold('Space', () => globalThis.playground.game.player.speed > 0);
+	// W, A, S and D are arrow keys, too
+	const there = await state();
+	await hold('KeyS', away, there);
+	await hold('KeyD', (heading) => globalThis.playground.game.player.heading !== heading, there.heading);
 	await press(page, 'Stop');
 	await press(page, 'Save');
 	const { x, y } = await state();

@@ -63,7 +63,7 @@ function volumes(entries) {
 		{ name: 'smallest sphere known', color: 'sphere', values: subjects.map(([, found]) => found['minimal sphere'].value) },
 		{ name: 'tightest of the thesis\'s algorithms', color: 'engine', values: subjects.map(([, found]) => least(found, ofThesis)) },
 		{ name: 'tightest of the thesis, 2015', color: 'thesis', values: subjects.map(([, found]) => Math.min(...ofThesis.map((name) => found[name].thesis))) },
-		{ name: 'smallest structure known', color: 'minimal', values: subjects.map(([, found]) => least(found, ['minimal sphere', 'minimal capsule'])) },
+		{ name: 'hull', color: 'minimal', values: subjects.map(([, found]) => scaled(found.hull?.value)) },
 	]);
 }
 

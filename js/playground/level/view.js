@@ -24,6 +24,9 @@ const [KEPT_EVERY, MOST_KEPT] = [6, 600];
 const [TIMED, SHOWN_AFTER] = [120, 12];
 /** The keys of the game, by the names of their words. */
 const KEYS = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: "right", Space: "space", KeyF: "shoot", KeyR: "back" };
+/** Keys that do the same as others. */
+const SAME = { KeyW: "ArrowUp", KeyS: "ArrowDown", KeyA: "ArrowLeft", KeyD: "ArrowRight" };
+const keyOf = (code) => SAME[code] ?? code;
 
 export async function createView(main) {
 	const land = sceneIn(await readLevel());
@@ -173,11 +176,12 @@ class LevelView {
 	#listen() {
 		const { host } = this;
 		host.addEventListener("keydown", (event) => {
-			if (!(event.code in KEYS) || event.ctrlKey || event.metaKey || event.altKey) return;
-			if (!event.repeat) this.#press(event.code);
+			const key = keyOf(event.code);
+			if (!(key in KEYS) || event.ctrlKey || event.metaKey || event.altKey) return;
+			if (!event.repeat) this.#press(key);
 			event.preventDefault();
 		});
-		host.addEventListener("keyup", ({ code }) => this.#held.delete(code));
+		host.addEventListener("keyup", ({ code }) => this.#held.delete(keyOf(code)));
 		host.addEventListener("blur", () => this.#held.clear());
 		host.addEventListener("pointerdown", () => this.#loop.isRunning && this.#press("KeyF"));
 		host.addEventListener("pointerup", () => this.#held.delete("KeyF"));

@@ -7,7 +7,7 @@ const cabinet = new Cabinet("starlogo-playground.class", "works", "id");
 const PREFIX = "handed-";
 const CODE = /\bSL1\.[\w-]+/g;
 
-/** What pupils have handed in, each {id, pupil, done, won, programs: [{name, lesson, program}], solutions: {lesson: program}, models}. */
+/** What pupils have handed in, by their names, the newest of each first: each {id, when, pupil, done, won, programs: [{name, lesson, program}], solutions: {lesson: program}, models}. */
 let works = null;
 let isKept = true;
 
@@ -18,30 +18,33 @@ const namesOf = (value) => (Array.isArray(value) ? value.filter((each) => typeof
 /** The programs that did a pupil's lessons, by the lessons' names: whole, or a collision system alone if the lesson's own program is meant. */
 const solutionsOf = (value) => Object.fromEntries(Object.entries(value && typeof value === "object" ? value : {}).filter(([, each]) => isProgram(each) || typeof each?.system === "string"));
 
+/** The time at which a work was handed in, in milliseconds; the present time if its file does not say, or says a later one. */
+const timeOf = (value) => (value > 0 && value < Date.now() ? value : Date.now());
+
 /** The parts of a pupil's work, whatever else a file has. */
-function workOf({ pupil, done, won, programs, solutions, models }) {
+function workOf({ when, pupil, done, won, programs, solutions, models }) {
 	const listed = (Array.isArray(programs) ? programs : []).filter(({ program } = {}) => isProgram(program));
 	return {
-		kind: KIND, pupil: nameOf(pupil, "?"), done: namesOf(done), won: namesOf(won),
+		kind: KIND, when: timeOf(when), pupil: nameOf(pupil, "?"), done: namesOf(done), won: namesOf(won),
 		programs: listed.map(({ name, lesson, program }) => ({ name: nameOf(name, "?"), lesson: nameOf(lesson), program })), solutions: solutionsOf(solutions), models: modelsOf(models),
 	};
 }
 
 /** A pupil's work as the content of a file. */
-export const toFile = (work) => JSON.stringify({ ...work, kind: KIND }, null, 1);
+export const toFile = (work) => JSON.stringify({ ...work, kind: KIND, when: Date.now() }, null, 1);
 
 /** A pupil's work as a code, a text to send. */
-export const toCode = async (work) => `SL1.${await packed({ ...work, kind: KIND })}`;
+export const toCode = async (work) => `SL1.${await packed({ ...work, kind: KIND, when: Date.now() })}`;
 
-/** The content of each work as text, by which equal ones are known. */
+/** The content of each work as text, by which equal ones are known, whenever they were handed in. */
 const contents = new WeakMap();
 
 function contentOf(work) {
-	if (!contents.has(work)) contents.set(work, JSON.stringify({ ...work, id: undefined }));
+	if (!contents.has(work)) contents.set(work, JSON.stringify({ ...work, id: undefined, when: undefined }));
 	return contents.get(work);
 }
 
-const sort = () => works.sort((a, b) => a.pupil.localeCompare(b.pupil));
+const sort = () => works.sort((a, b) => a.pupil.localeCompare(b.pupil) || b.when - a.when);
 let opening = null;
 
 /** Puts a work beside the others, unless it is there already. Returns whether it is new. */
@@ -76,6 +79,11 @@ export const handed = {
 
 	get all() {
 		return works;
+	},
+
+	/** The works of each pupil, the newest first. */
+	get pupils() {
+		return [...Map.groupBy(works, ({ pupil }) => pupil).values()];
 	},
 
 	/** Whether the browser keeps the works. */
@@ -125,9 +133,11 @@ export const handed = {
 		return entry ? { ...entry, pupil: works[work].pupil, models: works[work].models } : null;
 	},
 
-	remove(work) {
-		works = works.filter((each) => each !== work);
-		return change((store) => store.delete(work.id));
+	/** Removes all works of a pupil. */
+	async remove(pupil) {
+		const removed = works.filter((each) => each.pupil === pupil);
+		works = works.filter((each) => each.pupil !== pupil);
+		for (const { id } of removed) await change((store) => store.delete(id));
 	},
 
 	/** Forgets the whole class. */

@@ -10,6 +10,9 @@ const LESSONS = texts.lessons.list;
 /** The address at which a pupil's program plays. */
 const addressIn = (work, number) => `#play/${handed.addressOf(work, number)}`;
 
+/** When a work was handed in, in words. */
+const dateOf = ({ when }) => new Intl.DateTimeFormat(document.documentElement.lang, { dateStyle: "medium", timeStyle: "short" }).format(when);
+
 /** The lessons that each work was seen to do, or null if its programs cannot be played. A work that was not played yet is not in it. */
 const solved = new WeakMap();
 
@@ -63,7 +66,7 @@ export class ClassPage {
 	/** Asks whether all works are to be removed. */
 	#ask() {
 		this.status.classList.remove("problem");
-		this.status.replaceChildren(`${words.askForget(handed.all.length)} `, button(words.forget, async () => {
+		this.status.replaceChildren(`${words.askForget(handed.pupils.length)} `, button(words.forget, async () => {
 			await handed.forget();
 			this.status.textContent = "";
 			this.#show();
@@ -73,7 +76,9 @@ export class ClassPage {
 	#show() {
 		delete this.main.dataset.drawn;
 		delete this.main.dataset.checked;
-		const { all } = handed;
+		const { pupils } = handed;
+		// of all that a pupil has handed in the newest counts
+		const all = this.newest = pupils.map(([newest]) => newest);
 		this.tableButton.hidden = this.forgetButton.hidden = all.length === 0;
 		if (all.length === 0) {
 			this.list.replaceChildren(h("p.note", {}, words.nothing));
@@ -88,7 +93,7 @@ export class ClassPage {
 				h("tbody", {}, ...all.map((work, i) => h("tr", {}, h("th", { scope: "row" }, work.programs.length > 0 ? h("a", { href: addressIn(work, 0) }, work.pupil) : work.pupil), ...this.marks[i].map(({ cell }) => cell), h("td", {}, String(work.won.length)), h("td", {}, String(work.programs.length))))),
 				h("tfoot", {}, h("tr", {}, h("th", { scope: "row" }, words.all(all.length)), ...this.sums, h("td"), h("td"))))),
 			h("p.note", {}, words.signs),
-			...all.map((work) => this.#pupil(work)));
+			...pupils.map((works) => this.#pupil(...works)));
 		this.#mark();
 		const turn = ++this.#turn;
 		const isWanted = () => this.#turn === turn && this.list.isConnected;
@@ -121,7 +126,7 @@ export class ClassPage {
 	/** Plays the programs of all works, one after the other, to see which lessons they do. */
 	async #check(isWanted) {
 		const { solvedBy } = await import("./check.js");
-		for (const work of handed.all) {
+		for (const work of this.newest) {
 			if (solved.has(work)) continue;
 			const found = await solvedBy(work, isWanted);
 			if (!isWanted()) return;
@@ -135,19 +140,22 @@ export class ClassPage {
 	get #csv() {
 		// a cell that begins like a formula would be run as one
 		const cell = (text) => `"${String(text).replace(/^(?=[=+\-@\t])/, "'").replaceAll('"', '""')}"`;
-		const rows = handed.all.map((work, i) => [work.pupil, ...this.marks[i].map(({ cell: { textContent } }) => textContent), work.won.length, work.programs.length]);
-		return `\uFEFF${[[words.pupil, ...Object.values(LESSONS).map(({ title }) => title), words.games, words.programs], ...rows].map((row) => row.map(cell).join(",")).join("\r\n")}\r\n`;
+		const rows = this.newest.map((work, i) => [work.pupil, dateOf(work), ...this.marks[i].map(({ cell: { textContent } }) => textContent), work.won.length, work.programs.length]);
+		return `\uFEFF${[[words.pupil, words.when, ...Object.values(LESSONS).map(({ title }) => title), words.games, words.programs], ...rows].map((row) => row.map(cell).join(",")).join("\r\n")}\r\n`;
 	}
 
-	#pupil(work) {
+	/** The part of the page about a pupil: the newest work, and the earlier ones folded below. */
+	#pupil(work, ...earlier) {
 		return h("section.pupil", { "aria-label": work.pupil },
-			h("div.head", {}, h("h3", {}, work.pupil), button("✕", async () => {
-				await handed.remove(work);
+			h("div.head", {}, h("h3", {}, work.pupil), h("small", {}, dateOf(work)), button("✕", async () => {
+				await handed.remove(work.pupil);
 				this.#show();
 			}, { class: "no-print", "aria-label": words.remove(work.pupil), title: words.remove(work.pupil) })),
 			work.programs.length === 0 ? h("p.note", {}, words.noPrograms) : h("ul.cards", {}, ...work.programs.map(({ name, lesson }, i) => h("li", {}, h("a.open", { href: addressIn(work, i) },
 				h("span.picture", {}, h("img", { "data-program": handed.addressOf(work, i), alt: "", width: 240, height: 150 })),
-				h("span.name", {}, name), lesson in LESSONS ? h("small", {}, texts.teach.numbered(Object.keys(LESSONS).indexOf(lesson) + 1, LESSONS[lesson].title)) : null)))));
+				h("span.name", {}, name), lesson in LESSONS ? h("small", {}, texts.teach.numbered(Object.keys(LESSONS).indexOf(lesson) + 1, LESSONS[lesson].title)) : null)))),
+			earlier.length === 0 ? null : h("details.no-print", {}, h("summary", {}, words.earlier(earlier.length)),
+				...earlier.map((each) => h("p", {}, `${dateOf(each)}: `, ...each.programs.flatMap(({ name }, i) => [i > 0 ? ", " : "", h("a", { href: addressIn(each, i) }, name)])))));
 	}
 
 	/** Draws the pictures one after the other, so that the page stays responsive. */

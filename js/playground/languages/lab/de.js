@@ -121,7 +121,7 @@ export const texts = {
 	},
 	level: {
 		title: "Ein Spiel in einem Level", run: "Start", stop: "Stopp", again: "Von vorn", save: "Speichern", load: "Laden",
-		world: "Das Spiel. Solange es den Fokus hat, gehen und drehen die Pfeiltasten, die Leertaste springt, F schießt, und R geht zurück", picture: "Das Level, von hinter der Figur gesehen",
+		world: "Das Spiel. Solange es den Fokus hat, gehen und drehen die Pfeiltasten oder W, A, S und D, die Leertaste springt, F schießt, und R geht zurück", picture: "Das Level, von hinter der Figur gesehen",
 		how: (triangles) => `Das Level ist ein Netz aus ${triangles.toLocaleString("de")} Dreiecken. Die Dreiecke entscheiden, was es berührt. Du bist die blaue Kapsel. Rote Kapseln folgen dir, wenn sie dich sehen. Die Kamera bleibt außerhalb der Wände. Kugeln sind schnell, darum testet die Engine ihren ganzen Weg. Bis du eine Taste drückst, läuft die Figur von selbst.`,
 		figures: { ms: "ms je Bild", walkers: "Kapseln", bullets: "Kugeln", shots: "Schüsse", hits: "Treffer" },
 		timed: "Die Zeit ist der mittlere Wert der letzten 120 Bilder, ohne das Zeichnen. In einem Bild gehen alle Kapseln, jede rote sucht dich, die Kugeln werden getestet, und die Kamera findet ihren Ort.",

@@ -122,7 +122,7 @@ export const texts = {
 	},
 	level: {
 		title: "A game in a level", run: "Run", stop: "Stop", again: "From the start", save: "Save", load: "Load",
-		world: "The game. While it has the focus, the arrow keys walk and turn, the space bar jumps, F shoots, and R goes back", picture: "The level from behind the player",
+		world: "The game. While it has the focus, the arrow keys or W, A, S and D walk and turn, the space bar jumps, F shoots, and R goes back", picture: "The level from behind the player",
 		how: (triangles) => `The level is one mesh of ${triangles.toLocaleString("en")} triangles. The triangles decide what touches it. You are the blue capsule. Red capsules follow you when they see you. The camera stays out of walls. Bullets are fast, so the engine tests their whole way. Until you press a key, the player goes round by itself.`,
 		figures: { ms: "ms of a frame", walkers: "capsules", bullets: "bullets", shots: "shots", hits: "hits" },
 		timed: "The time is the middle value of the last 120 frames, without drawing. In a frame all capsules walk, each red one looks for you, the bullets are tested, and the camera finds its place.",

@@ -18,7 +18,7 @@ import { install } from "../adapters/peers.mjs";
 import { makeBvh, rayModels } from "./rays.mjs";
 import { HALF_WIDTH, SYSTEMS, asset, engine, makeGreatLand, randomNumbers, scatter } from "./games.mjs";
 
-const { Agent, AgentQueries, BinCollider, ColladaModel, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
+const { Agent, AgentFilter, AgentQueries, BinCollider, ColladaModel, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
 
 const COUNTS = [1000, 10000, 100000];
 
@@ -296,6 +296,28 @@ async function queries() {
 		], 30);
 		return [name, 1000 * own / agents.length, 1000 * other / agents.length, other / own];
 	});
+	const wolves = AgentFilter.ofBreeds("wolves");
+	for (const count of [3000, 100000]) {
+		const { agents: flock } = scatter(count, ["sphere"]);
+		for (const agent of flock) agent.breed = "sheep";
+		const wolf = new Agent("sphere", "wolves");
+		wolf.moveTo(2 * Math.sqrt(count), 3 * Math.sqrt(count), 0);
+		const all = [...flock, wolf];
+		const nearestIn = (list, agent) => {
+			let found = null;
+			let least = Infinity;
+			for (const other of list) {
+				const square = (other.x - agent.x) ** 2 + (other.y - agent.y) ** 2;
+				if (square < least) [found, least] = [other, square];
+			}
+			return found;
+		};
+		const [own, other] = measure([
+			{ prepare: () => {}, run: () => { asked.update(all); for (const agent of flock) asked.nearest(agent, Infinity, wolves); } },
+			{ prepare: () => {}, run: () => { const list = all.filter(({ breed }) => breed === "wolves"); for (const agent of flock) nearestIn(list, agent); } },
+		], 10);
+		rows.push([`the one wolf of ${count} sheep, beside a list of wolves`, 1000 * own / count, 1000 * other / count, other / own]);
+	}
 	print(`Questions, all moving, microseconds an agent (${same} nearest the same)`, ["", "engine", "kdbush", "times"], rows);
 }
 

@@ -192,6 +192,7 @@ package starlogo.agents
             {
                 breedNumber = other;
                 revision++;
+                Breeds.countChange();
             }
         }
 

@@ -26,6 +26,20 @@ package starlogo.agents
         private static var sOrder:Vector.<int> = new <int>[2, 1, 0];
         private static var sLast:int = 0;
 
+        private static var sChanges:int = 0;
+
+        /** How often agents have got other breeds. What is computed from the breeds of agents holds until it is another number. */
+        public static function get changes():int
+        {
+            return sChanges;
+        }
+
+        /** Counts that an agent has got another breed. */
+        public static function countChange():void
+        {
+            sChanges++;
+        }
+
         /** The number of names so far. */
         public static function get count():int
         {

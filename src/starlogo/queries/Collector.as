@@ -56,6 +56,9 @@ package starlogo.queries
         /** Whether breeds or agents are excluded. */
         public var filters:Boolean = false;
 
+        /** The breeds that may count, a set of a RowTree. */
+        public var breeds:int = RowTree.ALL_BREEDS;
+
         /** The row of the agent that asks, which does not count; or -1. */
         public var askerRow:int = -1;
 
@@ -125,12 +128,20 @@ package starlogo.queries
         /** The next row of a search that counts and has a shape, or -1. Without a ground, the ground's row has none. */
         public function nextOf(search:SweptBoxSearch):int
         {
-            var row:int = search.next();
-            while (row >= 0 && (row == askerRow || seen.table.shapes[row] == null || filters && !admitsMarked(row)))
+            var row:int = search.next(breeds);
+            while (row >= 0)
             {
-                row = search.next();
+                if (row != askerRow && seen.table.shapes[row] != null)
+                {
+                    if (!filters || admitsMarked(row))
+                    {
+                        return row;
+                    }
+                    search.passOver();
+                }
+                row = search.next(breeds);
             }
-            return row;
+            return -1;
         }
 
         /**
@@ -307,6 +318,7 @@ package starlogo.queries
         {
             _question++;
             filters = false;
+            breeds = RowTree.ALL_BREEDS;
             if (filter == null)
             {
                 return;
@@ -326,6 +338,7 @@ package starlogo.queries
             {
                 markBreeds(filter.exceptBreeds, _breedsCount ? 0 : _question);
             }
+            breeds = findBreeds(filter);
             var except:Vector.<Agent> = filter.except;
             for (var i:int = 0; except != null && i < except.length; i++)
             {
@@ -336,6 +349,32 @@ package starlogo.queries
                     _excepted[row] = _question;
                 }
             }
+        }
+
+        // The breeds that may count after they are marked.
+        private function findBreeds(filter:AgentFilter):int
+        {
+            if (!_breedsCount && (filter.exceptBreeds == null || RowTree.doBreedsShareBits))
+            {
+                return RowTree.ALL_BREEDS;
+            }
+            var found:int = 0;
+            if (!_breedsCount)
+            {
+                for (var number:int = 0; number < Breeds.count; number++)
+                {
+                    found |= _breeds[number] == _question ? 0 : RowTree.setOf(number);
+                }
+                return found;
+            }
+            for (var i:int = 0; i < filter.breeds.length; i++)
+            {
+                if (filter.breeds[i] != null)
+                {
+                    found |= RowTree.setOf(Breeds.numberOf(filter.breeds[i]));
+                }
+            }
+            return found;
         }
 
         private function markBreeds(names:Vector.<String>, by:int):void

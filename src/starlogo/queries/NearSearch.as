@@ -194,7 +194,7 @@ package starlogo.queries
                 }
             }
             var square:Number = toX * toX + toY * toY + toZ * toZ;
-            if (square > _found.limit)
+            if (square > _found.limit || !_tree.mayHave(node, _found.breeds))
             {
                 return waiting;
             }
@@ -242,6 +242,7 @@ package starlogo.queries
             var foundRows:Vector.<int> = found.rows;
             var keys:Vector.<Number> = found.keys;
             var count:int = found.count;
+            var passedOver:int = 0;
             for (var slot:int = start; slot < end; slot++)
             {
                 var toX:Number = xs[slot] - atX;
@@ -266,6 +267,7 @@ package starlogo.queries
                 {
                     if (!found.admitsMarked(row))
                     {
+                        passedOver++;
                         continue;
                     }
                 }
@@ -301,6 +303,7 @@ package starlogo.queries
             }
             found.count = count;
             found.limit = limit;
+            _tree.passedOver += passedOver;
         }
     }
 }

@@ -142,6 +142,7 @@ package starlogo.queries
             {
                 _places.build(table.rows, table.count, table.now);
             }
+            _places.learnBreeds(table.agents);
             return _places;
         }
 
@@ -152,6 +153,7 @@ package starlogo.queries
             {
                 _extents.build(table.rows, table.count, table.extents);
             }
+            _extents.learnBreeds(table.agents);
             return _extents;
         }
 

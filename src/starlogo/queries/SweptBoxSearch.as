@@ -114,8 +114,12 @@ package starlogo.queries
             }
         }
 
-        /** The next row, or -1 if there are no more. The last one is the row of the ground, also if there is none. */
-        public function next():int
+        /**
+         * The next row, or -1 if there are no more. The last one is the row of the ground, also if there is none.
+         *
+         * @param breeds the breeds that count, a set of a RowTree. Nodes without them are skipped, but single rows may have others
+         */
+        public function next(breeds:int = RowTree.ALL_BREEDS):int
         {
             while (true)
             {
@@ -139,15 +143,25 @@ package starlogo.queries
                 }
                 if (!_moves || _entries[_waiting] <= limit)
                 {
-                    visit(_nodes[_waiting]);
+                    visit(_nodes[_waiting], breeds);
                 }
             }
             return -1;
         }
 
-        // Finds the rows of a leaf, or puts the children of a node on the waiting list.
-        private function visit(node:int):void
+        /** Counts a row whose breed does not count. */
+        public function passOver():void
         {
+            _tree.passedOver++;
+        }
+
+        // Finds the rows of a leaf, or puts the children of a node on the waiting list.
+        private function visit(node:int, breeds:int):void
+        {
+            if (!_tree.mayHave(node, breeds))
+            {
+                return;
+            }
             var leaf:int = node - _tree.firstLeaf;
             if (leaf >= 0)
             {

@@ -1,0 +1,132 @@
+package starlogo.queries
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertStrictlyEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.Sphere;
+    import starlogo.collision.BinCollider;
+    import starlogo.engine;
+
+    use namespace engine;
+
+    /** Questions about a breed that few of many agents have: what they look at besides, and that breeds may change between them. */
+    public class RareBreedsTest
+    {
+        private static const SHEEP:int = 3000;
+
+        // A question looks at the rows of the asker's leaf and of the wolf's.
+        private static const MOST_PASSED_OVER:int = 60;
+
+        private var _agents:Vector.<Agent>;
+        private var _seen:QueryWorld;
+        private var _set:QuerySet;
+
+        [Before]
+        public function begin():void
+        {
+            var random:SeededRandom = new SeededRandom(406);
+            _agents = new Vector.<Agent>();
+            for (var i:int = 0; i < SHEEP; i++)
+            {
+                var sheep:Agent = new Agent("sphere", "sheep");
+                sheep.moveTo(random.between(-90, 90), random.between(-90, 90), 0);
+                _agents.push(sheep);
+            }
+            var wolf:Agent = new Agent("sphere", "wolves");
+            wolf.moveTo(400, 300, 0);
+            _agents.push(wolf);
+            _seen = new QueryWorld(new BinCollider());
+            _set = new QuerySet(_seen);
+            _seen.update(_agents);
+        }
+
+        [Test]
+        public function theOneFarWolfIsNearestToAllSheep():void
+        {
+            var wolves:AgentFilter = AgentFilter.ofBreeds("wolves", "nobody's");
+            assertFew(_seen.findPlaces(), function(sheep:Agent):void
+                {
+                    assertStrictlyEquals(_agents[SHEEP], _set.near(sheep, sheep.x, sheep.y, 0, Infinity, 1, wolves).firstAgent());
+                });
+        }
+
+        [Test]
+        public function manyAreNearAndNoneOfThemCounts():void
+        {
+            var wolves:AgentFilter = AgentFilter.ofBreeds("wolves");
+            assertFew(_seen.findPlaces(), function(sheep:Agent):void
+                {
+                    assertEquals(0, _set.near(sheep, sheep.x, sheep.y, 0, 200, Collector.NUMBER, wolves).end());
+                });
+            assertFew(_seen.findPlaces(), function(sheep:Agent):void
+                {
+                    assertEquals(0, _set.near(sheep, sheep.x, sheep.y, 0, 200, Collector.ALL, wolves, 90).end());
+                });
+        }
+
+        [Test]
+        public function aLargeBodyTouchesTheWolfAmongAllSheep():void
+        {
+            var large:Sphere = new Sphere(new Vector3D(), 2000);
+            var wolves:AgentFilter = AgentFilter.ofBreeds("wolves");
+            assertFew(_seen.findExtents(), function(sheep:Agent):void
+                {
+                    assertStrictlyEquals(_agents[SHEEP], _set.touching(null, _set.ofStructure(large), Collector.ALL, wolves).firstAgent());
+                });
+        }
+
+        [Test]
+        public function whoGetsTheBreedIsFoundAtOnce():void
+        {
+            var wolves:AgentFilter = AgentFilter.ofBreeds("wolves");
+            for (var i:int = 0; i < 400; i++)
+            {
+                var sheep:Agent = _agents[i];
+                var bitten:Agent = _agents[SHEEP - 1 - i % 40];
+                if (i % 40 == 20)
+                {
+                    bitten.breed = "wolves";
+                }
+                var nearest:Agent = _set.near(sheep, sheep.x, sheep.y, 0, Infinity, 1, wolves).firstAgent();
+                assertStrictlyEquals("question " + i, nearestOf("wolves", sheep), nearest);
+                if (i % 40 == 30)
+                {
+                    nearest.breed = "sheep";
+                }
+            }
+        }
+
+        // Asks for all sheep: how many rows that do not count are looked at.
+        private function assertFew(tree:RowTree, ask:Function):void
+        {
+            var sum:int = 0;
+            for (var i:int = 0; i < SHEEP; i++)
+            {
+                var before:int = tree.passedOver;
+                ask(_agents[i]);
+                // learning begins anew
+                sum += tree.passedOver < before ? tree.passedOver : tree.passedOver - before;
+            }
+            assertTrue(sum + " rows", sum < SHEEP * MOST_PASSED_OVER);
+        }
+
+        private function nearestOf(breed:String, asker:Agent):Agent
+        {
+            var nearest:Agent = null;
+            var least:Number = Infinity;
+            for each (var agent:Agent in _agents)
+            {
+                var square:Number = (agent.x - asker.x) * (agent.x - asker.x) + (agent.y - asker.y) * (agent.y - asker.y);
+                if (agent !== asker && agent.breed == breed && square < least)
+                {
+                    least = square;
+                    nearest = agent;
+                }
+            }
+            return nearest;
+        }
+    }
+}

@@ -37,7 +37,8 @@ package starlogo.queries
      * <p>An agent's breed, and everything that a filter's <code>accepts</code> reads, is read during the question.</p>
      *
      * <p>An update takes a few tenths of a microsecond per agent. The first question after it builds a tree of the places, or of the extents.
-     * The time of a question grows with the logarithm of the number of agents, and with the length of its answer.</p>
+     * The time of a question grows with the logarithm of the number of agents, and with the length of its answer. Agents of breeds that do
+     * not count take no time, unless agents get other breeds between questions.</p>
      */
     public class AgentQueries
     {

@@ -19,7 +19,7 @@ package starlogo.queries
      *
      * <p>A node can know the breeds of its rows, so that a search for a rare breed skips nodes without it. The nodes learn them when searches
      * have passed over as many rows of other breeds as the tree has, and forget them when an agent gets another breed. So this costs a game
-     * without such searches nothing, and never takes longer than they do.</p>
+     * without such searches nothing, and takes no longer than they do.</p>
      *
      * @private
      */

@@ -56,8 +56,8 @@ package starlogo.queries
         /** Whether breeds or agents are excluded. */
         public var filters:Boolean = false;
 
-        /** The breeds that may count, a set of a RowTree. */
-        public var breeds:int = RowTree.ALL_BREEDS;
+        /** The breeds that may count, a set of NodeBreeds. */
+        public var breeds:int = NodeBreeds.ALL;
 
         /** The row of the agent that asks, which does not count; or -1. */
         public var askerRow:int = -1;
@@ -318,7 +318,7 @@ package starlogo.queries
         {
             _question++;
             filters = false;
-            breeds = RowTree.ALL_BREEDS;
+            breeds = NodeBreeds.ALL;
             if (filter == null)
             {
                 return;
@@ -354,16 +354,16 @@ package starlogo.queries
         // The breeds that may count after they are marked.
         private function findBreeds(filter:AgentFilter):int
         {
-            if (!_breedsCount && (filter.exceptBreeds == null || RowTree.doBreedsShareBits))
+            if (!_breedsCount && (filter.exceptBreeds == null || !NodeBreeds.areSetsExact))
             {
-                return RowTree.ALL_BREEDS;
+                return NodeBreeds.ALL;
             }
             var found:int = 0;
             if (!_breedsCount)
             {
                 for (var number:int = 0; number < Breeds.count; number++)
                 {
-                    found |= _breeds[number] == _question ? 0 : RowTree.setOf(number);
+                    found |= _breeds[number] == _question ? 0 : NodeBreeds.setOf(number);
                 }
                 return found;
             }
@@ -371,7 +371,7 @@ package starlogo.queries
             {
                 if (filter.breeds[i] != null)
                 {
-                    found |= RowTree.setOf(Breeds.numberOf(filter.breeds[i]));
+                    found |= NodeBreeds.setOf(Breeds.numberOf(filter.breeds[i]));
                 }
             }
             return found;

@@ -194,7 +194,7 @@ package starlogo.queries
                 }
             }
             var square:Number = toX * toX + toY * toY + toZ * toZ;
-            if (square > _found.limit || !_tree.mayHave(node, _found.breeds))
+            if (square > _found.limit || !_tree.breeds.mayHave(node, _found.breeds))
             {
                 return waiting;
             }
@@ -303,7 +303,7 @@ package starlogo.queries
             }
             found.count = count;
             found.limit = limit;
-            _tree.passedOver += passedOver;
+            _tree.breeds.passOver(passedOver);
         }
     }
 }

@@ -142,7 +142,7 @@ package starlogo.queries
             {
                 _places.build(table.rows, table.count, table.now);
             }
-            _places.learnBreeds(table.agents);
+            _places.breeds.learn(_places, table.agents);
             return _places;
         }
 
@@ -153,7 +153,7 @@ package starlogo.queries
             {
                 _extents.build(table.rows, table.count, table.extents);
             }
-            _extents.learnBreeds(table.agents);
+            _extents.breeds.learn(_extents, table.agents);
             return _extents;
         }
 

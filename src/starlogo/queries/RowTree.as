@@ -1,13 +1,8 @@
 package starlogo.queries
 {
-    import starlogo.agents.Agent;
-    import starlogo.agents.Breeds;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
-    import starlogo.engine;
     import starlogo.geometry.Tolerances;
-
-    use namespace engine;
 
     /**
      * A balanced tree of boxes around rows of a table. It finds the rows near a place, in a box or on a ray without a test of every row
@@ -17,22 +12,12 @@ package starlogo.queries
      * level, and the nodes of each level have equal parts of the rows. So the tree has to store nothing but the boxes. The rows stand in slots,
      * in the order of the leaves.</p>
      *
-     * <p>A node can know the breeds of its rows, so that a search for a rare breed skips nodes without it. The nodes learn them when searches
-     * have passed over as many rows of other breeds as the tree has, and forget them when an agent gets another breed. So this costs a game
-     * without such searches nothing, and takes no longer than they do.</p>
-     *
      * @private
      */
     public final class RowTree
     {
         /** How many numbers a box takes: its least x, y, z, then its greatest x, y, z. */
         public static const PER_BOX:int = 6;
-
-        /** A set of breeds: all. */
-        public static const ALL_BREEDS:int = -1;
-
-        // A set has a bit for each breed. Breeds with the same remainder share one.
-        private static const BITS:int = 32;
 
         /** The most rows that a leaf can have. */
         private static const LEAF_SIZE:int = 24;
@@ -64,12 +49,8 @@ package starlogo.queries
         /** By node: a box around the boxes of the node's rows. */
         public var nodeBoxes:Vector.<Number> = new Vector.<Number>();
 
-        /** How many rows of breeds that do not count searches have tested since the nodes learned the breeds of their rows, or the tree was built. */
-        public var passedOver:int = 0;
-
-        // By node: the set of its rows' breeds; and what Breeds.changes was when the nodes learned them, or -1.
-        private var _breeds:Vector.<int> = new Vector.<int>();
-        private var _breedsSince:int = -1;
+        /** Which breeds the nodes have. */
+        public var breeds:NodeBreeds = new NodeBreeds();
 
         // By row: its slot.
         private var _slots:Vector.<int> = new Vector.<int>();
@@ -88,8 +69,7 @@ package starlogo.queries
         public function build(rows:Vector.<int>, count:int, points:Points):void
         {
             movesLeft = MOVES * count;
-            passedOver = 0;
-            _breedsSince = -1;
+            breeds.forget();
             this.count = count;
             _points = points;
             _sizes = points as Extents;
@@ -117,55 +97,6 @@ package starlogo.queries
         public function leafOf(row:int):int
         {
             return firstLeaf + int(((_slots[row] + 1) * firstLeaf - 1) / count);
-        }
-
-        /** The set with one breed. */
-        public static function setOf(breed:int):int
-        {
-            return 1 << breed % BITS;
-        }
-
-        /** Whether two breeds can share a bit of a set. */
-        public static function get doBreedsShareBits():Boolean
-        {
-            return Breeds.count > BITS;
-        }
-
-        /** Lets the nodes learn the breeds of their rows, if searches have passed over so many rows that this takes no longer. */
-        public function learnBreeds(agents:Vector.<Agent>):void
-        {
-            if (passedOver < count || _breedsSince == Breeds.changes)
-            {
-                return;
-            }
-            passedOver = 0;
-            _breedsSince = Breeds.changes;
-            if (_breeds.length < 2 * firstLeaf)
-            {
-                _breeds.length = 2 * firstLeaf;
-            }
-            for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
-            {
-                var breeds:int = 0;
-                if (node < firstLeaf)
-                {
-                    breeds = _breeds[int(2 * node)] | _breeds[int(2 * node + 1)];
-                }
-                else
-                {
-                    for (var slot:int = starts[int(node - firstLeaf)]; slot < starts[int(node + 1 - firstLeaf)]; slot++)
-                    {
-                        breeds |= setOf(agents[rows[slot]].breedNumber);
-                    }
-                }
-                _breeds[node] = breeds;
-            }
-        }
-
-        /** Whether a node may have rows of some breeds. */
-        public function mayHave(node:int, breeds:int):Boolean
-        {
-            return breeds == ALL_BREEDS || _breedsSince != Breeds.changes || (_breeds[node] & breeds) != 0;
         }
 
         /** The squared distance between a row's middle and a place. */

@@ -117,9 +117,9 @@ package starlogo.queries
         /**
          * The next row, or -1 if there are no more. The last one is the row of the ground, also if there is none.
          *
-         * @param breeds the breeds that count, a set of a RowTree. Nodes without them are skipped, but single rows may have others
+         * @param breeds the breeds that count, a set of NodeBreeds. Nodes without them are skipped, but single rows may have others
          */
-        public function next(breeds:int = RowTree.ALL_BREEDS):int
+        public function next(breeds:int):int
         {
             while (true)
             {
@@ -152,13 +152,13 @@ package starlogo.queries
         /** Counts a row whose breed does not count. */
         public function passOver():void
         {
-            _tree.passedOver++;
+            _tree.breeds.passOver(1);
         }
 
         // Finds the rows of a leaf, or puts the children of a node on the waiting list.
         private function visit(node:int, breeds:int):void
         {
-            if (!_tree.mayHave(node, breeds))
+            if (!_tree.breeds.mayHave(node, breeds))
             {
                 return;
             }

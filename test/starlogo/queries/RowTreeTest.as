@@ -126,7 +126,7 @@ package starlogo.queries
             }
             var times:Vector.<int> = new Vector.<int>(_sizes.x.length);
             var met:int = 0;
-            for (var row:int = _way.next(); row != RowList.GROUND; row = _way.next())
+            for (var row:int = _way.next(NodeBreeds.ALL); row != RowList.GROUND; row = _way.next(NodeBreeds.ALL))
             {
                 times[row]++;
                 met++;

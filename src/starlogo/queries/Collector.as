@@ -332,13 +332,16 @@ package starlogo.queries
             filters = _breedsCount || filter.exceptBreeds != null;
             if (_breedsCount)
             {
-                markBreeds(filter.breeds, _question);
+                breeds = markBreeds(filter.breeds, _question);
             }
             if (filter.exceptBreeds != null)
             {
-                markBreeds(filter.exceptBreeds, _breedsCount ? 0 : _question);
+                var excepted:int = markBreeds(filter.exceptBreeds, _breedsCount ? 0 : _question);
+                if (!_breedsCount && NodeBreeds.areSetsExact)
+                {
+                    breeds = ~excepted;
+                }
             }
-            breeds = findBreeds(filter);
             var except:Vector.<Agent> = filter.except;
             for (var i:int = 0; except != null && i < except.length; i++)
             {
@@ -351,34 +354,10 @@ package starlogo.queries
             }
         }
 
-        // The breeds that may count after they are marked.
-        private function findBreeds(filter:AgentFilter):int
+        // Marks breeds, and returns the set of them.
+        private function markBreeds(names:Vector.<String>, by:int):int
         {
-            if (!_breedsCount && (filter.exceptBreeds == null || !NodeBreeds.areSetsExact))
-            {
-                return NodeBreeds.ALL;
-            }
-            var found:int = 0;
-            if (!_breedsCount)
-            {
-                for (var number:int = 0; number < Breeds.count; number++)
-                {
-                    found |= _breeds[number] == _question ? 0 : NodeBreeds.setOf(number);
-                }
-                return found;
-            }
-            for (var i:int = 0; i < filter.breeds.length; i++)
-            {
-                if (filter.breeds[i] != null)
-                {
-                    found |= NodeBreeds.setOf(Breeds.numberOf(filter.breeds[i]));
-                }
-            }
-            return found;
-        }
-
-        private function markBreeds(names:Vector.<String>, by:int):void
-        {
+            var marked:int = 0;
             for (var i:int = 0; i < names.length; i++)
             {
                 if (names[i] != null)
@@ -389,8 +368,10 @@ package starlogo.queries
                         _breeds.length = number + 1;
                     }
                     _breeds[number] = by;
+                    marked |= NodeBreeds.setOf(number);
                 }
             }
+            return marked;
         }
     }
 }

@@ -11,8 +11,8 @@ package soak
         private static const CHECK_EVERY:int = 20;
 
         // Whatever changes an answer, an order or a bit of a contact changes both hashes. Then write them anew: they are the same for each machine.
-        private static const HASH:String = "c3e8352d";
-        private static const HASH_OF_THE_FIRST:String = "b976970b";
+        private static const HASH:String = "de25d824";
+        private static const HASH_OF_THE_FIRST:String = "73dcc5ef";
         private static const FRAMES_HASHED:int = 200;
         private static const FIRST_FRAMES:int = 48;
 
@@ -31,7 +31,7 @@ package soak
         [Test(async, timeout="630000")]
         public function aMixedGame():void
         {
-            var run:SoakRun = new SoakRun(Effort.choose(560, 1200), CHECK_EVERY);
+            var run:SoakRun = new SoakRun(Effort.choose(800, 1200), CHECK_EVERY);
             Async.handleEvent(this, run, Event.COMPLETE, function(event:Event, data:Object):void
                 {
                     assertEquals("", run.problem);

@@ -38,9 +38,6 @@ package starlogo.broadphase
         /** By slot: the member's row. */
         public var rowAt:Vector.<int> = new Vector.<int>();
 
-        /** By slot: the member's rank. */
-        public var rankAt:Vector.<int> = new Vector.<int>();
-
         /** By slot: the member's middle and circle. */
         public var members:Circles = new Circles();
 
@@ -66,11 +63,10 @@ package starlogo.broadphase
          *
          * @param extents must fit their levels
          * @param rows the rows of the members
-         * @param ranks by row: a number that the sink reads by slot, in <code>rankAt</code>
          * @param count the number of rows to use, from the beginning
          * @param sink takes the pairs
          */
-        public function findPairs(extents:Extents, rows:Vector.<int>, ranks:Vector.<int>, count:int, sink:PairSink):void
+        public function findPairs(extents:Extents, rows:Vector.<int>, count:int, sink:PairSink):void
         {
             pairCount = 0;
             countMembers(extents, rows, count);
@@ -79,12 +75,12 @@ package starlogo.broadphase
             var slots:int = sumUp(counters);
             if (slots > rowAt.length)
             {
-                rowAt.length = rankAt.length = slots;
+                rowAt.length = slots;
                 members.grow(slots);
             }
             sortByCells(rows, count);
             copyFirstCells();
-            gather(extents, ranks, slots);
+            gather(extents, slots);
             for (var i:int = 0; i < levels.byWidth.length; i++)
             {
                 var level:BinLevel = levels.byWidth[i];
@@ -246,14 +242,13 @@ package starlogo.broadphase
         }
 
         // The reads are scattered in memory and the writes are in order. The reverse would be slower.
-        private function gather(extents:Extents, ranks:Vector.<int>, slots:int):void
+        private function gather(extents:Extents, slots:int):void
         {
             var fromX:Vector.<Number> = extents.x;
             var fromY:Vector.<Number> = extents.y;
             var fromZ:Vector.<Number> = extents.z;
             var fromRadius:Vector.<Number> = extents.radius;
             var rows:Vector.<int> = rowAt;
-            var toRank:Vector.<int> = rankAt;
             var toX:Vector.<Number> = members.x;
             var toY:Vector.<Number> = members.y;
             var toZ:Vector.<Number> = members.z;
@@ -265,7 +260,6 @@ package starlogo.broadphase
                 toY[slot] = fromY[row];
                 toZ[slot] = fromZ[row];
                 toRadius[slot] = fromRadius[row];
-                toRank[slot] = ranks[row];
             }
         }
 

@@ -4,19 +4,11 @@ package starlogo.broadphase
      * Finds rows near one row, among members that hardly change. Each cell has a list of its members, so a member that has moved changes two lists.
      * The cells are those of the last search of the bins, as long as the numbers of members need no others.
      *
-     * <p>It also has the key of a pair. Sorted by their keys, pairs are in the order in which the bins would find them.</p>
-     *
      * @private
      */
     public final class CellLists
     {
         private static const NONE:int = -1;
-
-        // The factors of the parts of keys. There are fewer levels than LEVELS, fewer cells than CELLS, and fewer rows than ROWS.
-        private static const LEVELS:Number = 64;
-        private static const CELLS:Number = 1 << 24;
-        private static const ROWS:Number = 1 << 22;
-        private static const PLACES:Number = 64;
 
         /** The number of members. */
         public var count:int = 0;
@@ -26,10 +18,6 @@ package starlogo.broadphase
 
         /** How far apart the circles of a pair of that call may be, in patches. */
         public var slack:Number = 0;
-
-        /** The key of <code>findKey()</code>: its first part, and the second one, which counts if the first ones are equal. */
-        public var key:Number = 0;
-        public var secondKey:Number = 0;
 
         private var _levels:BinLevels;
         private var _extents:Extents;
@@ -168,7 +156,7 @@ package starlogo.broadphase
                     return false;
                 }
             }
-            return _levels.byWidth.length < LEVELS && _next.length < ROWS;
+            return true;
         }
 
         /**
@@ -226,43 +214,6 @@ package starlogo.broadphase
         public function get levelCount():int
         {
             return _levels.byWidth.length;
-        }
-
-        /**
-         * Finds the key of a pair of members.
-         *
-         * @param ranks by row: its rank, which decides in a cell
-         */
-        public function findKey(a:int, b:int, ranks:Vector.<int>):void
-        {
-            var xs:Vector.<Number> = _extents.x;
-            var ys:Vector.<Number> = _extents.y;
-            var levelA:BinLevel = _levels.byNumber[_extents.level[a]];
-            var levelB:BinLevel = _levels.byNumber[_extents.level[b]];
-            var columns:int = levelB.columnOf(xs[b]) - levelB.columnOf(xs[a]);
-            var lines:int = levelB.columnOf(ys[b]) - levelB.columnOf(ys[a]);
-            // the bins find a pair from the finer row; in a level, from the lesser line, then the lesser column, then the lesser rank
-            var isSecondFirst:Boolean = levelA.index < levelB.index;
-            if (levelA === levelB)
-            {
-                isSecondFirst = lines < 0 || lines == 0 && (columns < 0 || columns == 0 && ranks[b] < ranks[a]);
-                if (isSecondFirst)
-                {
-                    columns = -columns;
-                    lines = -lines;
-                }
-            }
-            else if (isSecondFirst)
-            {
-                columns = levelA.columnOf(xs[a]) - levelA.columnOf(xs[b]);
-                lines = levelA.columnOf(ys[a]) - levelA.columnOf(ys[b]);
-            }
-            var first:int = isSecondFirst ? b : a;
-            var second:int = isSecondFirst ? a : b;
-            var level:BinLevel = isSecondFirst ? levelB : levelA;
-            var other:BinLevel = isSecondFirst ? levelA : levelB;
-            key = (level.index * LEVELS + other.index) * CELLS + level.cellOf(xs[first], ys[first]);
-            secondKey = (ranks[first] * PLACES + (lines + 3) * 8 + columns + 3) * ROWS + ranks[second];
         }
 
         private function enter(row:int, level:BinLevel, cell:int):void

@@ -19,9 +19,9 @@ package starlogo.collision
      * number of agents and of pairs that overlap on the ground plane. The memory is in proportion to the number of agents. After the first frame it
      * allocates nothing. It places an agent's shape again only when the agent has changed. Any number of colliders may share agents.</p>
      *
-     * <p>Pairs come cell by cell of the ground, coarser cells first. If an agent sweeps, they come by time of impact. The order depends only on the
-     * agents whose breeds have handlers: their order in the list, their positions and extents. In a pair, the agent that is first in the list
-     * comes first.</p>
+     * <p>Pairs come in the order of the list: by the first agent's index, then by the second's. In a pair, the agent that is first in the list
+     * comes first. The ground and the edges of the world come after all agents. If an agent sweeps, pairs come by time of impact, and pairs of the
+     * same time in the order of the list.</p>
      *
      * <p>While a ModelLoader is loading an agent's model, the agent collides with nothing. The statistics count it. Models may be replaced
      * and removed at any time.</p>
@@ -100,7 +100,7 @@ package starlogo.collision
                 asked = _extraSearch;
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
-            measure(asked, agents, interests, null, null, _found, found);
+            measure(asked, agents, interests, null, null, _found, false);
             if (!_isFrameHeld)
             {
                 _seen = asked;
@@ -109,6 +109,7 @@ package starlogo.collision
             {
                 found.length = 2 * _found.count;
             }
+            _found.write(found);
             return found;
         }
 
@@ -190,14 +191,14 @@ package starlogo.collision
         /** @private */
         override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs):void
         {
-            measure(search, agents, interests, takePart, fixtures, out, null);
+            measure(search, agents, interests, takePart, fixtures, out, true);
         }
 
         private function measure(search:CollisionSearch, agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>,
-                out:FoundPairs, outAgents:Vector.<Agent>):void
+                out:FoundPairs, mayKeep:Boolean):void
         {
             var start:Number = getTimer();
-            search.find(agents, interests, takePart, out, _statistics, outAgents, fixtures);
+            search.find(agents, interests, takePart, out, _statistics, mayKeep, fixtures);
             _statistics.findMs = getTimer() - start;
         }
 

@@ -79,6 +79,7 @@ package starlogo.collision
         private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
         private var _touches:TouchTracker = new TouchTracker();
         private var _calls:HandlerCalls = new HandlerCalls();
+        private var _fixtures:Vector.<Agent> = new <Agent>[null, null];
         private var _snapshots:Snapshots = new Snapshots();
 
         // The system of the frame under way, or null. Its collider stays reserved until the frame's end.
@@ -288,7 +289,7 @@ package starlogo.collision
                 {
                     collider.holdFrame();
                 }
-                _calls.make(system, _handlers, touches, _lastAgents, agents, _handlerErrors);
+                _calls.make(system, _handlers, touches, agents, _handlerErrors);
                 _hasFailed = false;
             }
             finally
@@ -407,9 +408,9 @@ package starlogo.collision
         // The agents of the ground and of the edges, or null, as they are now.
         private function findFixtures():Vector.<Agent>
         {
-            _calls.fixtures[0] = terrain == null ? null : terrain.agent;
-            _calls.fixtures[1] = bounds == null ? null : bounds.agent;
-            return _calls.fixtures;
+            _fixtures[0] = terrain == null ? null : terrain.agent;
+            _fixtures[1] = bounds == null ? null : bounds.agent;
+            return _fixtures;
         }
 
         private function findPairs(system:BaseCollider, collider:Collider, agents:Vector.<Agent>, takePart:Vector.<Boolean>,

@@ -9,6 +9,7 @@ package starlogo.collision
     import starlogo.handlers.TouchTracker;
     import starlogo.search.FoundPairs;
     import starlogo.search.NumberList;
+    import starlogo.search.RowList;
 
     use namespace engine;
 
@@ -24,19 +25,12 @@ package starlogo.collision
         /** The number of handlers called. */
         public var count:int = 0;
 
-        /**
-         * The agent of the ground, or null, and the agent of the edges, or null. Agents of the list may touch them. Their indices begin
-         * after the end of the list.
-         */
-        public var fixtures:Vector.<Agent> = new <Agent>[null, null];
-
         private var _contacts:FrameContacts = new FrameContacts();
         private var _table:HandlerTable = null;
         private var _tracker:TouchTracker = null;
 
-        // The list as it was searched, and the game's own list, which handlers may change. While every agent is at its index, _areInPlace is
-        // true. Afterwards _places has, by index in the searched list, the last known index in the game's list, or -1 once the agent was missing.
-        private var _listed:Vector.<Agent> = null;
+        // The game's own list, which handlers may change. While every agent is at its index, _areInPlace is true. Afterwards _places has, by row,
+        // the last known index in the game's list, or -1 once the agent was missing.
         private var _agents:Vector.<Agent> = null;
         private var _areInPlace:Boolean;
         private var _places:Vector.<int> = new Vector.<int>();
@@ -57,16 +51,14 @@ package starlogo.collision
          * @param system has found the pairs
          * @param table the handlers of each pair of breeds
          * @param tracker knows the touching pairs of breeds that have handlers for starts or ends
-         * @param listed the list as it was searched; it does not change
          * @param agents the game's own list, which handlers may change
          * @param errors receives the errors that handlers throw
          */
-        public function make(system:BaseCollider, table:HandlerTable, tracker:TouchTracker, listed:Vector.<Agent>, agents:Vector.<Agent>,
+        public function make(system:BaseCollider, table:HandlerTable, tracker:TouchTracker, agents:Vector.<Agent>,
                 errors:Vector.<Error>):void
         {
             _table = table;
             _tracker = tracker;
-            _listed = listed;
             _agents = agents;
             _areInPlace = true;
             _step = _next = count = 0;
@@ -96,7 +88,7 @@ package starlogo.collision
                 tracker.complete(pairs);
             }
             _contacts.end();
-            _listed = _agents = null;
+            _agents = null;
         }
 
         // Computes the contacts that handlers take, before a handler moves an agent. Or finds which pairs touched before.
@@ -106,8 +98,8 @@ package starlogo.collision
             for (var turn:int = 0; turn < end; turn++)
             {
                 var pair:int = areOnlyAdded ? pairs.added.numbers[turn] : turn;
-                var first:Agent = agentAt(pairs.indices[2 * pair]);
-                var second:Agent = agentAt(pairs.indices[2 * pair + 1]);
+                var first:Agent = pairs.agents[pairs.rows[2 * pair]];
+                var second:Agent = pairs.agents[pairs.rows[2 * pair + 1]];
                 var handlers:PairHandlers = _table.handlersOf(first.breedNumber, second.breedNumber);
                 if (forContacts && handlers.takesContacts)
                 {
@@ -197,11 +189,10 @@ package starlogo.collision
         // In the first frame of a touch, its handlers for starts are called before those for every frame.
         private function takePair(pair:int):void
         {
-            var firstAt:int = pairs.indices[2 * pair];
-            var secondAt:int = pairs.indices[2 * pair + 1];
-            var listed:Vector.<Agent> = _listed;
-            var first:Agent = listed[firstAt];
-            var second:Agent = secondAt < listed.length ? listed[secondAt] : fixtures[secondAt - listed.length];
+            var firstRow:int = pairs.rows[2 * pair];
+            var secondRow:int = pairs.rows[2 * pair + 1];
+            var first:Agent = pairs.agents[firstRow];
+            var second:Agent = pairs.agents[secondRow];
             if (_next == 0)
             {
                 _handlers = _table.handlersOf(first.breedNumber, second.breedNumber);
@@ -220,7 +211,7 @@ package starlogo.collision
                     // a touch that began earlier, unless a handler of this pair threw
                     isStarting = _next > 0 && touch.beganIn == _tracker.frame;
                 }
-                else if (areListed(firstAt, secondAt))
+                else if (areListed(firstRow, secondRow))
                 {
                     touch = _tracker.start(pair, first, second, first.breedNumber, second.breedNumber);
                     isStarting = true;
@@ -240,7 +231,7 @@ package starlogo.collision
                     next++;
                     continue;
                 }
-                if (!areListed(firstAt, secondAt))
+                if (!areListed(firstRow, secondRow))
                 {
                     break;
                 }
@@ -271,37 +262,34 @@ package starlogo.collision
             }
         }
 
-        private function agentAt(index:int):Agent
-        {
-            return index < _listed.length ? _listed[index] : fixtures[index - _listed.length];
-        }
-
-        private function areListed(firstAt:int, secondAt:int):Boolean
+        private function areListed(firstRow:int, secondRow:int):Boolean
         {
             var agents:Vector.<Agent> = _agents;
-            var listed:Vector.<Agent> = _listed;
-            var isFixture:Boolean = secondAt >= listed.length;
+            var byRow:Vector.<Agent> = pairs.agents;
+            var ranks:Vector.<int> = pairs.ranks;
+            var isFixture:Boolean = secondRow < RowList.LISTED;
             if (_areInPlace)
             {
-                if (agents.length == listed.length && agents[firstAt] === listed[firstAt] && (isFixture || agents[secondAt] === listed[secondAt]))
+                if (agents.length == pairs.agentCount && agents[ranks[firstRow]] === byRow[firstRow]
+                        && (isFixture || agents[ranks[secondRow]] === byRow[secondRow]))
                 {
                     return true;
                 }
                 _areInPlace = false;
-                for (var i:int = 0; i < listed.length; i++)
+                for (var row:int = 0; row < ranks.length; row++)
                 {
-                    _places[i] = i;
+                    _places[row] = ranks[row];
                 }
             }
-            return isListed(firstAt) && (isFixture || isListed(secondAt));
+            return isListed(firstRow) && (isFixture || isListed(secondRow));
         }
 
         // Once an agent was missing, it stays away for the rest of the frame. When agents are removed, others move towards the start of the
         // list, so an agent is looked for there first.
-        private function isListed(index:int):Boolean
+        private function isListed(row:int):Boolean
         {
-            var agent:Agent = _listed[index];
-            var place:int = _places[index];
+            var agent:Agent = pairs.agents[row];
+            var place:int = _places[row];
             if (place >= 0 && (place >= _agents.length || _agents[place] !== agent))
             {
                 place = _agents.lastIndexOf(agent, place);
@@ -309,7 +297,7 @@ package starlogo.collision
                 {
                     place = _agents.indexOf(agent);
                 }
-                _places[index] = place;
+                _places[row] = place;
             }
             return place >= 0;
         }

@@ -109,8 +109,7 @@ package starlogo.diagnostics
             _findTimes.add(getTimer() - start);
             for (var i:int = 0; i < out.count; i++)
             {
-                var second:int = out.indices[2 * i + 1];
-                countPair(agents[out.indices[2 * i]], second < agents.length ? agents[second] : fixtures[second - agents.length]);
+                countPair(out.agents[out.rows[2 * i]], out.agents[out.rows[2 * i + 1]]);
             }
             endFrame(out.count);
         }

@@ -41,8 +41,8 @@ package starlogo.search
         /** By index in the list: whether the agent takes part; null for all. */
         internal var takePart:Vector.<Boolean> = null;
 
-        /** If an agent sweeps: the time of each pair. */
-        internal var times:Vector.<Number> = new Vector.<Number>();
+        /** Puts the pairs into the order of the list. */
+        internal var order:PairOrder = new PairOrder();
 
         private var _shapes:ModelShapes;
         private var _held:HeldWorld = new HeldWorld();
@@ -59,19 +59,13 @@ package starlogo.search
         // Finds the pairs of a search in which little has changed.
         private var _kept:KeptPairs;
 
-        // The search under way. _interests is null if all pairs count. The candidates of onCandidates are indices in _rows, _ranks and
-        // _circles. Found pairs go to _out as indices, or to _outAgents as agents of _list if it is not null, because a second pass over the pairs
-        // takes a fifth of a dense search in Adobe's VM.
+        // The search under way. _interests is null if all pairs count. The candidates of onCandidates are indices in _rows and _circles. Found
+        // pairs go to _out.
         private var _interests:BreedInterests;
         private var _circles:Circles;
         private var _rows:Vector.<int>;
-        private var _ranks:Vector.<int>;
-        private var _list:Vector.<Agent>;
         private var _out:FoundPairs;
-        private var _outAgents:Vector.<Agent>;
         private var _skippedPairs:int;
-
-        private var _order:KeySort = new KeySort();
 
         /**
          * @param choice finds the shapes of agents
@@ -100,15 +94,14 @@ package starlogo.search
          * @param agents the list
          * @param interests the pairs of breeds; null for all
          * @param takePart by index in the list: whether the agent takes part; null for all
-         * @param out takes the pairs. In a pair, the agent that is first in the list comes first
+         * @param out takes the pairs
          * @param counts takes the counts of this search
-         * @param outAgents takes the pairs as agents. The indices in out are void then. Null if indices are wanted
-         * @param fixtures the agent of the ground, or null, and the agent of the edges of the world, or null. In a pair, their indices follow
-         *     those of the agents. Null if there are none
+         * @param mayKeep whether the search may begin with the pairs of the last one, which are in out then
+         * @param fixtures the agent of the ground, or null, and the agent of the edges of the world, or null. Null if there are none
          * @throws ArgumentError as CollisionSystem.findCollisions does
          */
         public function find(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs, counts:SearchCounts,
-                outAgents:Vector.<Agent>, fixtures:Vector.<Agent>):void
+                mayKeep:Boolean, fixtures:Vector.<Agent>):void
         {
             table.read(agents);
             for (var row:int = RowList.GROUND; row <= RowList.EDGES; row++)
@@ -118,55 +111,45 @@ package starlogo.search
             areSpheres = _shapes.areSpheres;
             isSwept = Agent.haveSwept && SweptPairs.anySweeping(agents);
             this.takePart = takePart;
-            _list = agents;
             _interests = interests;
             _skippedPairs = 0;
             // tests since the last search, as those of questions, do not count
             narrowPhase.takeCounts(counts);
-            if (outAgents != null)
+            if (!mayKeep)
             {
                 _kept.forget();
             }
-            var mayKeep:Boolean = outAgents == null && _kept.begin(interests);
-            if (mayKeep && _kept.find(out))
+            var isLikeLast:Boolean = mayKeep && _kept.begin(interests);
+            if (isLikeLast && _kept.find(out))
             {
                 _memberCount = _kept.memberCount;
             }
             else
             {
-                findAll(out, outAgents);
-                if (outAgents != null && isSwept)
-                {
-                    out.write(agents, outAgents);
-                }
-                if (mayKeep)
+                findAll(out);
+                if (isLikeLast)
                 {
                     _kept.keep(out, _memberRows, _memberCount);
                 }
             }
             _out = null;
-            _outAgents = _list = null;
             report(agents.length, out.count, counts);
         }
 
-        private function findAll(out:FoundPairs, outAgents:Vector.<Agent>):void
+        private function findAll(out:FoundPairs):void
         {
             if (isSwept)
             {
                 motions.find(table, bins, table.rows, table.count);
             }
             chooseMembers();
-            writeTo(out, bins.rowAt, bins.rankAt, bins.members);
-            _outAgents = isSwept ? null : outAgents;
-            bins.findPairs(extents, _memberRows, table.ranks, _memberCount, this);
+            writeTo(out, bins.rowAt, bins.members);
+            bins.findPairs(extents, _memberRows, _memberCount, this);
             for (var row:int = RowList.GROUND; row <= RowList.EDGES; row++)
             {
                 findAtFixture(row, _memberRows, _memberCount);
             }
-            if (isSwept)
-            {
-                _order.sortPairs(out.indices, times, out.count);
-            }
+            order.sort(out, isSwept);
         }
 
         /** The extents of the search: those of whole motions if an agent sweeps. */
@@ -179,15 +162,13 @@ package starlogo.search
          * Says what the indices of <code>onCandidates()</code> mean, and where the pairs go.
          *
          * @param rows by index: the row
-         * @param ranks by index: the row's rank
          * @param circles by index: the row's middle and circle
          */
-        internal function writeTo(out:FoundPairs, rows:Vector.<int>, ranks:Vector.<int>, circles:Circles):void
+        internal function writeTo(out:FoundPairs, rows:Vector.<int>, circles:Circles):void
         {
-            out.begin();
+            out.begin(table);
             _out = out;
             _rows = rows;
-            _ranks = ranks;
             _circles = circles;
         }
 
@@ -287,14 +268,18 @@ package starlogo.search
             }
             else if (areSpheres)
             {
-                narrowPhase.spheres.writeTouching(table, bins, _circles, slot, rows, _ranks, others, count, _out, _list, _outAgents);
+                narrowPhase.spheres.writeTouching(table, bins, _circles, slot, rows, others, count, _out);
                 return;
             }
             else
             {
                 count = narrowPhase.keepTouching(table, bins, _circles, slot, rows, others, count);
             }
-            put(_ranks, slot, others, count);
+            for (var i:int = 0; i < count; i++)
+            {
+                others[i] = rows[others[i]];
+            }
+            _out.addPairs(row, others, count);
         }
 
         /**
@@ -332,23 +317,7 @@ package starlogo.search
                 var body:Body = table.bodyOf(fixture);
                 count = narrowPhase.testsOf(body, body).keepRows(table, others, count, body);
             }
-            put(table.ranks, fixture, others, count);
-        }
-
-        // Writes the pairs of a row and its candidates. Each is an index in a list of ranks.
-        private function put(ranks:Vector.<int>, index:int, others:Vector.<int>, count:int):void
-        {
-            var indices:Vector.<int> = _out.indices;
-            var outAgents:Vector.<Agent> = _outAgents;
-            var list:Vector.<Agent> = _list;
-            var rank:int = ranks[index];
-            var to:int = 2 * _out.count;
-            for (var i:int = 0; i < count; i++)
-            {
-                var ahead:int = ranks[others[i]] - rank;
-                include "writePair.inc";
-            }
-            _out.count += count;
+            _out.addPairs(fixture, others, count);
         }
 
         // In most searches all agents take part, and the table's own list of rows is used.
@@ -398,7 +367,7 @@ package starlogo.search
                 if (time != RelativeMotion.NEVER)
                 {
                     others[kept] = others[i];
-                    times[int(at + kept)] = time;
+                    _out.times[int(at + kept)] = time;
                     kept++;
                 }
             }

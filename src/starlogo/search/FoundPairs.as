@@ -1,9 +1,16 @@
 package starlogo.search
 {
     import starlogo.agents.Agent;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /**
-     * The pairs of agents that a search has found. Each agent is given by its index in the list that was searched.
+     * The pairs of a frame: two rows of agents each. They are in the order of the list, by the first agent's index and then by the second's. The
+     * ground and the edges of the world come after all agents. If an agent sweeps, pairs that touch earlier come first.
+     *
+     * <p>PairOrder sorts pairs. KeptPairs makes the pairs of a frame from those of the last one. Pairs of a collision system that is not the
+     * engine's come in its own order.</p>
      *
      * @private
      */
@@ -14,8 +21,20 @@ package starlogo.search
         /** The number of pairs. */
         public var count:int = 0;
 
-        /** The indices: a0, b0, a1, b1, ... The list may be longer: numbers after the last pair are left over from earlier searches. */
-        public var indices:Vector.<int> = new Vector.<int>();
+        /** The rows: a0, b0, a1, b1, ... The list may be longer: rows after the last pair are left over from earlier frames. */
+        public var rows:Vector.<int> = new Vector.<int>();
+
+        /** The time of each pair, if an agent sweeps. It is valid during the search only. */
+        public var times:Vector.<Number> = new Vector.<Number>();
+
+        /** By row: the agent. Rows before RowList.LISTED have the ground and the edges of the world. */
+        public var agents:Vector.<Agent> = null;
+
+        /** By row: the index of its agent in the list. */
+        public var ranks:Vector.<int> = null;
+
+        /** The number of agents in the list. */
+        public var agentCount:int = 0;
 
         /** The number of these pairs, from 1 on. Other pairs get another number. */
         public var number:int = 0;
@@ -32,38 +51,108 @@ package starlogo.search
         /** The indices of the added pairs among these pairs, in ascending order. */
         public var added:NumberList = new NumberList();
 
-        /** The object that keeps these pairs for the next search, or null. */
-        internal var keeper:Object = null;
+        // For pairs of another system: the rows of agents by their ids; and by row the agents and their indices.
+        private var _byId:IdTable = null;
+        private var _readAgents:Vector.<Agent> = null;
+        private var _readRanks:Vector.<int> = null;
 
-        // The index of each agent in a list, by the agent's id.
-        private var _byId:IdTable = new IdTable();
-
-        /** Begins to write other pairs. */
-        internal function begin():void
+        /** Begins to write other pairs, of rows of a table. */
+        internal function begin(table:RowList):void
         {
+            refer(table.agents, table.ranks, table.count);
             count = 0;
-            number++;
             origin = NONE;
-            keeper = null;
+        }
+
+        /** Adds the pairs of a row. */
+        internal function addPairs(row:int, others:Vector.<int>, othersCount:int):void
+        {
+            var to:int = 2 * count;
+            for (var i:int = 0; i < othersCount; i++)
+            {
+                rows[to] = row;
+                rows[int(to + 1)] = others[i];
+                to += 2;
+            }
+            count += othersCount;
+        }
+
+        /** Begins to change the pairs to those of the next frame: drops the pairs of rows with a mark. */
+        internal function drop(table:RowList, marks:Vector.<int>, mark:int):void
+        {
+            var before:int = number;
+            refer(table.agents, table.ranks, table.count);
+            origin = before;
+            dropped.count = added.count = 0;
+            var all:Vector.<int> = rows;
+            var end:int = 2 * count;
+            var kept:int = 0;
+            for (var i:int = 0; i < end; i += 2)
+            {
+                var a:int = all[i];
+                var b:int = all[int(i + 1)];
+                if (marks[a] != mark && marks[b] != mark)
+                {
+                    all[kept] = a;
+                    all[int(kept + 1)] = b;
+                    kept += 2;
+                }
+                else
+                {
+                    dropped.add(i >> 1);
+                }
+            }
+            count = kept >> 1;
+        }
+
+        /**
+         * Puts found pairs, which are in order, between the others.
+         *
+         * @param early how many of the found pairs come before all others, because they touch earlier
+         */
+        internal function merge(found:FoundPairs, early:int):void
+        {
+            var from:int = count;
+            count += found.count;
+            var to:int = count;
+            if (rows.length < 2 * to)
+            {
+                // grows by an eighth, because a vector that grows a little in each frame is copied each time
+                rows.length = 2 * (to + (to >> 3));
+            }
+            added.count = found.count;
+            if (added.numbers.length < found.count)
+            {
+                added.numbers.length = found.count;
+            }
+            for (var i:int = found.count - 1; i >= 0; i--)
+            {
+                var a:int = found.rows[int(2 * i)];
+                var b:int = found.rows[int(2 * i + 1)];
+                for (var place:int = i < early ? 0 : placeFor(a, b, from); from > place; from--)
+                {
+                    to--;
+                    rows[int(2 * to)] = rows[int(2 * from - 2)];
+                    rows[int(2 * to + 1)] = rows[int(2 * from - 1)];
+                }
+                to--;
+                added.numbers[i] = to;
+                rows[int(2 * to)] = a;
+                rows[int(2 * to + 1)] = b;
+            }
         }
 
         /** Reads pairs of agents: a0, b0, a1, b1, ... It leaves out a pair if one of its agents is not in the list. */
         public function read(pairs:Vector.<Agent>, list:Vector.<Agent>):void
         {
-            _byId.clear();
-            for (var i:int = 0; i < list.length; i++)
+            readList(list);
+            count = 0;
+            origin = NONE;
+            for (var i:int = 0; i + 1 < pairs.length; i += 2)
             {
-                if (list[i] != null)
-                {
-                    _byId.set (list[i].id, i);
-                }
-            }
-            begin();
-            for (i = 0; i + 1 < pairs.length; i += 2)
-            {
-                indices[2 * count] = _byId.valueOf(pairs[i].id);
-                indices[2 * count + 1] = _byId.valueOf(pairs[i + 1].id);
-                if (indices[2 * count] >= 0 && indices[2 * count + 1] >= 0)
+                rows[2 * count] = _byId.valueOf(pairs[i].id);
+                rows[2 * count + 1] = _byId.valueOf(pairs[i + 1].id);
+                if (rows[2 * count] >= 0 && rows[2 * count + 1] >= 0)
                 {
                     count++;
                 }
@@ -71,12 +160,77 @@ package starlogo.search
         }
 
         /** Writes the pairs as agents: a0, b0, a1, b1, ... */
-        public function write(list:Vector.<Agent>, out:Vector.<Agent>):void
+        public function write(out:Vector.<Agent>):void
         {
-            for (var i:int = 0; i < 2 * count; i++)
+            var byRow:Vector.<Agent> = agents;
+            var all:Vector.<int> = rows;
+            var end:int = 2 * count;
+            for (var i:int = 0; i < end; i++)
             {
-                out[i] = list[indices[i]];
+                out[i] = byRow[all[i]];
             }
+        }
+
+        private function refer(agents:Vector.<Agent>, ranks:Vector.<int>, agentCount:int):void
+        {
+            this.agents = agents;
+            this.ranks = ranks;
+            this.agentCount = agentCount;
+            number++;
+        }
+
+        // Gives the agents of a list rows in their order.
+        private function readList(list:Vector.<Agent>):void
+        {
+            _byId ||= new IdTable();
+            _readAgents ||= new <Agent>[null, null];
+            _readRanks ||= new <int>[0, 0];
+            _byId.clear();
+            _readAgents.length = _readRanks.length = RowList.LISTED + list.length;
+            for (var i:int = 0; i < list.length; i++)
+            {
+                var row:int = RowList.LISTED + i;
+                _readAgents[row] = list[i];
+                _readRanks[row] = i;
+                if (list[i] != null)
+                {
+                    _byId.set (list[i].id, row);
+                }
+            }
+            refer(_readAgents, _readRanks, list.length);
+        }
+
+        // The number of pairs before a pair, of the first pairs. It looks at the last of them first.
+        private function placeFor(a:int, b:int, end:int):int
+        {
+            var high:int = end;
+            var step:int = 1;
+            while (high >= step && isAfter(high - step, a, b))
+            {
+                high -= step;
+                step *= 2;
+            }
+            var low:int = high >= step ? high - step + 1 : 0;
+            while (low < high)
+            {
+                var middle:int = (low + high) >> 1;
+                if (isAfter(middle, a, b))
+                {
+                    high = middle;
+                }
+                else
+                {
+                    low = middle + 1;
+                }
+            }
+            return low;
+        }
+
+        // Whether a pair comes after the pair of two rows.
+        private function isAfter(pair:int, a:int, b:int):Boolean
+        {
+            var ahead:int = ranks[rows[int(2 * pair)]] - ranks[a];
+            return ahead > 0 || ahead == 0 && ranks[rows[int(2 * pair + 1)]] > ranks[b];
         }
     }
 }

@@ -25,9 +25,13 @@ package starlogo.search
         private var _search:CollisionSearch;
         private var _table:AgentTable;
 
-        // The pairs, and whether they are those of the last search.
-        private var _pairs:OrderedPairs;
+        // The pairs of the last search, and their number. They are kept unless somebody else has written other pairs there, or they are void.
+        private var _pairs:FoundPairs = null;
+        private var _pairsNumber:int = 0;
         private var _isValid:Boolean = false;
+
+        // The pairs that this search finds.
+        private var _found:FoundPairs = new FoundPairs();
 
         // The members of the last search.
         private var _cells:CellLists;
@@ -50,7 +54,6 @@ package starlogo.search
             _search = search;
             _table = search.table;
             _cells = new CellLists(search.bins.levels);
-            _pairs = new OrderedPairs(_table, _cells);
         }
 
         /** The number of rows that take part. */
@@ -94,21 +97,20 @@ package starlogo.search
         public function keep(out:FoundPairs, members:Vector.<int>, memberCount:int):void
         {
             _cells.begin(_search.extents, members, memberCount, _table.agents.length);
-            _pairs.read(out, times);
+            note(out);
             hasFixtureChanged(RowList.GROUND);
             hasFixtureChanged(RowList.EDGES);
-            _isValid = true;
         }
 
         /**
          * Finds the pairs.
          *
-         * @param out takes them
+         * @param out has the pairs of the last search, and takes those of this one
          * @return false if the search has to be one of all rows. It is not touched then
          */
         public function find(out:FoundPairs):Boolean
         {
-            if (!_isValid)
+            if (!_isValid || out !== _pairs || out.number != _pairsNumber)
             {
                 return false;
             }
@@ -126,7 +128,7 @@ package starlogo.search
             {
                 return false;
             }
-            _search.writeTo(_pairs.found, _table.itself, _table.ranks, _search.extents);
+            _search.writeTo(_found, _table.itself, _search.extents);
             for (var i:int = 0; i < _changed.count; i++)
             {
                 if (_cells.has(_changed.numbers[i]))
@@ -136,14 +138,17 @@ package starlogo.search
             }
             findAtFixture(RowList.GROUND);
             findAtFixture(RowList.EDGES);
-            _pairs.renew(_changedIn, _number, times, out);
-            _isValid = true;
+            out.drop(_table, _changedIn, _number);
+            out.merge(_found, _search.order.sort(_found, _search.isSwept));
+            note(out);
             return true;
         }
 
-        private function get times():Vector.<Number>
+        private function note(out:FoundPairs):void
         {
-            return _search.isSwept ? _search.times : null;
+            _pairs = out;
+            _pairsNumber = out.number;
+            _isValid = true;
         }
 
         private function isStill(setting:int, value:int):Boolean

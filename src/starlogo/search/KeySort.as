@@ -15,10 +15,6 @@ package starlogo.search
         private var _otherThings:Vector.<int> = new Vector.<int>();
         private var _otherKeys:Vector.<Number> = new Vector.<Number>();
 
-        // The numbers of the pairs, and a copy of the pairs before the sort.
-        private var _numbers:Vector.<int> = new Vector.<int>();
-        private var _before:Vector.<int> = new Vector.<int>();
-
         /**
          * Sorts things.
          *
@@ -63,29 +59,6 @@ package starlogo.search
             {
                 things[i] = from[i];
                 keys[i] = fromKeys[i];
-            }
-        }
-
-        /**
-         * Sorts pairs. Pairs with equal keys keep their order.
-         *
-         * @param pairs two numbers for each pair
-         * @param keys the key of each pair; sorted together with the pairs
-         * @param count how many pairs to sort
-         */
-        public function sortPairs(pairs:Vector.<int>, keys:Vector.<Number>, count:int):void
-        {
-            for (var i:int = 0; i < count; i++)
-            {
-                _numbers[i] = i;
-                _before[2 * i] = pairs[2 * i];
-                _before[2 * i + 1] = pairs[2 * i + 1];
-            }
-            sort(_numbers, keys, count);
-            for (i = 0; i < count; i++)
-            {
-                pairs[2 * i] = _before[2 * _numbers[i]];
-                pairs[2 * i + 1] = _before[2 * _numbers[i] + 1];
             }
         }
 

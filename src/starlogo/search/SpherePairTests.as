@@ -1,7 +1,6 @@
 package starlogo.search
 {
     import flash.geom.Vector3D;
-    import starlogo.agents.Agent;
     import starlogo.bounding.Sphere;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Circles;
@@ -43,15 +42,12 @@ package starlogo.search
          * @param circles by index: the middle and the circle of a row
          * @param at the index of the row
          * @param rows by index: the row
-         * @param ranks by index: the row's rank
          * @param others the indices of the candidates
          * @param count their number
-         * @param out takes the pairs as indices in the list, the lesser one first
-         * @param list the list
-         * @param outAgents takes the pairs as agents in place of their indices; null if indices are wanted
+         * @param out takes the pairs
          */
-        public function writeTouching(table:AgentTable, bins:Bins, circles:Circles, at:int, rows:Vector.<int>, ranks:Vector.<int>, others:Vector.<int>, count:int,
-                out:FoundPairs, list:Vector.<Agent>, outAgents:Vector.<Agent>):void
+        public function writeTouching(table:AgentTable, bins:Bins, circles:Circles, at:int, rows:Vector.<int>, others:Vector.<int>, count:int,
+                out:FoundPairs):void
         {
             var xs:Vector.<Number> = circles.x;
             var ys:Vector.<Number> = circles.y;
@@ -62,17 +58,30 @@ package starlogo.search
             var atZ:Number = zs[at];
             var radius:Number = radii[at];
             var slack:Number = bins.slack;
-            var spheres:SpherePairTests = this;
-            var indices:Vector.<int> = out.indices;
-            var rank:int = ranks[at];
+            var pairs:Vector.<int> = out.rows;
+            var row:int = rows[at];
             var to:int = 2 * out.count;
             tests += count;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                include "sphereTest.inc";
-                var ahead:int = ranks[other] - rank;
-                include "writePair.inc";
+                var x:Number = xs[other] - atX;
+                var y:Number = ys[other] - atY;
+                var z:Number = zs[other] - atZ;
+                var across:Number = radius + radii[other];
+                var squared:Number = x * x + y * y + z * z;
+                if (squared > across * across)
+                {
+                    // if the gap is not larger than rounding errors, the exact test decides
+                    across += slack;
+                    if (squared > across * across || !areTouching(table.bodyOf(row), table.bodyOf(rows[other])))
+                    {
+                        continue;
+                    }
+                }
+                pairs[to] = row;
+                pairs[int(to + 1)] = rows[other];
+                to += 2;
             }
             out.count = to >> 1;
         }

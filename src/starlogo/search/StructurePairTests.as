@@ -100,7 +100,20 @@ package starlogo.search
                 else if (isSphere && forms[otherRow] == BoundingStructure.SPHERE)
                 {
                     spheres.tests++;
-                    include "sphereTest.inc";
+                    var x:Number = xs[other] - atX;
+                    var y:Number = ys[other] - atY;
+                    var z:Number = zs[other] - atZ;
+                    var across:Number = radius + radii[other];
+                    var squared:Number = x * x + y * y + z * z;
+                    if (squared > across * across)
+                    {
+                        // if the gap is not larger than rounding errors, the exact test decides
+                        across += slack;
+                        if (squared > across * across || !spheres.areTouching(table.bodyOf(row), table.bodyOf(otherRow)))
+                        {
+                            continue;
+                        }
+                    }
                 }
                 else if (!NarrowPhase.areNear(table.extents, bins, row, otherRow) || !_narrowPhase.areTouching(body ||= table.bodyOf(row), table.bodyOf(otherRow)))
                 {

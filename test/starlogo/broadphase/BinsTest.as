@@ -134,7 +134,7 @@ package starlogo.broadphase
             try
             {
                 search();
-                _bins.findPairs(_extents, _rows, _extents.level, 3, new PairSink());
+                _bins.findPairs(_extents, _rows, 3, new PairSink());
             }
             catch (error:Error)
             {
@@ -170,7 +170,7 @@ package starlogo.broadphase
                 _bins.levels.assignLevel(_extents, row);
             }
             _sink.members = _rows;
-            _bins.findPairs(_extents, _rows, _extents.level, count < 0 ? _rows.length : count, _sink);
+            _bins.findPairs(_extents, _rows, count < 0 ? _rows.length : count, _sink);
         }
 
         // How many overlap. A pair a hair's breadth apart may be found or not.

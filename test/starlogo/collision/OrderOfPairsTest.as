@@ -11,8 +11,8 @@ package starlogo.collision
     import support.landOf;
 
     /**
-     * The order of pairs depends on the list and on where its agents are: what a collider has seen before does not show. Of a pair the agent that
-     * comes first in the list comes first; when an agent sweeps, pairs come by time of impact.
+     * Pairs come in the order of the list, by the first agent's index and then by the second's, as from a loop over all pairs. When an agent sweeps,
+     * they come by time of impact first. What a collider has seen before does not show.
      */
     public class OrderOfPairsTest
     {
@@ -222,6 +222,7 @@ package starlogo.collision
         {
             var found:Vector.<Agent> = kept.findCollisions(_agents);
             checkOrder(name, when, found, null);
+            assertSame(name, loop(kept), found);
             var fresh:Vector.<Agent> = EachCollider.make(name, _greatLand).findCollisions(_agents);
             checkOrder(name + ", a new one", when, fresh, null);
             assertSame(name, fresh, found);
@@ -230,6 +231,8 @@ package starlogo.collision
         // The times are null where no agent sweeps.
         private function checkOrder(name:String, when:String, found:Vector.<Agent>, times:Vector.<Number>):void
         {
+            var firstBefore:int = -1;
+            var secondBefore:int = -1;
             for (var i:int = 0; i < found.length; i += 2)
             {
                 _pairs++;
@@ -237,11 +240,33 @@ package starlogo.collision
                 var second:int = _agents.indexOf(found[i + 1]);
                 _againstIds += found[i].id > found[i + 1].id ? 1 : 0;
                 _wrong.addIf(first < 0 || first >= second, name, when + ": " + first + "-" + second);
+                var comesLater:Boolean = i == 0 || first > firstBefore || first == firstBefore && second > secondBefore;
+                _wrong.addIf(!comesLater && (times == null || times[i / 2] == times[i / 2 - 1]), name + ", list", when + ": " + first + "-" + second
+                        + " after " + firstBefore + "-" + secondBefore);
+                firstBefore = first;
+                secondBefore = second;
                 if (times != null && i > 0 && times[i / 2] < times[i / 2 - 1] - NEAR)
                 {
                     _wrong.add(name + ", times", when + ": " + times[i / 2 - 1] + ", then " + times[i / 2]);
                 }
             }
+        }
+
+        // All pairs of the list that touch where they are.
+        private function loop(collider:Collider):Vector.<Agent>
+        {
+            var pairs:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < _agents.length; i++)
+            {
+                for (var j:int = i + 1; j < _agents.length; j++)
+                {
+                    if (collider.areColliding(_agents[i], _agents[j]))
+                    {
+                        pairs.push(_agents[i], _agents[j]);
+                    }
+                }
+            }
+            return pairs;
         }
 
         private static function timesOf(collider:Collider, found:Vector.<Agent>):Vector.<Number>
@@ -274,7 +299,7 @@ package starlogo.collision
             if (texts[0] != texts[1])
             {
                 var isOrder:Boolean = texts[0].split(",").sort().join() == texts[1].split(",").sort().join();
-                _wrong.add(name + (isOrder ? ": another order than a new one's" : ": other pairs than a new one's"), texts[1].substr(0, 60) + ", not "
+                _wrong.add(name + (isOrder ? ": another order" : ": other pairs"), texts[1].substr(0, 60) + ", not "
                         + texts[0].substr(0, 60));
             }
         }

@@ -34,7 +34,7 @@ package starlogo.collision
     internal final class Snapshots
     {
         // "SLF3"
-        private static const MARK:uint = 0x534C4633;
+        private static const MARK:uint = 0x534C4634;
         private static const BYTES_PER_AGENT:int = 25;
 
         // What is in a snapshot, as a sum: traits; whether there was ground; the ground's heights.

@@ -8,26 +8,24 @@ package starlogo.search
      */
     public final class PairOrder
     {
-        // If there are at least so many agents for each pair, sorting by comparing is faster than counting by agent.
-        private static const FEW:int = 4;
+        // If there are at least so many agents for each pair, comparing pairs is faster than counting those of each agent.
+        private static const FEW:int = 12;
 
         // The factor of the first rank in a key of both. There are fewer ranks.
         private static const RANKS:Number = 1 << 26;
 
-        // The pairs' numbers in their new order, and in the order of the second ranks.
+        // The pairs' numbers in their new order; in the order of their second agents; and the keys in the new order.
         private var _order:Vector.<int> = new Vector.<int>();
         private var _bySecond:Vector.<int> = new Vector.<int>();
-
-        // By rank: how many pairs have it, and then where the next of them goes.
-        private var _firsts:Vector.<int> = new Vector.<int>();
-        private var _seconds:Vector.<int> = new Vector.<int>();
-
-        // By place in the order.
         private var _keys:Vector.<Number> = new Vector.<Number>();
         private var _sort:KeySort = new KeySort();
 
-        // The memory that the pairs had before, for the next order.
-        private var _spareRows:Vector.<int> = new Vector.<int>();
+        // By rank: how many pairs have it first or second, and then where the next of them goes.
+        private var _firsts:Vector.<int> = new Vector.<int>();
+        private var _seconds:Vector.<int> = new Vector.<int>();
+
+        // The memory that the pairs had before.
+        private var _spare:Vector.<int> = new Vector.<int>();
 
         /**
          * Puts pairs into order.
@@ -37,8 +35,7 @@ package starlogo.search
          */
         public function sort(pairs:FoundPairs, haveTimes:Boolean):int
         {
-            var areSorted:Boolean = orient(pairs);
-            if (areSorted && !haveTimes)
+            if (!haveTimes && areSorted(pairs))
             {
                 return 0;
             }
@@ -46,6 +43,7 @@ package starlogo.search
             {
                 _order.length = _bySecond.length = _keys.length = pairs.count + (pairs.count >> 3);
             }
+            orient(pairs);
             if (FEW * pairs.count < pairs.agentCount)
             {
                 sortByKeys(pairs);
@@ -59,36 +57,52 @@ package starlogo.search
             return early;
         }
 
-        // Puts the agent with the lesser rank first in each pair. Returns whether the pairs are in order, as those of one cell are.
-        private function orient(pairs:FoundPairs):Boolean
+        // Whether the pairs are in order already, as those of agents in one cell are.
+        private function areSorted(pairs:FoundPairs):Boolean
         {
             var rows:Vector.<int> = pairs.rows;
             var ranks:Vector.<int> = pairs.ranks;
             var end:int = 2 * pairs.count;
-            var lastFirst:int = -1;
-            var lastSecond:int = -1;
-            var areSorted:Boolean = true;
+            var row:int = -1;
+            var first:int = -1;
+            var last:int = -1;
             for (var i:int = 0; i < end; i += 2)
             {
-                var first:int = ranks[rows[i]];
+                if (rows[i] != row)
+                {
+                    row = rows[i];
+                    if (ranks[row] < first)
+                    {
+                        return false;
+                    }
+                    last = first = ranks[row];
+                }
                 var second:int = ranks[rows[int(i + 1)]];
-                if (first > second)
+                if (second <= last)
                 {
-                    var row:int = rows[i];
-                    rows[i] = rows[int(i + 1)];
-                    rows[int(i + 1)] = row;
-                    row = first;
-                    first = second;
-                    second = row;
+                    return false;
                 }
-                if (first < lastFirst || first == lastFirst && second < lastSecond)
-                {
-                    areSorted = false;
-                }
-                lastFirst = first;
-                lastSecond = second;
+                last = second;
             }
-            return areSorted;
+            return true;
+        }
+
+        // Puts the agent with the lesser rank first in each pair. All bits of swaps are set if that is the second. Half of them are, so a branch
+        // would be mispredicted.
+        private function orient(pairs:FoundPairs):void
+        {
+            var rows:Vector.<int> = pairs.rows;
+            var ranks:Vector.<int> = pairs.ranks;
+            var end:int = 2 * pairs.count;
+            for (var i:int = 0; i < end; i += 2)
+            {
+                var a:int = rows[i];
+                var b:int = rows[int(i + 1)];
+                var swaps:int = (ranks[b] - ranks[a]) >> 31;
+                var change:int = (a ^ b) & swaps;
+                rows[i] = a ^ change;
+                rows[int(i + 1)] = b ^ change;
+            }
         }
 
         private function sortByKeys(pairs:FoundPairs):void
@@ -103,43 +117,43 @@ package starlogo.search
             _sort.sort(_order, _keys, pairs.count);
         }
 
-        // Two counting sorts, which keep the order of equals: first by the second rank, then by the first.
+        // Two counting sorts, by the second ranks and then by the first. Each keeps the order of equals.
         private function sortByCounting(pairs:FoundPairs):void
         {
-            count(pairs);
+            countRanks(pairs);
             var rows:Vector.<int> = pairs.rows;
             var ranks:Vector.<int> = pairs.ranks;
             var bySecond:Vector.<int> = _bySecond;
             var order:Vector.<int> = _order;
-            var ends:Vector.<int> = _seconds;
+            var next:Vector.<int> = _seconds;
             for (var i:int = 0; i < pairs.count; i++)
             {
                 var rank:int = ranks[rows[int(2 * i + 1)]];
-                bySecond[ends[rank]] = i;
-                ends[rank]++;
+                bySecond[next[rank]] = i;
+                next[rank]++;
             }
-            ends = _firsts;
+            next = _firsts;
             for (i = 0; i < pairs.count; i++)
             {
                 var pair:int = bySecond[i];
                 rank = ranks[rows[int(2 * pair)]];
-                order[ends[rank]] = pair;
-                ends[rank]++;
+                order[next[rank]] = pair;
+                next[rank]++;
             }
         }
 
         // Finds where the pairs of each rank begin.
-        private function count(pairs:FoundPairs):void
+        private function countRanks(pairs:FoundPairs):void
         {
+            // the ground and the edges of the world have the ranks after those of the agents
+            var rankCount:int = pairs.agentCount + RowList.LISTED;
+            if (_firsts.length < rankCount)
+            {
+                _firsts.length = _seconds.length = rankCount;
+            }
             var firsts:Vector.<int> = _firsts;
             var seconds:Vector.<int> = _seconds;
-            // the ground and the edges of the world have the ranks after those of the agents
-            var length:int = pairs.agentCount + RowList.LISTED;
-            if (firsts.length < length)
-            {
-                firsts.length = seconds.length = length;
-            }
-            for (var rank:int = 0; rank < length; rank++)
+            for (var rank:int = 0; rank < rankCount; rank++)
             {
                 firsts[rank] = seconds[rank] = 0;
             }
@@ -153,7 +167,7 @@ package starlogo.search
             }
             var firstsBefore:int = 0;
             var secondsBefore:int = 0;
-            for (rank = 0; rank < length; rank++)
+            for (rank = 0; rank < rankCount; rank++)
             {
                 var ofRank:int = firsts[rank];
                 firsts[rank] = firstsBefore;
@@ -183,19 +197,20 @@ package starlogo.search
         private function arrange(pairs:FoundPairs):void
         {
             var from:Vector.<int> = pairs.rows;
-            var to:Vector.<int> = _spareRows;
+            var to:Vector.<int> = _spare;
             if (to.length < from.length)
             {
                 to.length = from.length;
             }
+            var order:Vector.<int> = _order;
             for (var i:int = 0; i < pairs.count; i++)
             {
-                var pair:int = _order[i];
+                var pair:int = order[i];
                 to[int(2 * i)] = from[int(2 * pair)];
                 to[int(2 * i + 1)] = from[int(2 * pair + 1)];
             }
             pairs.rows = to;
-            _spareRows = from;
+            _spare = from;
         }
     }
 }

@@ -183,8 +183,8 @@ package starlogo.search
         private function readList(list:Vector.<Agent>):void
         {
             _byId ||= new IdTable();
-            _readAgents ||= new <Agent>[null, null];
-            _readRanks ||= new <int>[0, 0];
+            _readAgents ||= new Vector.<Agent>();
+            _readRanks ||= new Vector.<int>();
             _byId.clear();
             _readAgents.length = _readRanks.length = RowList.LISTED + list.length;
             for (var i:int = 0; i < list.length; i++)

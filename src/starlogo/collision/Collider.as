@@ -162,7 +162,7 @@ package starlogo.collision
                     throw new ArgumentError("the collider belongs to another Collision, whose motions and contacts it keeps: give each Collision "
                             + "a collider of its own, or first exchange the collisionSystem of the other");
                 }
-                search.table.forgetMotions();
+                search.table.places.forgetMotions();
             }
             _owner = value;
         }

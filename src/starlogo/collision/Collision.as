@@ -242,7 +242,7 @@ package starlogo.collision
             var owned:Collider = _system.ownedCollider;
             if (owned != null)
             {
-                owned.search.table.forgetMotions();
+                owned.search.table.places.forgetMotions();
             }
             // a handler may call this, and the frame goes on with its list
             _lastAgents = new Vector.<Agent>();
@@ -379,7 +379,7 @@ package starlogo.collision
         // Copies the list that a collider has searched, unless the last update has copied the same list.
         private function keepList(agents:Vector.<Agent>, searched:Collider):void
         {
-            var number:int = searched == null ? -1 : searched.search.table.listNumber;
+            var number:int = searched == null ? -1 : searched.search.table.list.listNumber;
             if (_isLent || number < 0 || number != _listNumber || searched !== _searched)
             {
                 if (agents === _lastAgents)

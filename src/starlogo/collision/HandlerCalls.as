@@ -9,7 +9,7 @@ package starlogo.collision
     import starlogo.handlers.TouchTracker;
     import starlogo.search.FoundPairs;
     import starlogo.search.NumberList;
-    import starlogo.search.RowList;
+    import starlogo.search.ListedAgents;
 
     use namespace engine;
 
@@ -267,7 +267,7 @@ package starlogo.collision
             var agents:Vector.<Agent> = _agents;
             var byRow:Vector.<Agent> = pairs.agents;
             var ranks:Vector.<int> = pairs.ranks;
-            var isFixture:Boolean = secondRow < RowList.LISTED;
+            var isFixture:Boolean = secondRow < ListedAgents.LISTED;
             if (_areInPlace)
             {
                 if (agents.length == pairs.agentCount && agents[ranks[firstRow]] === byRow[firstRow]

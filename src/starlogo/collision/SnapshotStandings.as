@@ -7,7 +7,7 @@ package starlogo.collision
     import starlogo.geometry.Placement;
     import starlogo.geometry.isInWorld;
     import starlogo.search.AgentTable;
-    import starlogo.search.RowList;
+    import starlogo.search.ListedAgents;
 
     use namespace engine;
 
@@ -31,13 +31,13 @@ package starlogo.collision
             for (var i:int = 0; i < agents.length; i++)
             {
                 var standing:PlatformLink = agents[i].standing;
-                if (standing == null || !standing.isValid || table.rowOf(standing.on) < RowList.LISTED)
+                if (standing == null || !standing.isValid || table.list.rowOf(standing.on) < ListedAgents.LISTED)
                 {
                     continue;
                 }
                 count++;
                 bytes.writeInt(i);
-                bytes.writeInt(table.ranks[table.rowOf(standing.on)]);
+                bytes.writeInt(table.list.ranks[table.list.rowOf(standing.on)]);
                 writeNumbers(bytes, standing.at.x, standing.at.y, standing.at.z);
                 var below:Placement = standing.below;
                 writeNumbers(bytes, below.x, below.y, below.z);

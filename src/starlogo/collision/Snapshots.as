@@ -11,7 +11,6 @@ package starlogo.collision
     import starlogo.handlers.TouchTracker;
     import starlogo.search.AgentTable;
     import starlogo.search.CollisionSearch;
-    import starlogo.search.KeptPlaces;
     import starlogo.search.WorldAgent;
     import starlogo.terrain.Terrain;
 
@@ -72,14 +71,14 @@ package starlogo.collision
         public function write(tracker:TouchTracker, table:AgentTable, agents:Vector.<Agent>, keepsMotions:Boolean, terrain:Terrain,
                 fixtures:Vector.<Agent>, withTraits:Boolean, withGround:Boolean):ByteArray
         {
-            if (agents.length > 0 && !table.isListed(agents))
+            if (agents.length > 0 && !table.list.isListed(agents))
             {
                 throw new IllegalOperationError("the collision system has searched another list since the last frame");
             }
             var hasHeights:Boolean = withGround && terrain != null;
             var names:SnapshotNames = new SnapshotNames();
             var parts:ByteArray = newBytes();
-            KeptPlaces.write(table, agents, parts, keepsMotions);
+            SnapshotPlaces.write(table, agents, parts, keepsMotions);
             writePairs(parts, names, tracker, table, fixtures);
             SnapshotStandings.write(agents, table, parts);
             if (hasHeights)
@@ -111,7 +110,7 @@ package starlogo.collision
          */
         public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, terrain:Terrain, fixtures:Vector.<Agent>):TouchTracker
         {
-            search.table.propose(agents);
+            search.table.list.propose(agents);
             var copy:ByteArray = newBytes();
             copy.writeBytes(bytes);
             copy.position = 0;
@@ -156,7 +155,8 @@ package starlogo.collision
                     readTraits(bytes, agents);
                 }
                 bytes.position = _placesAt;
-                search.restorePositions(agents, bytes);
+                SnapshotPlaces.restore(search.table, agents, bytes);
+                search.forgetSearch();
             }
             catch (error:Error)
             {
@@ -190,8 +190,8 @@ package starlogo.collision
             for (var i:int = 0; i < touches.length; i++)
             {
                 var pair:Touch = touches[i];
-                bytes.writeInt(table.ranks[table.rowOf(pair.first)]);
-                bytes.writeInt(Breeds.isReserved(pair.secondBreed) ? table.count + indexOfFixture(pair, fixtures) : table.ranks[table.rowOf(pair.second)]);
+                bytes.writeInt(table.list.ranks[table.list.rowOf(pair.first)]);
+                bytes.writeInt(Breeds.isReserved(pair.secondBreed) ? table.list.count + indexOfFixture(pair, fixtures) : table.list.ranks[table.list.rowOf(pair.second)]);
                 bytes.writeInt(names.ofBreed(pair.firstBreed));
                 bytes.writeInt(names.ofBreed(pair.secondBreed));
                 bytes.writeBoolean(pair.isBothWays);

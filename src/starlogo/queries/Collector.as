@@ -93,7 +93,7 @@ package starlogo.queries
          */
         public function begin(wanted:int, limit:Number, asker:Agent, filter:AgentFilter):void
         {
-            askerRow = asker == null ? -1 : seen.table.rowOf(asker);
+            askerRow = asker == null ? -1 : seen.table.list.rowOf(asker);
             accepts = filter == null ? null : filter.accepts;
             var asks:Boolean = accepts != null;
             mark(filter);
@@ -111,7 +111,7 @@ package starlogo.queries
          */
         public function admitsMarked(row:int):Boolean
         {
-            return (_breeds[seen.table.agents[row].breedNumber] == _question) == _breedsCount && _excepted[row] != _question;
+            return (_breeds[seen.table.list.agents[row].breedNumber] == _question) == _breedsCount && _excepted[row] != _question;
         }
 
         /** Whether a row counts. This is a search of its own. */
@@ -154,7 +154,7 @@ package starlogo.queries
         {
             if (keepsFirst)
             {
-                if (count > 0 && (key > keys[0] || (key == keys[0] && seen.table.ranks[row] > seen.table.ranks[rows[0]])))
+                if (count > 0 && (key > keys[0] || (key == keys[0] && seen.table.list.ranks[row] > seen.table.list.ranks[rows[0]])))
                 {
                     return false;
                 }
@@ -174,7 +174,7 @@ package starlogo.queries
         /** Sorts the rows, and keeps those that are wanted. */
         public function narrow():void
         {
-            _order.sort(rows, keys, count, seen.table.ranks);
+            _order.sort(rows, keys, count, seen.table.list.ranks);
             if (count > wanted)
             {
                 count = wanted;
@@ -193,7 +193,7 @@ package starlogo.queries
             {
                 return;
             }
-            _order.sort(rows, keys, end, seen.table.ranks);
+            _order.sort(rows, keys, end, seen.table.list.ranks);
             var decide:Function = accepts;
             seen.asking++;
             try
@@ -239,7 +239,7 @@ package starlogo.queries
         /** The agent of a row of the answer. */
         public function agentAt(index:int):Agent
         {
-            return seen.table.agents[rows[index]];
+            return seen.table.list.agents[rows[index]];
         }
 
         /** Ends the search. Returns the agent of the first row of the answer, or null. */
@@ -324,9 +324,9 @@ package starlogo.queries
                 return;
             }
             makeRoomForBreeds();
-            if (_excepted.length < seen.table.agents.length)
+            if (_excepted.length < seen.table.list.agents.length)
             {
-                _excepted.length = seen.table.agents.length;
+                _excepted.length = seen.table.list.agents.length;
             }
             _breedsCount = filter.breeds != null;
             filters = _breedsCount || filter.exceptBreeds != null;
@@ -345,7 +345,7 @@ package starlogo.queries
             var except:Vector.<Agent> = filter.except;
             for (var i:int = 0; except != null && i < except.length; i++)
             {
-                var row:int = except[i] == null ? -1 : seen.table.rowOf(except[i]);
+                var row:int = except[i] == null ? -1 : seen.table.list.rowOf(except[i]);
                 if (row >= 0)
                 {
                     filters = true;

@@ -277,7 +277,7 @@ package starlogo.queries
                 }
                 if (keepsFirst)
                 {
-                    if (count == 0 || square < limit || found.seen.table.ranks[row] < found.seen.table.ranks[foundRows[0]])
+                    if (count == 0 || square < limit || found.seen.table.list.ranks[row] < found.seen.table.list.ranks[foundRows[0]])
                     {
                         count = 1;
                         limit = keys[0] = square;

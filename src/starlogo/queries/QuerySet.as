@@ -6,7 +6,7 @@ package starlogo.queries
     import starlogo.search.AgentTable;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.RowList;
+    import starlogo.search.ListedAgents;
 
     use namespace engine;
 
@@ -108,11 +108,11 @@ package starlogo.queries
             {
                 if (seen.narrowPhase.areTouching(body, table.bodyOf(other)))
                 {
-                    var toX:Number = table.now.x[other] - body.placement.x;
-                    var toY:Number = table.now.y[other] - body.placement.y;
-                    var toZ:Number = table.now.z[other] - body.placement.z;
+                    var toX:Number = table.places.now.x[other] - body.placement.x;
+                    var toY:Number = table.places.now.y[other] - body.placement.y;
+                    var toZ:Number = table.places.now.z[other] - body.placement.z;
                     // the ground has no place, so it comes last
-                    answer.add(other, other == RowList.GROUND ? Infinity : toX * toX + toY * toY + toZ * toZ);
+                    answer.add(other, other == ListedAgents.GROUND ? Infinity : toX * toX + toY * toY + toZ * toZ);
                 }
             }
             return answer;

@@ -14,7 +14,7 @@ package starlogo.queries
     import starlogo.search.ModelShape;
     import starlogo.search.ModelShapes;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.RowList;
+    import starlogo.search.ListedAgents;
     import starlogo.search.StructurePairTests;
     import starlogo.search.textOf;
     import starlogo.terrain.Terrain;
@@ -79,7 +79,7 @@ package starlogo.queries
             var collider:Collider = findCollider();
             var next:AgentTable = collider.narrowPhase === narrowPhase ? table : tableFor(collider);
             next.read(agents);
-            next.readWorldAgent(RowList.GROUND, terrain == null ? null : terrain.agent);
+            next.readWorldAgent(ListedAgents.GROUND, terrain == null ? null : terrain.agent);
             table = next;
             see(collider);
             _places.movesLeft = _extents.movesLeft = -1;
@@ -90,7 +90,7 @@ package starlogo.queries
         {
             requireQuiet("refresh");
             var row:int = rowOf(agent);
-            if (row < RowList.LISTED)
+            if (row < ListedAgents.LISTED)
             {
                 throw new ArgumentError(agent + " is not in the list of the last update");
             }
@@ -111,7 +111,7 @@ package starlogo.queries
         /** Throws an error if a filter's <code>accepts</code> is being called and the agent is in the list. */
         public function requireMovable(agent:Agent, what:String):void
         {
-            if (agent != null && table.rowOf(agent) >= 0)
+            if (agent != null && table.list.rowOf(agent) >= 0)
             {
                 requireQuiet(what);
             }
@@ -121,7 +121,7 @@ package starlogo.queries
         public function rowOf(agent:Agent):int
         {
             requireAgent(agent);
-            return table.rowOf(agent);
+            return table.list.rowOf(agent);
         }
 
         /** Where an agent is now. Throws an ArgumentError if it is null, or has no place because it is the ground's or the edges'. */
@@ -140,9 +140,9 @@ package starlogo.queries
         {
             if (_places.movesLeft < 0)
             {
-                _places.build(table.rows, table.count, table.now);
+                _places.build(table.list.rows, table.list.count, table.places.now);
             }
-            _places.breeds.learn(_places, table.agents);
+            _places.breeds.learn(_places, table.list.agents);
             return _places;
         }
 
@@ -151,9 +151,9 @@ package starlogo.queries
         {
             if (_extents.movesLeft < 0)
             {
-                _extents.build(table.rows, table.count, table.extents);
+                _extents.build(table.list.rows, table.list.count, table.extents);
             }
-            _extents.breeds.learn(_extents, table.agents);
+            _extents.breeds.learn(_extents, table.list.agents);
             return _extents;
         }
 

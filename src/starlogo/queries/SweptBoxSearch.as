@@ -1,6 +1,6 @@
 package starlogo.queries
 {
-    import starlogo.search.RowList;
+    import starlogo.search.ListedAgents;
 
     /**
      * Finds the rows of a tree whose boxes a moving box meets. It returns one row at a time, roughly the nearest first. A ray is a moving box
@@ -139,7 +139,7 @@ package starlogo.queries
                 _waiting--;
                 if (_nodes[_waiting] == 0)
                 {
-                    return RowList.GROUND;
+                    return ListedAgents.GROUND;
                 }
                 if (!_moves || _entries[_waiting] <= limit)
                 {

@@ -9,7 +9,7 @@ package starlogo.queries
     import starlogo.intersection.ray.Ray;
     import starlogo.search.AgentTable;
     import starlogo.search.Body;
-    import starlogo.search.RowList;
+    import starlogo.search.ListedAgents;
 
     use namespace engine;
 
@@ -114,12 +114,12 @@ package starlogo.queries
                 _normal.setTo(0, 0, 1);
             }
             var table:AgentTable = _set.seen.table;
-            footing.on = _row < 0 ? null : table.agents[_row];
+            footing.on = _row < 0 ? null : table.list.agents[_row];
             footing.normal.copyFrom(_normal);
             standing.on = null;
-            if (_row >= RowList.LISTED)
+            if (_row >= ListedAgents.LISTED)
             {
-                standing.read(footing.on, table.bodyOf(_row).placement, table.now.revisions[_row]);
+                standing.read(footing.on, table.bodyOf(_row).placement, table.places.now.revisions[_row]);
             }
             return footing;
         }

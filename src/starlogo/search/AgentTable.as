@@ -3,24 +3,37 @@ package starlogo.search
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
-    import starlogo.broadphase.Bins;
+    import starlogo.broadphase.BinLevels;
     import starlogo.broadphase.Extents;
-    import starlogo.broadphase.Points;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
 
     use namespace engine;
 
     /**
-     * The table in which a collider stores its agents: a row for each agent, and a column of numbers for each property. The base classes
-     * say which agent has which row, and where it is. It has columns because with thousands of agents reading memory takes most of the time. Each row has a body for tests.
+     * The table in which a collider stores its agents: a row for each agent, and a column of numbers for each property. ListedAgents says which
+     * agent has which row, and PlaceHistory where it is and was. It has columns because with thousands of agents reading memory takes most of the
+     * time. Each row has a body for tests.
      *
      * <p>A row stays as the last search has read it, even if the agent has changed since: its place, its rotation and its shape. docs/state.md
      * lists the changes that make a part of a row void.</p>
      *
      * @private
      */
-    public final class AgentTable extends PlacedRows
+    public final class AgentTable
     {
+        // In place of a revision: the value has to be computed again.
+        private static const STALE:int = -1;
+
+        /** The list that was read last, and the row of each agent. */
+        public var list:ListedAgents = new ListedAgents();
+
+        /** Where the agents are and were. */
+        public var places:PlaceHistory = new PlaceHistory();
+
+        /** By row: the number of the agent's breed. The breeds of the ground and of the edges have the numbers of their rows. */
+        internal var breeds:Vector.<int> = new Vector.<int>();
+
         // By row: the shape of the agent's model, which is null while the model is loading; the shape's form; and the body, which is as old as its
         // revision.
         engine var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
@@ -28,12 +41,11 @@ package starlogo.search
         private var _bodies:Vector.<Body> = new Vector.<Body>();
 
         /** By row: the extents of the shape. */
-        engine var extents:Extents = new Extents();
+        engine var extents:Extents;
+        private var _rowExtents:RowExtents;
 
-        // By row: the way from the agent's place to the middle of its extents.
-        private var _offsets:Points = new Points();
-
-        // By row: the agent's shapeRevision at which its shape was read.
+        // By row: the agent's extentsRevision at which its extents were computed, or STALE; and its shapeRevision at which its shape was read.
+        private var _extentsRevisions:Vector.<int> = new Vector.<int>();
         private var _shapeRevisions:Vector.<int> = new Vector.<int>();
 
         // By row: the structure of the body if it is a box that is tested alone, and else null; and the revision at which it was placed. This
@@ -44,21 +56,25 @@ package starlogo.search
         // The number of rows read last whose models are still loading.
         engine var loadingCount:int = 0;
 
-        // The new shapes of changed rows whose shape has changed.
+        // The rows that are read, and those of them whose extents have to be computed again; the new shapes of the latter.
+        private var _read:NumberList = new NumberList();
+        private var _changed:NumberList = new NumberList();
         private var _changedShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
         private var _modelShapes:ModelShapes;
-        private var _bins:Bins;
 
         /**
          * @param shapes has the shape of each model
-         * @param bins has the levels of extents; null if no levels are needed
+         * @param levels the levels of extents; null if none are needed
          */
-        public function AgentTable(shapes:ModelShapes, bins:Bins)
+        public function AgentTable(shapes:ModelShapes, levels:BinLevels)
         {
             _modelShapes = shapes;
-            _bins = bins;
-            grow(LISTED);
+            _rowExtents = new RowExtents(levels);
+            extents = _rowExtents.extents;
+            grow(ListedAgents.LISTED);
+            breeds[ListedAgents.GROUND] = ListedAgents.GROUND;
+            breeds[ListedAgents.EDGES] = ListedAgents.EDGES;
         }
 
         /**
@@ -67,28 +83,26 @@ package starlogo.search
          * @throws ArgumentError if an agent is null or listed twice, or its model is unknown or lacks data that is needed. The positions and
          *     motions of the last search are then unchanged
          */
-        public function read(list:Vector.<Agent>):void
+        public function read(agents:Vector.<Agent>):void
         {
             forgetReplaced();
-            departed.count = 0;
-            var isOther:Boolean = !isAccepted || list.length != count || !readChanged(list, rows);
+            list.departed.count = 0;
+            var isOther:Boolean = !list.isAccepted || agents.length != list.count || !readChanged(agents, list.rows);
             if (isOther)
             {
-                propose(list);
-                readChanged(list, proposed);
+                list.propose(agents);
+                makeRows();
+                readChanged(agents, list.proposed);
             }
             findShapes();
             if (isOther)
             {
-                accept(list.length);
+                list.accept(agents.length);
+                followList();
             }
             takeShapes();
-            exchangePlaces();
-            moveExtentsOfMoved();
-            for (var i:int = 0; i < changed.count; i++)
-            {
-                assignLevel(changed.numbers[i]);
-            }
+            _read = places.exchange(_read, list.count);
+            moveExtents();
         }
 
         /**
@@ -99,32 +113,32 @@ package starlogo.search
         public function readRow(row:int):void
         {
             forgetReplaced();
-            var agent:Agent = agents[row];
-            changed.count = 0;
-            if (agent.placement.extentsRevision != extentsRevisions[row])
+            var agent:Agent = list.agents[row];
+            _changed.count = 0;
+            if (agent.placement.extentsRevision != _extentsRevisions[row])
             {
-                changed.add(row);
+                _changed.add(row);
                 findShapes();
                 takeShapes();
             }
-            now.put(row, agent);
-            last.put(row, agent);
-            moveExtents(row);
+            places.now.put(row, agent);
+            places.last.put(row, agent);
+            _rowExtents.moveRow(row, places.now);
         }
 
         /** Reads the agent of the ground or of the edges of the world into its row, or empties the row. */
         public function readWorldAgent(row:int, agent:Agent):void
         {
-            if (agents[row] !== agent)
+            if (list.agents[row] !== agent)
             {
-                agents[row] = agent;
+                list.agents[row] = agent;
                 shapes[row] = null;
                 if (agent != null)
                 {
                     setShape(row, ModelShapes.newShapeOfFixture(WorldAgent(agent)));
                     findExtents(row);
-                    now.put(row, agent);
-                    last.put(row, agent);
+                    places.now.put(row, agent);
+                    places.last.put(row, agent);
                 }
             }
         }
@@ -136,16 +150,16 @@ package starlogo.search
         public function bodyOfNow(agent:Agent, made:Body):Body
         {
             forgetReplaced();
-            var row:int = rowOf(agent);
-            var isOfNow:Boolean = row >= LISTED || row >= 0 && shapes[row].fixture === agent;
-            if (isOfNow && agent.revision == now.revisions[row] && agent.placement.extentsRevision == extentsRevisions[row])
+            var row:int = list.rowOf(agent);
+            var isOfNow:Boolean = row >= ListedAgents.LISTED || row >= 0 && shapes[row].fixture === agent;
+            if (isOfNow && agent.revision == places.now.revisions[row] && agent.placement.extentsRevision == _extentsRevisions[row])
             {
                 return bodyOf(row);
             }
             made.readAgent(agent, _modelShapes.shapeOf(agent));
             if (row >= 0)
             {
-                made.order = ranks[row];
+                made.order = list.ranks[row];
             }
             return made;
         }
@@ -154,9 +168,9 @@ package starlogo.search
         public function bodyOf(row:int):Body
         {
             var body:Body = _bodies[row];
-            if (!body.isOf(agents[row], now.revisions[row]))
+            if (!body.isOf(list.agents[row], places.now.revisions[row]))
             {
-                body.follow(agents[row], now, row);
+                body.follow(list.agents[row], places.now, row);
             }
             return body;
         }
@@ -165,65 +179,83 @@ package starlogo.search
         internal function placeBox(row:int):void
         {
             bodyOf(row).structure();
-            placedRevisions[row] = now.revisions[row];
+            placedRevisions[row] = places.now.revisions[row];
         }
 
-        private function moveExtentsOfMoved():void
+        /**
+         * Reads the places of agents that have changed since the last search, and lists the rows of those with changes in more than the place.
+         *
+         * @return false if the rows do not belong to the agents
+         */
+        private function readChanged(agents:Vector.<Agent>, rows:Vector.<int>):Boolean
         {
-            var movedRows:Vector.<int> = moved.numbers;
-            var xs:Vector.<Number> = now.x;
-            var ys:Vector.<Number> = now.y;
-            var zs:Vector.<Number> = now.z;
-            var fromX:Vector.<Number> = _offsets.x;
-            var fromY:Vector.<Number> = _offsets.y;
-            var fromZ:Vector.<Number> = _offsets.z;
-            var middleX:Vector.<Number> = extents.x;
-            var middleY:Vector.<Number> = extents.y;
-            var middleZ:Vector.<Number> = extents.z;
-            var reachSquared:Number = _bins == null ? Infinity : _bins.levels.reachSquared;
-            var end:int = moved.count;
+            var byRow:Vector.<Agent> = list.agents;
+            var seen:Vector.<int> = places.now.revisions;
+            var extentsSeen:Vector.<int> = _extentsRevisions;
+            var read:Vector.<int> = places.last.revisions;
+            var readX:Vector.<Number> = places.last.x;
+            var readY:Vector.<Number> = places.last.y;
+            var readZ:Vector.<Number> = places.last.z;
+            var reading:Vector.<int> = _read.numbers;
+            var end:int = agents.length;
+            var found:int = 0;
+            _changed.count = 0;
             for (var i:int = 0; i < end; i++)
             {
-                var row:int = movedRows[i];
-                var atX:Number = xs[row] + fromX[row];
-                var atY:Number = ys[row] + fromY[row];
-                var atZ:Number = zs[row] + fromZ[row];
-                middleX[row] = atX;
-                middleY[row] = atY;
-                middleZ[row] = atZ;
-                if (atX * atX + atY * atY + atZ * atZ >= reachSquared)
+                var row:int = rows[i];
+                var agent:Agent = agents[i];
+                if (byRow[row] !== agent)
                 {
-                    assignLevel(row);
+                    return false;
+                }
+                var revision:int = agent.revision;
+                if (revision != seen[row] || extentsSeen[row] == STALE)
+                {
+                    var placement:Placement = agent.placement;
+                    if (placement.extentsRevision != extentsSeen[row])
+                    {
+                        _changed.add(row);
+                    }
+                    reading[found] = row;
+                    found++;
+                    read[row] = revision;
+                    readX[row] = placement.x;
+                    readY[row] = placement.y;
+                    readZ[row] = placement.z;
+                    breeds[row] = agent.breedNumber;
                 }
             }
+            _read.count = found;
+            return true;
         }
 
-        private function assignLevel(row:int):void
+        // Makes room for the rows of the proposed list. What is left over from other agents in those that have arrived is void.
+        private function makeRows():void
         {
-            if (_bins != null && shapes[row] != null && _bins.levels.assignLevel(extents, row))
+            if (list.agents.length > shapes.length)
             {
-                // the row needs a finer level when its agent comes back, so every search computes its extents until then
-                extentsRevisions[row] = STALE;
+                grow(list.agents.length);
+            }
+            for (var i:int = 0; i < list.arrived.count; i++)
+            {
+                empty(list.arrived.numbers[i]);
             }
         }
 
-        /** @inheritDoc */
-        override protected function grow(length:int):void
+        // Takes the order of an accepted list, and empties the rows of agents that have left.
+        private function followList():void
         {
-            super.grow(length);
-            shapes.length = boxes.length = _bodies.length = length;
-            forms.length = _shapeRevisions.length = placedRevisions.length = length;
-            _offsets.grow(length);
-            extents.grow(length);
-        }
-
-        /** @inheritDoc */
-        override protected function accept(length:int):void
-        {
-            super.accept(length);
-            for (var i:int = 0; i < length; i++)
+            for (var i:int = 0; i < list.departed.count; i++)
             {
-                var body:Body = _bodies[rows[i]];
+                var row:int = list.departed.numbers[i];
+                if (list.agents[row] == null)
+                {
+                    empty(row);
+                }
+            }
+            for (i = 0; i < list.count; i++)
+            {
+                var body:Body = _bodies[list.rows[i]];
                 if (body != null)
                 {
                     body.order = i;
@@ -231,11 +263,23 @@ package starlogo.search
             }
         }
 
-        /** @inheritDoc */
-        override protected function free(row:int):void
+        private function empty(row:int):void
         {
-            super.free(row);
             shapes[row] = null;
+            _extentsRevisions[row] = STALE;
+        }
+
+        private function grow(length:int):void
+        {
+            var row:int = shapes.length;
+            shapes.length = boxes.length = _bodies.length = length;
+            forms.length = breeds.length = _extentsRevisions.length = _shapeRevisions.length = placedRevisions.length = length;
+            places.grow(length);
+            _rowExtents.grow(length);
+            for (; row < length; row++)
+            {
+                _extentsRevisions[row] = STALE;
+            }
         }
 
         private function forgetReplaced():void
@@ -248,32 +292,57 @@ package starlogo.search
             {
                 if (shapes[row] != null && shapes[row].isVoid)
                 {
-                    extentsRevisions[row] = STALE;
+                    _extentsRevisions[row] = STALE;
                 }
             }
         }
 
-        /** Finds the extents of a row again after its place has changed. */
-        internal function moveExtents(row:int):void
+        /**
+         * Puts a row to a place as if the last search had seen its agent there.
+         *
+         * @param hasMotion whether the agent's next motion begins there
+         */
+        public function seeAt(row:int, x:Number, y:Number, z:Number, hasMotion:Boolean):void
         {
-            extents.x[row] = now.x[row] + _offsets.x[row];
-            extents.y[row] = now.y[row] + _offsets.y[row];
-            extents.z[row] = now.z[row] + _offsets.z[row];
+            var now:RowPlaces = places.now;
+            var seen:int = now.revisions[row];
+            if (now.x[row] != x || now.y[row] != y || now.z[row] != z)
+            {
+                // the agent has moved since. One more revision makes this a motion, even if the game has put the agent there by a jump
+                list.agents[row].revision++;
+                now.x[row] = x;
+                now.y[row] = y;
+                now.z[row] = z;
+                _rowExtents.moveRow(row, now);
+            }
+            now.revisions[row] = hasMotion ? seen : RowPlaces.NOT_SEEN;
+            setStale(row);
+        }
+
+        private function moveExtents():void
+        {
+            _rowExtents.farOut.count = 0;
+            _rowExtents.moveRows(places.moved, places.now, shapes);
+            _rowExtents.assignLevels(_changed, shapes);
+            for (var i:int = 0; i < _rowExtents.farOut.count; i++)
+            {
+                _extentsRevisions[_rowExtents.farOut.numbers[i]] = STALE;
+            }
         }
 
         // Finds the shapes of agents that have changed. All shapes are found before any row changes, because an error must change no row.
         private function findShapes():void
         {
-            if (changed.count > _changedShapes.length)
+            if (_changed.count > _changedShapes.length)
             {
-                _changedShapes.length = changed.count;
+                _changedShapes.length = _changed.count;
             }
-            for (var i:int = 0; i < changed.count; i++)
+            for (var i:int = 0; i < _changed.count; i++)
             {
-                var row:int = changed.numbers[i];
+                var row:int = _changed.numbers[i];
                 if (needsShape(row))
                 {
-                    _changedShapes[i] = _modelShapes.shapeOf(agents[row]);
+                    _changedShapes[i] = _modelShapes.shapeOf(list.agents[row]);
                 }
             }
         }
@@ -282,9 +351,9 @@ package starlogo.search
         private function takeShapes():void
         {
             loadingCount = 0;
-            for (var i:int = 0; i < changed.count; i++)
+            for (var i:int = 0; i < _changed.count; i++)
             {
-                var row:int = changed.numbers[i];
+                var row:int = _changed.numbers[i];
                 if (needsShape(row))
                 {
                     setShape(row, _changedShapes[i]);
@@ -305,7 +374,7 @@ package starlogo.search
         private function needsShape(row:int):Boolean
         {
             var shape:ModelShape = shapes[row];
-            return shape == null || shape.isVoid || agents[row].shapeRevision != _shapeRevisions[row];
+            return shape == null || shape.isVoid || list.agents[row].shapeRevision != _shapeRevisions[row];
         }
 
         private function setShape(row:int, shape:ModelShape):void
@@ -313,15 +382,15 @@ package starlogo.search
             var before:ModelShape = shapes[row];
             if (before == null || shape == null || shape.model != before.model)
             {
-                now.revisions[row] = RowPlaces.NOT_SEEN;
+                places.now.revisions[row] = RowPlaces.NOT_SEEN;
             }
             shapes[row] = shape;
             boxes[row] = null;
-            _shapeRevisions[row] = agents[row].shapeRevision;
+            _shapeRevisions[row] = list.agents[row].shapeRevision;
             if (shape == null)
             {
                 // it is read again in the next search
-                extentsRevisions[row] = STALE;
+                _extentsRevisions[row] = STALE;
                 return;
             }
             forms[row] = shape.form;
@@ -329,7 +398,7 @@ package starlogo.search
 
         private function findExtents(row:int):void
         {
-            var agent:Agent = agents[row];
+            var agent:Agent = list.agents[row];
             var shape:ModelShape = shapes[row];
             var body:Body = _bodies[row];
             if (body == null)
@@ -337,24 +406,18 @@ package starlogo.search
                 body = _bodies[row] = new Body();
             }
             body.readShape(agent, shape);
-            body.order = ranks[row];
-            _offsets.x[row] = body.offsetX;
-            _offsets.y[row] = body.offsetY;
-            _offsets.z[row] = body.offsetZ;
-            extents.halfX[row] = body.halfX;
-            extents.halfY[row] = body.halfY;
-            extents.halfZ[row] = body.halfZ;
-            extents.radius[row] = body.radius;
+            body.order = list.ranks[row];
+            _rowExtents.setLengths(row, body);
             if (shape.form == BoundingStructure.BOX && boxes[row] == null)
             {
                 boxes[row] = Box(body.structure());
             }
-            extentsRevisions[row] = agent.placement.extentsRevision;
+            _extentsRevisions[row] = agent.placement.extentsRevision;
             setStale(row);
         }
 
-        /** Lets a row's body be placed again. */
-        internal function setStale(row:int):void
+        // Lets a row's body be placed again.
+        private function setStale(row:int):void
         {
             placedRevisions[row] = STALE;
             if (_bodies[row] != null)

@@ -107,9 +107,9 @@ package starlogo.search
         {
             var partners:Vector.<IdTable> = _partners;
             var breeds:Vector.<int> = table.breeds;
-            var rows:Vector.<int> = table.rows;
+            var rows:Vector.<int> = table.list.rows;
             var known:int = partners.length;
-            var end:int = partners[Breeds.ANY] == null ? table.count : 0;
+            var end:int = partners[Breeds.ANY] == null ? table.list.count : 0;
             var outsiders:int = 0;
             for (var i:int = 0; i < end; i++)
             {

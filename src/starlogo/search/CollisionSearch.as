@@ -1,6 +1,5 @@
 package starlogo.search
 {
-    import flash.utils.ByteArray;
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
     import starlogo.bounding.BoundingStructure;
@@ -75,7 +74,7 @@ package starlogo.search
         {
             this.narrowPhase = narrowPhase;
             _shapes = new ModelShapes(choice);
-            table = new AgentTable(_shapes, bins);
+            table = new AgentTable(_shapes, bins.levels);
             motions = new SweptPairs(narrowPhase);
             _kept = new KeptPairs(this);
         }
@@ -104,7 +103,7 @@ package starlogo.search
                 mayKeep:Boolean, fixtures:Vector.<Agent>):void
         {
             table.read(agents);
-            for (var row:int = RowList.GROUND; row <= RowList.EDGES; row++)
+            for (var row:int = ListedAgents.GROUND; row <= ListedAgents.EDGES; row++)
             {
                 table.readWorldAgent(row, fixtures == null ? null : fixtures[row]);
             }
@@ -140,12 +139,12 @@ package starlogo.search
         {
             if (isSwept)
             {
-                motions.find(table, bins, table.rows, table.count);
+                motions.find(table, bins, table.list.rows, table.list.count);
             }
             chooseMembers();
             writeTo(out, bins.rowAt, bins.members);
             bins.findPairs(extents, _memberRows, _memberCount, this);
-            for (var row:int = RowList.GROUND; row <= RowList.EDGES; row++)
+            for (var row:int = ListedAgents.GROUND; row <= ListedAgents.EDGES; row++)
             {
                 findAtFixture(row, _memberRows, _memberCount);
             }
@@ -166,7 +165,7 @@ package starlogo.search
          */
         internal function writeTo(out:FoundPairs, rows:Vector.<int>, circles:Circles):void
         {
-            out.begin(table);
+            out.begin(table.list);
             _out = out;
             _rows = rows;
             _circles = circles;
@@ -178,11 +177,10 @@ package starlogo.search
             return motions.approachSpeed;
         }
 
-        /** See KeptPlaces.restore. */
-        public function restorePositions(agents:Vector.<Agent>, bytes:ByteArray):void
+        /** The table was read without a search: the next search is one of all rows. */
+        public function forgetSearch():void
         {
             _kept.forget();
-            KeptPlaces.restore(table, agents, bytes);
             isSwept = false;
         }
 
@@ -207,8 +205,8 @@ package starlogo.search
                 out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
                 return time;
             }
-            var rowA:int = table.rowOf(a);
-            var rowB:int = table.rowOf(b);
+            var rowA:int = table.list.rowOf(a);
+            var rowB:int = table.list.rowOf(b);
             if (rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null)
             {
                 return motions.findContact(table, rowA, rowB, isSwept, out);
@@ -230,11 +228,11 @@ package starlogo.search
             {
                 return Breeds.isReserved(a.breedNumber);
             }
-            var rowA:int = table.rowOf(a);
-            var rowB:int = table.rowOf(b);
+            var rowA:int = table.list.rowOf(a);
+            var rowB:int = table.list.rowOf(b);
             if (rowA >= 0 && rowB >= 0)
             {
-                return table.ranks[rowA] > table.ranks[rowB];
+                return table.list.ranks[rowA] > table.list.ranks[rowB];
             }
             return rowB >= 0 || rowA < 0 && a.number > b.number;
         }
@@ -292,7 +290,7 @@ package starlogo.search
          */
         internal function findAtFixture(fixture:int, candidates:Vector.<int>, length:int):void
         {
-            if (table.agents[fixture] == null || !_interests.isEntered(fixture))
+            if (table.list.agents[fixture] == null || !_interests.isEntered(fixture))
             {
                 return;
             }
@@ -306,7 +304,7 @@ package starlogo.search
                     count++;
                 }
             }
-            var rows:Vector.<int> = table.itself;
+            var rows:Vector.<int> = table.list.itself;
             count = _interests.keepOfInterest(table.breeds, fixture, rows, others, count);
             if (isSwept)
             {
@@ -323,8 +321,8 @@ package starlogo.search
         // In most searches all agents take part, and the table's own list of rows is used.
         private function chooseMembers():void
         {
-            _memberRows = table.rows;
-            _memberCount = table.count;
+            _memberRows = table.list.rows;
+            _memberCount = table.list.count;
             var outsiders:int = _interests == null ? 0 : _interests.countOutsiders(table);
             if (table.loadingCount == 0 && takePart == null && outsiders == 0)
             {
@@ -332,11 +330,11 @@ package starlogo.search
             }
             _memberRows = _someRows;
             _memberCount = 0;
-            for (var i:int = 0; i < table.count; i++)
+            for (var i:int = 0; i < table.list.count; i++)
             {
-                if (isMember(table.rows[i]))
+                if (isMember(table.list.rows[i]))
                 {
-                    _someRows[_memberCount] = table.rows[i];
+                    _someRows[_memberCount] = table.list.rows[i];
                     _memberCount++;
                 }
             }
@@ -345,16 +343,16 @@ package starlogo.search
         /** Whether the agent of a row takes part in the search. */
         internal function isMember(row:int):Boolean
         {
-            return table.shapes[row] != null && (_interests == null || _interests.indexOfNumber(table.breeds[row]) >= 0) && (takePart == null || takePart[table.ranks[row]]);
+            return table.shapes[row] != null && (_interests == null || _interests.indexOfNumber(table.breeds[row]) >= 0) && (takePart == null || takePart[table.list.ranks[row]]);
         }
 
         // Like keepTouching, and writes the times.
         private function keepTouchingMotions(row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
         {
             // the extents of the ground and of the edges say nothing
-            var near:Bins = row < RowList.LISTED ? null : bins;
+            var near:Bins = row < ListedAgents.LISTED ? null : bins;
             var at:int = _out.count;
-            var ranks:Vector.<int> = table.ranks;
+            var ranks:Vector.<int> = table.list.ranks;
             var rank:int = ranks[row];
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)

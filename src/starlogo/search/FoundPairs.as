@@ -27,7 +27,7 @@ package starlogo.search
         /** The time of each pair, if an agent sweeps. It is valid during the search only. */
         public var times:Vector.<Number> = new Vector.<Number>();
 
-        /** By row: the agent. Rows before RowList.LISTED have the ground and the edges of the world. */
+        /** By row: the agent. Rows before ListedAgents.LISTED have the ground and the edges of the world. */
         public var agents:Vector.<Agent> = null;
 
         /** By row: the index of its agent in the list. */
@@ -56,10 +56,10 @@ package starlogo.search
         private var _readAgents:Vector.<Agent> = null;
         private var _readRanks:Vector.<int> = null;
 
-        /** Begins to write other pairs, of rows of a table. */
-        internal function begin(table:RowList):void
+        /** Begins to write other pairs, of rows of a list. */
+        internal function begin(list:ListedAgents):void
         {
-            refer(table.agents, table.ranks, table.count);
+            refer(list.agents, list.ranks, list.count);
             count = 0;
             origin = NONE;
         }
@@ -78,10 +78,10 @@ package starlogo.search
         }
 
         /** Begins to change the pairs to those of the next frame: drops the pairs of rows with a mark. */
-        internal function drop(table:RowList, marks:Vector.<int>, mark:int):void
+        internal function drop(list:ListedAgents, marks:Vector.<int>, mark:int):void
         {
             var before:int = number;
-            refer(table.agents, table.ranks, table.count);
+            refer(list.agents, list.ranks, list.count);
             origin = before;
             dropped.count = added.count = 0;
             var all:Vector.<int> = rows;
@@ -186,10 +186,10 @@ package starlogo.search
             _readAgents ||= new Vector.<Agent>();
             _readRanks ||= new Vector.<int>();
             _byId.clear();
-            _readAgents.length = _readRanks.length = RowList.LISTED + list.length;
+            _readAgents.length = _readRanks.length = ListedAgents.LISTED + list.length;
             for (var i:int = 0; i < list.length; i++)
             {
-                var row:int = RowList.LISTED + i;
+                var row:int = ListedAgents.LISTED + i;
                 _readAgents[row] = list[i];
                 _readRanks[row] = i;
                 if (list[i] != null)

@@ -19,9 +19,9 @@ package starlogo.search
         /** Keeps the ground and the edges of a table as they are now: its tests see them so. */
         public function hold(table:AgentTable, narrowPhase:NarrowPhase):void
         {
-            for (var row:int = RowList.GROUND; row <= RowList.EDGES; row++)
+            for (var row:int = ListedAgents.GROUND; row <= ListedAgents.EDGES; row++)
             {
-                var fixture:WorldAgent = table.agents[row] as WorldAgent;
+                var fixture:WorldAgent = table.list.agents[row] as WorldAgent;
                 if (fixture == null)
                 {
                     continue;
@@ -43,9 +43,9 @@ package starlogo.search
         /** Lets go of them. From now on the tests see them as they are. */
         public function release(table:AgentTable):void
         {
-            for (var row:int = RowList.GROUND; row <= RowList.EDGES; row++)
+            for (var row:int = ListedAgents.GROUND; row <= ListedAgents.EDGES; row++)
             {
-                var fixture:WorldAgent = table.agents[row] as WorldAgent;
+                var fixture:WorldAgent = table.list.agents[row] as WorldAgent;
                 if (fixture == null || table.shapes[row].fixture === fixture)
                 {
                     continue;

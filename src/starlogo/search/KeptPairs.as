@@ -83,12 +83,12 @@ package starlogo.search
             isSame = isStill(2, _search.isSwept ? 1 : 0) && isSame;
             isSame = isStill(3, _search.takePart == null ? 0 : 1) && isSame;
             var among:int = _search.areSpheres || !interests.areAll ? OF_FAST : OF_ALL;
-            var changes:int = _table.moved.count + _table.departed.count;
+            var changes:int = _table.places.moved.count + _table.list.departed.count;
             if (_search.isSwept)
             {
-                changes += _table.movedBefore.count;
+                changes += _table.places.movedBefore.count;
             }
-            isSame = isSame && among * changes <= _table.count;
+            isSame = isSame && among * changes <= _table.list.count;
             _isValid = _isValid && isSame;
             return isSame;
         }
@@ -96,10 +96,10 @@ package starlogo.search
         /** Takes the pairs of a search of all rows. */
         public function keep(out:FoundPairs, members:Vector.<int>, memberCount:int):void
         {
-            _cells.begin(_search.extents, members, memberCount, _table.agents.length);
+            _cells.begin(_search.extents, members, memberCount, _table.list.agents.length);
             note(out);
-            hasFixtureChanged(RowList.GROUND);
-            hasFixtureChanged(RowList.EDGES);
+            hasFixtureChanged(ListedAgents.GROUND);
+            hasFixtureChanged(ListedAgents.EDGES);
         }
 
         /**
@@ -128,7 +128,7 @@ package starlogo.search
             {
                 return false;
             }
-            _search.writeTo(_found, _table.itself, _search.extents);
+            _search.writeTo(_found, _table.list.itself, _search.extents);
             for (var i:int = 0; i < _changed.count; i++)
             {
                 if (_cells.has(_changed.numbers[i]))
@@ -136,9 +136,9 @@ package starlogo.search
                     findNear(_changed.numbers[i]);
                 }
             }
-            findAtFixture(RowList.GROUND);
-            findAtFixture(RowList.EDGES);
-            out.drop(_table, _changedIn, _number);
+            findAtFixture(ListedAgents.GROUND);
+            findAtFixture(ListedAgents.EDGES);
+            out.drop(_table.list, _changedIn, _number);
             out.merge(_found, _search.order.sort(_found, _search.isSwept));
             note(out);
             return true;
@@ -160,10 +160,10 @@ package starlogo.search
 
         private function hasFixtureChanged(row:int):Boolean
         {
-            var agent:WorldAgent = _table.agents[row] as WorldAgent;
+            var agent:WorldAgent = _table.list.agents[row] as WorldAgent;
             var isSame:Boolean = agent === _fixtures[row];
             _fixtures[row] = agent;
-            if (agent != null && row == RowList.GROUND)
+            if (agent != null && row == ListedAgents.GROUND)
             {
                 isSame = agent.grid.revision == _groundRevision && isSame;
                 _groundRevision = agent.grid.revision;
@@ -179,18 +179,18 @@ package starlogo.search
         // Lists the rows that have changed.
         private function listChanged():void
         {
-            var length:int = _table.agents.length;
+            var length:int = _table.list.agents.length;
             _changed.count = 0;
             if (_changedIn.length < length)
             {
                 _changedIn.length = length;
             }
             _cells.makeRows(length);
-            mark(_table.moved);
-            mark(_table.departed);
+            mark(_table.places.moved);
+            mark(_table.list.departed);
             if (_search.isSwept)
             {
-                mark(_table.movedBefore);
+                mark(_table.places.movedBefore);
             }
             if (_search.takePart != null)
             {
@@ -218,8 +218,8 @@ package starlogo.search
         // Marks the rows that begin or cease to take part. The other rows have their breeds of the last search.
         private function markFiltered():void
         {
-            var rows:Vector.<int> = _table.rows;
-            for (var i:int = 0; i < _table.count; i++)
+            var rows:Vector.<int> = _table.list.rows;
+            for (var i:int = 0; i < _table.list.count; i++)
             {
                 if (_search.isMember(rows[i]) != _cells.has(rows[i]))
                 {
@@ -234,7 +234,7 @@ package starlogo.search
             for (var i:int = 0; i < _changed.count; i++)
             {
                 var row:int = _changed.numbers[i];
-                if (_table.agents[row] != null && _search.isMember(row))
+                if (_table.list.agents[row] != null && _search.isMember(row))
                 {
                     _cells.put(row);
                 }
@@ -267,8 +267,8 @@ package starlogo.search
             {
                 _changedIn[fixture] = _number;
             }
-            var rows:Vector.<int> = hasChanged ? _table.rows : _changed.numbers;
-            _search.findAtFixture(fixture, rows, hasChanged ? _table.count : _changed.count);
+            var rows:Vector.<int> = hasChanged ? _table.list.rows : _changed.numbers;
+            _search.findAtFixture(fixture, rows, hasChanged ? _table.list.count : _changed.count);
         }
     }
 }

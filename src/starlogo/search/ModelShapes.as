@@ -112,7 +112,7 @@ package starlogo.search
 
         private function shapeOfFixture(fixture:WorldAgent):ModelShape
         {
-            var row:int = fixture.grid != null ? RowList.GROUND : RowList.EDGES;
+            var row:int = fixture.grid != null ? ListedAgents.GROUND : ListedAgents.EDGES;
             var shape:ModelShape = _ofFixtures[row];
             if (shape == null || shape.fixture !== fixture)
             {

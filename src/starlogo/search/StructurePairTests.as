@@ -54,7 +54,7 @@ package starlogo.search
             var halfZs:Vector.<Number> = table.extents.halfZ;
             var boxes:Vector.<Box> = table.boxes;
             var placed:Vector.<int> = table.placedRevisions;
-            var revisions:Vector.<int> = table.now.revisions;
+            var revisions:Vector.<int> = table.places.now.revisions;
             var atX:Number = xs[at];
             var atY:Number = ys[at];
             var atZ:Number = zs[at];

@@ -62,9 +62,9 @@ package starlogo.search
          */
         public function find(table:AgentTable, bins:Bins, rows:Vector.<int>, count:int):void
         {
-            if (table.agents.length > _isSweeping.length)
+            if (table.list.agents.length > _isSweeping.length)
             {
-                _isSweeping.length = table.agents.length;
+                _isSweeping.length = table.list.agents.length;
                 _motions.grow(_isSweeping.length);
                 extents.grow(_isSweeping.length);
             }
@@ -73,17 +73,17 @@ package starlogo.search
             for (var i:int = 0; i < count; i++)
             {
                 var row:int = rows[i];
-                if (table.agents[row] == null)
+                if (table.list.agents[row] == null)
                 {
                     continue;
                 }
-                var hasMotion:Boolean = table.last.isMotionStart(row, table.agents[row]);
-                var motionX:Number = hasMotion ? table.now.x[row] - table.last.x[row] : 0;
-                var motionY:Number = hasMotion ? table.now.y[row] - table.last.y[row] : 0;
-                var motionZ:Number = hasMotion ? table.now.z[row] - table.last.z[row] : 0;
+                var hasMotion:Boolean = table.places.last.isMotionStart(row, table.list.agents[row]);
+                var motionX:Number = hasMotion ? table.places.now.x[row] - table.places.last.x[row] : 0;
+                var motionY:Number = hasMotion ? table.places.now.y[row] - table.places.last.y[row] : 0;
+                var motionZ:Number = hasMotion ? table.places.now.z[row] - table.places.last.z[row] : 0;
                 var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
                 var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
-                _isSweeping[row] = hasMotion && table.agents[row].isSweeping;
+                _isSweeping[row] = hasMotion && table.list.agents[row].isSweeping;
                 _motions.x[row] = motionX;
                 _motions.y[row] = motionY;
                 _motions.z[row] = motionZ;

@@ -5,7 +5,7 @@ package starlogo.queries
     import org.flexunit.asserts.assertTrue;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
-    import starlogo.search.RowList;
+    import starlogo.search.ListedAgents;
 
     use namespace engine;
 
@@ -53,10 +53,10 @@ package starlogo.queries
         private function makeWorld(world:int):void
         {
             _sizes = new Extents();
-            _sizes.grow(RowList.LISTED + MOST_ROWS);
+            _sizes.grow(ListedAgents.LISTED + MOST_ROWS);
             _rows = new Vector.<int>();
             var count:int = world % 10 == 0 ? world / 10 : _random.integer(1, MOST_ROWS);
-            for (var row:int = RowList.LISTED; row < RowList.LISTED + count; row++)
+            for (var row:int = ListedAgents.LISTED; row < ListedAgents.LISTED + count; row++)
             {
                 _sizes.x[row] = coordinate(world);
                 _sizes.y[row] = coordinate(world);
@@ -64,7 +64,7 @@ package starlogo.queries
                 _sizes.halfX[row] = _sizes.halfY[row] = _random.logBetween(0.01, 10);
                 _sizes.halfZ[row] = _random.pick([0, 0.5, 2]);
             }
-            for (row = RowList.LISTED + count - 1; row >= RowList.LISTED; row--)
+            for (row = ListedAgents.LISTED + count - 1; row >= ListedAgents.LISTED; row--)
             {
                 if (row % 5 > 0 || count < 10)
                 {
@@ -126,7 +126,7 @@ package starlogo.queries
             }
             var times:Vector.<int> = new Vector.<int>(_sizes.x.length);
             var met:int = 0;
-            for (var row:int = _way.next(NodeBreeds.ALL); row != RowList.GROUND; row = _way.next(NodeBreeds.ALL))
+            for (var row:int = _way.next(NodeBreeds.ALL); row != ListedAgents.GROUND; row = _way.next(NodeBreeds.ALL))
             {
                 times[row]++;
                 met++;

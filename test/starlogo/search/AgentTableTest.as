@@ -21,7 +21,7 @@ package starlogo.search
     public class AgentTableTest
     {
         private var _land:GreatLand = landOf(BuiltInModel.cube());
-        private var _table:AgentTable = new AgentTable(new ModelShapes(new TightestFits(_land)), new Bins());
+        private var _table:AgentTable = new AgentTable(new ModelShapes(new TightestFits(_land)), new Bins().levels);
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
         [Before]
@@ -46,10 +46,10 @@ package starlogo.search
                 assertHasOnly(_agents);
                 for each (var agent:Agent in _agents)
                 {
-                    assertTrue(_table.agents[_table.rowOf(agent)] === agent);
+                    assertTrue(_table.list.agents[_table.list.rowOf(agent)] === agent);
                 }
             }
-            assertTrue(_table.agents.length + " rows", _table.agents.length <= 30);
+            assertTrue(_table.list.agents.length + " rows", _table.list.agents.length <= 30);
             _table.read(_agents);
             assertHasOnly(_agents);
         }
@@ -110,16 +110,16 @@ package starlogo.search
         private function assertHasOnly(listed:Vector.<Agent>):void
         {
             var count:int = 0;
-            for (var row:int = 0; row < _table.agents.length; row++)
+            for (var row:int = 0; row < _table.list.agents.length; row++)
             {
-                var agent:Agent = _table.agents[row];
+                var agent:Agent = _table.list.agents[row];
                 var isListed:Boolean = agent != null && listed.indexOf(agent) >= 0;
                 count += isListed ? 1 : 0;
                 assertTrue("no shape without a listed agent", isListed || _table.shapes[row] == null);
                 if (agent != null)
                 {
                     // agents of a list that was refused may still have rows
-                    assertEquals("the row of " + agent, isListed ? row : -1, _table.rowOf(agent));
+                    assertEquals("the row of " + agent, isListed ? row : -1, _table.list.rowOf(agent));
                 }
             }
             assertEquals(listed.length, count);

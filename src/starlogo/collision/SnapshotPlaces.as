@@ -1,18 +1,18 @@
-package starlogo.search
+package starlogo.collision
 {
     import flash.utils.ByteArray;
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.search.AgentTable;
+    import starlogo.search.RowPlaces;
 
     use namespace engine;
 
     /**
      * Writes and reads the part of a snapshot that belongs to a table: the place of each agent in the last search, and whether the agent's
      * motion begins there.
-     *
-     * @private
      */
-    public final class KeptPlaces
+    internal final class SnapshotPlaces
     {
         /**
          * Writes the places.
@@ -22,10 +22,10 @@ package starlogo.search
          */
         public static function write(table:AgentTable, list:Vector.<Agent>, bytes:ByteArray, keepsMotions:Boolean):void
         {
-            var places:RowPlaces = table.now;
+            var places:RowPlaces = table.places.now;
             for (var i:int = 0; i < list.length; i++)
             {
-                var row:int = table.rows[i];
+                var row:int = table.list.rows[i];
                 bytes.writeBoolean(keepsMotions && table.shapes[row] != null && places.isMotionStart(row, list[i])
                         && table.shapes[row].model == list[i].shape);
                 bytes.writeDouble(places.x[row]);
@@ -43,25 +43,13 @@ package starlogo.search
         public static function restore(table:AgentTable, list:Vector.<Agent>, bytes:ByteArray):void
         {
             table.read(list);
-            var places:RowPlaces = table.now;
-            for (var i:int = 0; i < table.count; i++)
+            for (var i:int = 0; i < list.length; i++)
             {
-                var row:int = table.rows[i];
-                var seen:int = bytes.readBoolean() ? places.revisions[row] : RowPlaces.NOT_SEEN;
+                var hasMotion:Boolean = bytes.readBoolean();
                 var x:Number = bytes.readDouble();
                 var y:Number = bytes.readDouble();
                 var z:Number = bytes.readDouble();
-                if (places.x[row] != x || places.y[row] != y || places.z[row] != z)
-                {
-                    // the agent has moved since. One more revision makes this a motion, even if the game has put the agent there by a jump
-                    table.agents[row].revision++;
-                    places.x[row] = x;
-                    places.y[row] = y;
-                    places.z[row] = z;
-                    table.moveExtents(row);
-                }
-                places.revisions[row] = seen;
-                table.setStale(row);
+                table.seeAt(table.list.rows[i], x, y, z, hasMotion);
             }
         }
     }

@@ -7,14 +7,14 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Gives each agent of a list a row. An agent keeps its row while it is listed. Free rows are used again.
+     * The list of a table, and the row of each of its agents. An agent keeps its row while it is listed. Free rows are used again.
      *
      * <p>A new list is first proposed and then accepted. Until it is accepted, the agents of the list before are the ones that are listed. A list
      * that is refused is never accepted, so it changes nothing.</p>
      *
      * @private
      */
-    public class RowList
+    public final class ListedAgents
     {
         /** The row of the ground, the first of the fixtures, which belong to no list. The number of a fixture's breed gives its row. */
         public static const GROUND:int = 0;
@@ -41,10 +41,13 @@ package starlogo.search
         public var agents:Vector.<Agent> = new <Agent>[null, null];
 
         /** By row: the row itself. For tests whose candidates are rows. */
-        internal var itself:Vector.<int> = new Vector.<int>();
+        internal var itself:Vector.<int> = new <int>[GROUND, EDGES];
 
         /** The rows of the agents of the list that was proposed last. */
-        protected var proposed:Vector.<int> = new Vector.<int>();
+        internal var proposed:Vector.<int> = new Vector.<int>();
+
+        /** Whether the list that was proposed last was accepted. */
+        internal var isAccepted:Boolean = true;
 
         /**
          * The rows whose agents are missing from the list that was read last, or have another place in it. The agents of all other rows have the
@@ -52,8 +55,8 @@ package starlogo.search
          */
         internal var departed:NumberList = new NumberList();
 
-        /** Whether the list that was proposed last was accepted. */
-        protected var isAccepted:Boolean = true;
+        /** The rows that agents have got in the list that was proposed last. */
+        internal var arrived:NumberList = new NumberList();
 
         private var _free:NumberList = new NumberList();
         private var _inOrder:Vector.<int> = new Vector.<int>();
@@ -109,6 +112,7 @@ package starlogo.search
                 freeUnlisted();
             }
             isAccepted = false;
+            arrived.count = 0;
             _lists++;
             for (var i:int = 0; i < list.length; i++)
             {
@@ -132,8 +136,12 @@ package starlogo.search
             }
         }
 
-        /** Makes the agents of the proposed list the ones that are listed, and frees the rows of all others. */
-        protected function accept(length:int):void
+        /**
+         * Makes the agents of the proposed list the ones that are listed, and frees the rows of all others.
+         *
+         * @param length the number of agents
+         */
+        internal function accept(length:int):void
         {
             listReordered(length);
             for (var i:int = 0; i < count; i++)
@@ -152,25 +160,6 @@ package starlogo.search
             ranks[EDGES] = length + 1;
             isAccepted = true;
             freeUnlisted();
-        }
-
-        /** Makes sure that there are this many rows. */
-        protected function grow(length:int):void
-        {
-            agents.length = ranks.length = _lastLists.length = length;
-            for (var row:int = itself.length; row < length; row++)
-            {
-                itself[row] = row;
-            }
-        }
-
-        /** Frees the row of an agent that is not listed. */
-        protected function free(row:int):void
-        {
-            _rowsById.remove(agents[row].number);
-            agents[row] = null;
-            departed.add(row);
-            _free.add(row);
         }
 
         /**
@@ -211,8 +200,18 @@ package starlogo.search
             }
             agents[row] = agent;
             ranks[row] = UNLISTED;
+            arrived.add(row);
             _rowsById.set (agent.number, row);
             return row;
+        }
+
+        private function grow(length:int):void
+        {
+            agents.length = ranks.length = _lastLists.length = length;
+            for (var row:int = itself.length; row < length; row++)
+            {
+                itself[row] = row;
+            }
         }
 
         // Lists rows so that all others have the same order in both lists. If the last agent took the place of one that was removed, it is one row.
@@ -252,6 +251,14 @@ package starlogo.search
                     free(row);
                 }
             }
+        }
+
+        private function free(row:int):void
+        {
+            _rowsById.remove(agents[row].number);
+            agents[row] = null;
+            departed.add(row);
+            _free.add(row);
         }
     }
 }

@@ -1,0 +1,76 @@
+package starlogo.search
+{
+    /**
+     * Where the agents of a table were in the last two searches, and which of them have changed. An agent's motion goes from one place to the other.
+     *
+     * @private
+     */
+    public final class PlaceHistory
+    {
+        /** The places in the last search. */
+        public var now:RowPlaces = new RowPlaces();
+
+        /**
+         * The places in the search before. A row that has not changed has the same place in both. A search reads agents into it, and then the two
+         * are exchanged.
+         */
+        public var last:RowPlaces = new RowPlaces();
+
+        /** The rows that the last search has read again, because their agents had changed. */
+        public var moved:NumberList = new NumberList();
+
+        /** The rows that the search before has read again. */
+        public var movedBefore:NumberList = new NumberList();
+
+        /**
+         * Makes the places that were read into <code>last</code> the present ones.
+         *
+         * @param read the rows that were read
+         * @param agentCount the number of listed agents
+         * @return a list for the rows of the next search
+         */
+        public function exchange(read:NumberList, agentCount:int):NumberList
+        {
+            var older:RowPlaces = last;
+            last = now;
+            now = older;
+            var spare:NumberList = movedBefore;
+            movedBefore = moved;
+            moved = read;
+            if (moved.count < agentCount)
+            {
+                settle();
+            }
+            return spare;
+        }
+
+        // Gives rows that moved before, and not now, their present place in both searches.
+        private function settle():void
+        {
+            for (var i:int = 0; i < movedBefore.count; i++)
+            {
+                var row:int = movedBefore.numbers[i];
+                if (now.revisions[row] < last.revisions[row])
+                {
+                    now.copyRow(last, row);
+                }
+            }
+        }
+
+        /** Lets no agent have a motion from its place in the last search. */
+        public function forgetMotions():void
+        {
+            for (var row:int = 0; row < now.revisions.length; row++)
+            {
+                now.revisions[row] = RowPlaces.NOT_SEEN;
+            }
+        }
+
+        /** Makes sure that there are this many rows. */
+        public function grow(length:int):void
+        {
+            now.grow(length);
+            last.grow(length);
+        }
+    }
+}

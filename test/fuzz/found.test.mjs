@@ -4,6 +4,9 @@ import test from "node:test";
 import { problemOf } from "./game.mjs";
 
 const FOUND = {
+	"a sphere in a corridor exactly as wide as itself goes out beside its wall": [["add",-1,0.5,-0.14979433035477996,0.5],
+	["ground",3,3,true,0.5,-2,-1,"steps",845096],
+	["stand",1,0.4838193763047457,0.03460405264049768,0]],
 	"a slide deep in the side of the ground goes as far as it says": [["system",2,false,7],
 	["add",-2.498681606957689,0,-0.32721844560001045,1],
 	["add",0.9795317915268242,2.45606095995754,0.01275511342100799,1],

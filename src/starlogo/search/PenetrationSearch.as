@@ -1,5 +1,6 @@
 package starlogo.search
 {
+    import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
@@ -16,7 +17,11 @@ package starlogo.search
      *
      * <p>An agent in the ground may have many ways out. The tests know a lower bound of their lengths (<code>PairTests.leastDepth</code>). If the
      * first push is hardly longer, it is taken. Otherwise each side of the ground that the deepest touched part is behind begins a push of
-     * its own (<code>PairTests.findExits()</code>). The shortest push that frees the agent is taken.</p>
+     * its own (<code>PairTests.findExits()</code>). The shortest push that frees the agent is taken. Contacts may contradict each other, as
+     * opposite walls do, and the ground ends at edges, where a push out of the whole plane is longer than needed. So a push that
+     * does not free the agent is changed: it goes as far along the ground, and from there as high as the agent has to be
+     * lifted. The shortest of these ways is taken if no push is shorter. One sweep down finds each lift, because all places above a
+     * free one are free.</p>
      *
      * <p>If no push is found, the shortest way out of the structures around both bodies gives the direction (DirectionSearch).</p>
      *
@@ -65,6 +70,11 @@ package starlogo.search
         // The pushes, and the contacts with which other ways begin.
         private var _pushes:PushSearch = new PushSearch();
         private var _exits:Vector.<ContactPoint> = new Vector.<ContactPoint>();
+
+        // The direction and the length of the shortest way out of the ground that ends with a lift; and the contact at the end of a sweep down.
+        private var _lift:Vector3D = new Vector3D();
+        private var _liftLength:Number = 0;
+        private var _below:ContactPoint = new ContactPoint();
 
         /** @param tests decides whether bodies touch, and when. It is for pairs with a tree, or with the ground */
         public function PenetrationSearch(tests:PairTests)
@@ -192,7 +202,7 @@ package starlogo.search
         }
 
         // Finds a way out of the ground. The push out of one contact after the other is taken if no way is clearly shorter. Otherwise it looks
-        // farther and farther for other ways, and straight up.
+        // farther and farther for other ways, and for ways that end with a lift. The first of these goes straight up, above all ground around.
         private function findGroundExit(out:ContactPoint):void
         {
             var reach:Number = Math.max(SHALLOW * _extent, Math.min(_first.depth, _extent));
@@ -202,17 +212,69 @@ package starlogo.search
             }
             _distance = 0;
             displace();
-            _tests.findOuterContact(_a, _b, _left);
-            var most:Number = _left.depth;
-            while (!findPush(out, reach / NEEDED, reach, MOST_PUSHES) && reach <= most)
+            _tests.findOuterContact(_a, _b, _below);
+            _liftLength = _below.depth + Tolerances.SEPARATION * _extent;
+            _lift.setTo(0, 0, 1);
+            while (!findPush(out, reach / NEEDED, reach, MOST_PUSHES) && reach / NEEDED <= _liftLength)
             {
                 reach *= FARTHER;
             }
-            tryOuter(out);
+            if (_liftLength < out.depth - Tolerances.SEPARATION * _extent)
+            {
+                _below.setNormal(_lift.x, _lift.y, _lift.z);
+                _below.depth = _liftLength;
+                goOutAlong(_below);
+                refine(out);
+            }
+        }
+
+        // Finds how high the first body has to be lifted after it has gone along the ground as far as the push. Keeps this way out if it is the
+        // shortest one so far. The lift is that of a place ROOM farther, so that the body is free a little farther along the way too,
+        // even between walls that are as far apart as it is wide.
+        private function tryLift():void
+        {
+            var x:Number = _pushes.push.x;
+            var y:Number = _pushes.push.y;
+            var length:Number = Math.sqrt(x * x + y * y);
+            var farther:Number = length > 0 ? 1 + ROOM * _extent / length : 1;
+            x *= farther;
+            y *= farther;
+            var squared:Number = _liftLength * _liftLength - (x * x + y * y);
+            if (!(squared > 0))
+            {
+                return;
+            }
+            var high:Number = Math.sqrt(squared);
+            _place.setTo(_from.x + x, _from.y + y, _from.z + high);
+            _a.moveTo(_place);
+            if (_tests.areTouching(_a, _b))
+            {
+                return;
+            }
+            _place.z = _from.z;
+            _a.moveTo(_place);
+            _back.endAfter(0, 0, -high);
+            _tests.findImpact(_a, _b, _back, _below);
+            var z:Number = high * (1 - Math.min(_back.time, 1));
+            // halfway between the place of the push and the one farther
+            x *= (1 + farther) / (2 * farther);
+            y *= (1 + farther) / (2 * farther);
+            length = Math.sqrt(x * x + y * y + z * z);
+            if (length == 0)
+            {
+                return;
+            }
+            _along.setTo(x / length, y / length, z / length);
+            _free = length + Tolerances.SEPARATION * _extent;
+            if (!touchesFree())
+            {
+                _lift.setTo(x / length, y / length, z / length);
+                _liftLength = length;
+            }
         }
 
         // Looks for the shortest push that leads out of all contacts, from the first one on. Takes it if it is not longer than
-        // <code>most</code>.
+        // <code>most</code>. In the ground it also tries a lift after each other push.
         private function findPush(out:ContactPoint, most:Number, reach:Number, tries:int):Boolean
         {
             var slack:Number = SLACK * Tolerances.SEPARATION * _extent + _rounding;
@@ -230,6 +292,8 @@ package starlogo.search
                 if (reach > 0)
                 {
                     addExits(reach, slack);
+                    tryLift();
+                    most = Math.min(most, _liftLength);
                 }
                 if (!_pushes.next() || _pushes.length > most)
                 {

@@ -6,10 +6,13 @@ package starlogo.search
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.Collider;
+    import starlogo.collision.Collision;
     import starlogo.collision.CombinationCollider;
     import starlogo.collision.Contact;
+    import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.terrain.Terrain;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
@@ -164,6 +167,30 @@ package starlogo.search
             _wrong.assertNone();
         }
 
+        // Opposite walls contradict each other: the ball goes off one of them along the ground, and a little up between the two.
+        [Test]
+        public function outOfACorridorAsWideAsTheBall():void
+        {
+            var collider:TightestFitCollider = new TightestFitCollider(landOf(BuiltInModel.sphere()));
+            var terrain:Terrain = new Terrain(3, 3);
+            terrain.isBlocky = true;
+            for (var row:int = 0; row < 3; row++)
+            {
+                terrain.setHeight(0, row, 0.5);
+                terrain.setHeight(2, row, 0.5);
+            }
+            for (var i:int = Effort.choose(30, 1000); i > 0; i--)
+            {
+                var ball:Agent = new Agent("sphere");
+                var off:Number = _random.logBetween(1e-3, 0.1);
+                ball.moveTo(1 - off, 1, 0);
+                var contact:Contact = collider.contactOf(ball, terrain.agent);
+                check("corridor", collider, ball, terrain.agent, contact);
+                _wrong.addIf(contact.depth > 1.1 * off, "longer than along the ground", off + ", " + describe(ball, terrain.agent, contact));
+            }
+            _wrong.assertNone();
+        }
+
         // A floor and a roof that cross, each of so many squares along each side.
         private static function cornerOf(angle:Number, parts:int):Model
         {
@@ -236,7 +263,7 @@ package starlogo.search
                 _wrong.add(name + " has no unit normal, or no depth", contact.normal + ", " + contact.depth);
                 return;
             }
-            _wrong.addIf(!isInReach(contact.point, a) || !isInReach(contact.point, b),
+            _wrong.addIf(!isInReach(contact.point, a) || b.breed != Collision.TERRAIN && !isInReach(contact.point, b),
                     name + " has its point outside", contact.point + ", " + describe(a, b, contact));
             _overlapping++;
             var extent:Number = Math.max(a.size, b.size);

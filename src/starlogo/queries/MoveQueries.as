@@ -20,22 +20,16 @@ package starlogo.queries
         /** Computes where moving bodies end. */
         public var mover:Mover;
 
-        /** The body that moves, as it was at the beginning of the last question. */
-        public var body:Body;
-
-        /** The rows that count and are near the way of the last question, in the order of the list. */
-        public var near:NumberList = new NumberList();
-
         private var _set:QuerySet;
         private var _hits:Hits;
-        private var _way:Vector3D = new Vector3D();
 
-        // The place where the row that is met first stops the body.
+        // The way of the question, a motion on it, and the place where the row that is met first stops the body.
+        private var _way:Way = new Way();
+        private var _motion:Motion = new Motion();
         private var _end:Vector3D = new Vector3D();
 
-        // The lift out of all rows near the way, with which the body begins, and whether there may be one.
+        // The lift out of all rows near the way, with which the body begins.
         private var _lift:StartLift = new StartLift();
-        private var _mayLift:Boolean = false;
 
         /** @param questions what questions work with */
         public function MoveQueries(questions:QuerySet)
@@ -48,8 +42,8 @@ package starlogo.queries
         /** See AgentQueries.moveUntilTouch. */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
-            begin(agent, _set.ofMoving(agent), dx, dy, dz, filter);
-            collect(1, Mover.TOUCH);
+            findWay(agent, _set.ofMoving(agent), dx, dy, dz, filter, _way);
+            collect(1, _end);
             var isMet:Boolean = _set.found.count > 0;
             var part:Number = isMet ? _set.found.keys[0] : 1;
             if (contact != null)
@@ -72,15 +66,15 @@ package starlogo.queries
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
             // the agent may go anywhere within the length of its way
-            begin(agent, _set.ofMoving(agent), dx, dy, dz, filter, Math.sqrt(dx * dx + dy * dy + dz * dz));
-            mover.begin(body, near.numbers, 0, near.count);
-            mover.slide(_way);
-            mover.restoreClearance(true);
+            findWay(agent, _set.ofMoving(agent), dx, dy, dz, filter, _way, Math.sqrt(dx * dx + dy * dy + dz * dz));
+            mover.begin(_way.body, _way.rows);
+            mover.slide(_way.from, _way.motion, SlideLimits.NONE, _motion);
+            mover.restoreClearance(_motion.place, _motion.clearRow);
             if (dx != 0 || dy != 0 || dz != 0)
             {
-                put(agent, mover.at);
+                put(agent, _motion.place);
             }
-            return mover.fraction;
+            return _motion.fraction;
         }
 
         /**
@@ -112,16 +106,16 @@ package starlogo.queries
          */
         public function cast(agent:Agent, body:Body, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            begin(agent, body, dx, dy, dz, filter);
-            collect(1, Mover.SHORT);
+            findWay(agent, body, dx, dy, dz, filter, _way);
+            collect(1, null);
             return _set.found.count == 0 ? null : write(0, hit || new ShapeHit());
         }
 
         /** See AgentQueries.castAgentAll and AgentQueries.castShapeAll. The parameters are those of <code>cast()</code>. */
         public function castAll(agent:Agent, body:Body, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            begin(agent, body, dx, dy, dz, filter);
-            collect(Collector.ALL, Mover.SHORT);
+            findWay(agent, body, dx, dy, dz, filter, _way);
+            collect(Collector.ALL, null);
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
             _hits.fit(hits);
             for (var i:int = 0; i < hits.length; i++)
@@ -136,31 +130,33 @@ package starlogo.queries
          *
          * @param asker the agent that moves; null for a structure
          * @param asking the body that moves. It is copied, because the filter's accepts may move the agent
+         * @param out receives the way
          * @param reach how far the body may go in any direction. If it is 0, the body goes only along the motion
          * @param up how much farther it may go upwards
          * @param down how much farther it may go downwards
          * @param turn how much greater the agent's heading will be, in degrees
          */
-        public function begin(asker:Agent, asking:Body, dx:Number, dy:Number, dz:Number, filter:AgentFilter, reach:Number = 0, up:Number = 0,
+        public function findWay(asker:Agent, asking:Body, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Way, reach:Number = 0, up:Number = 0,
                 down:Number = 0, turn:Number = 0):void
         {
             requireInWorld("a motion", dx, dy, dz);
-            _way.setTo(dx, dy, dz);
-            body = asking;
-            near.count = 0;
+            out.motion.setTo(dx, dy, dz);
+            out.from.setTo(asking.placement.x, asking.placement.y, asking.placement.z);
+            out.body = asking;
+            out.rows.count = 0;
             if (asking.shape == null)
             {
                 return;
             }
-            body = _set.second;
-            body.readShrunk(asking, null, 0);
+            out.body = _set.second;
+            out.body.readShrunk(asking, null, 0);
             if (turn != 0)
             {
-                body.turn(asker, turn);
+                out.body.turn(asker, turn);
             }
             var found:Collector = _set.found;
             found.begin(Collector.ALL, Infinity, asker, filter);
-            _set.seen.beginWay(_set.way, body);
+            _set.seen.beginWay(_set.way, out.body);
             _set.way.widen(reach, up, down);
             if (reach == 0)
             {
@@ -173,46 +169,56 @@ package starlogo.queries
             var count:int = found.endSorted();
             for (var i:int = 0; i < count; i++)
             {
-                near.add(found.rows[i]);
+                out.rows.add(found.rows[i]);
             }
         }
 
-        // Finds the rows that stop the body, each as if the others were not there. If one is wanted, the body ends at _end.
-        private function collect(wanted:int, ending:int):void
+        // Finds the rows that stop the body, each as if the others were not there. If an end is given, it receives the place where the first of
+        // them stops it.
+        private function collect(wanted:int, end:Vector3D):void
         {
             _lift.clear();
-            collectLifted(wanted, ending);
-            if (_mayLift)
+            if (collectLifted(wanted, end))
             {
                 // a floor may be many rows: what is lifted out of one of them does not run into the next
-                mover.begin(body, near.numbers, 0, near.count);
-                if (mover.findLift(_way, _lift))
+                mover.begin(_way.body, _way.rows);
+                if (mover.findLift(_way.from, _way.motion, _motion, _lift))
                 {
-                    collectLifted(wanted, ending);
+                    collectLifted(wanted, end);
                 }
             }
         }
 
-        // Does so with the body lifted, and notes whether a common lift of all rows could change the answer.
-        private function collectLifted(wanted:int, ending:int):void
+        // Does so with the body lifted. Returns whether a common lift of all rows could change the answer.
+        private function collectLifted(wanted:int, end:Vector3D):Boolean
         {
-            var rows:Vector.<int> = near.numbers;
-            _mayLift = false;
-            _end.setTo(body.placement.x, body.placement.y, body.placement.z);
-            _end.incrementBy(_way);
-            _lift.keepDepth(_end, body.placement.x, body.placement.y, body.placement.z);
+            var rows:NumberList = _way.rows;
+            var mayLift:Boolean = false;
             _set.found.begin(wanted, Infinity, null, null);
-            for (var i:int = 0; i < near.count && _set.found.limit > 0; i++)
+            if (end != null)
             {
-                mover.begin(body, rows, i, i + 1);
-                mover.goUntilTouch(_way, ending, _lift);
-                _mayLift ||= mover.isLifted || (mover.fraction == 0 && !mover.isDeep);
-                if (mover.contactRow >= 0 && _set.found.add(rows[i], mover.fraction))
+                end.copyFrom(_way.from);
+                end.incrementBy(_way.motion);
+                _lift.keepDepth(end, _way.from.x, _way.from.y, _way.from.z);
+            }
+            for (var i:int = 0; i < rows.count && _set.found.limit > 0; i++)
+            {
+                var row:int = rows.numbers[i];
+                mover.beginAgainst(_way.body, row);
+                mover.findTouch(_way.from, _way.motion, _lift, _motion);
+                mayLift ||= _motion.isLifted || (_motion.fraction == 0 && !_motion.isDeep);
+                if (_motion.row < 0 || !_set.found.add(row, _motion.fraction))
                 {
-                    _hits.put(rows[i]).copyFrom(mover.contact);
-                    _end.copyFrom(mover.at);
+                    continue;
+                }
+                _hits.put(row).copyFrom(_motion.contact);
+                if (end != null)
+                {
+                    mover.goIntoTouch(_motion);
+                    end.copyFrom(_motion.place);
                 }
             }
+            return mayLift;
         }
 
         // Writes how the body touches a row of the answer.

@@ -1,32 +1,23 @@
 package starlogo.queries
 {
     import flash.geom.Vector3D;
-    import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.search.Body;
     import starlogo.search.NumberList;
 
-    use namespace engine;
-
     /**
-     * Moves a row of a table among others, until it touches one of them, or along the rows that it touches. A row that it would go into stops
-     * it. A row that it only touches, leaves or runs along never stops it, because the core of the row is swept (CoreSweep).
+     * Moves a body among rows of a table, until it touches one of them, or along the rows that it touches. A row that it would go into stops
+     * it. A row that it only touches, leaves or runs along never stops it, because the core of the body is swept (CoreSweep).
      *
-     * <p>At the beginning the row may overlap others a little, because of rounding in the game. Then it is lifted out of them first. If it
-     * overlaps another row more deeply, the plane of their contact stands for that row. The motion must not cross the plane, and nothing else of
-     * that row counts.</p>
+     * <p>At the beginning the body may overlap rows a little, because of rounding in the game. Then it is lifted out of them first
+     * (OverlapRecovery). If it overlaps a row more deeply, the plane of their contact stands for that row. The motion must not cross the plane, and
+     * nothing else of that row counts.</p>
      *
      * @private
      */
     public final class Mover
     {
-        /** An ending of a motion: the row touches the other row. */
-        public static const TOUCH:int = 0;
-
-        /** An ending: the clearance before the touch. */
-        public static const SHORT:int = 1;
-
         // The number of places that are tried in order to find one at which the two touch. A sweep may end some 30 gaps before a triangle of
         // the ground.
         private static const STEPS_INTO_TOUCH:int = 64;
@@ -34,100 +25,69 @@ package starlogo.queries
         // If the next row is met within this many slops, this is the same corner.
         private static const NEXT:Number = 4;
 
-        // If a motion leads this many slops deeper into what it was lifted out of, the row has left the surface. Otherwise its core met it.
+        // If a motion leads this many slops deeper into what it was lifted out of, the body has left the surface. Otherwise its core met it.
         private static const MOST_SLOPS:Number = 2;
 
         // A normal is vertical if the square of its horizontal part is at most this. The rest is a rounding error.
         private static const UPRIGHT:Number = 1e-20;
 
-        // Between two walls the row may be lifted to and fro. After this many rounds it stays where it is.
-        private static const LIFTING_ROUNDS:int = 6;
-
-        // From this round on the contact has to separate the two rows. Contacts of parts of a row may point sideways, round after round.
-        private static const SURE_ROUND:int = 2;
-
-        // A motion ends after this many iterations.
+        // A slide ends after this many iterations.
         private static const MOST_ITERATIONS:int = 8;
 
-        /** Whether the last slide met a wall: a surface that was too steep for it. */
-        public var metWall:Boolean = false;
-
-        /** The fraction of its motion that the row has gone, from 0 to 1. */
-        public var fraction:Number = 1;
-
-        /** Whether the last motion began deep in another row. */
-        public var isDeep:Boolean = false;
-
-        /** Whether the last motion began with a lift out of a row. */
-        public var isLifted:Boolean = false;
-
-        /** The row that stopped the last motion; -1 for none, and after a slide. */
-        public var contactRow:int = -1;
-
-        /** The contact with that row. The next motion overwrites it. */
-        public var contact:ContactPoint = new ContactPoint();
-
-        /** The most level contact that the last slide has met: the one with the greatest z of its normal. If there is none, its
-         * normalZ is -2. */
-        public var floor:ContactPoint = new ContactPoint();
-
-        /** The other row of that contact. */
-        public var floorRow:int = -1;
-
-        /** The place of the row's agent at the end. */
-        public var at:Vector3D = new Vector3D();
-
-        /** The overlap that <code>findDeepest()</code> has found. */
-        public var overlap:DeepestOverlap = new DeepestOverlap();
-
+        private var _body:MovingBody;
         private var _sweep:CoreSweep;
+        private var _recovery:OverlapRecovery;
+
+        // The rows that may be in the way, and those of them that no plane replaces.
+        private var _rows:NumberList = new NumberList();
+        private var _obstacles:NumberList = new NumberList();
+
+        // The motion: where it begins, what is left of it, how the body is lifted, and what is met first on the rest and on another way.
+        private var _from:Vector3D = new Vector3D();
         private var _rest:SlidePlanes = new SlidePlanes();
-        private var _lifts:EndClearance = new EndClearance();
-
-        // The rows in the way, and how many of them no plane replaces. These come first.
-        private var _others:NumberList = new NumberList();
-        private var _count:int = 0;
-
-        // The place of the row before it was lifted, the lift, and a place or a way.
-        private var _before:Vector3D = new Vector3D();
         private var _lift:StartLift = new StartLift();
-        private var _tried:Vector3D = new Vector3D();
+        private var _impact:Impact = new Impact();
+        private var _tried:Impact = new Impact();
+        private var _place:Vector3D = new Vector3D();
 
-        // How far the rest of the motion goes along the contact's normal, which is less than 0.
-        private var _along:Number = 0;
-
-        // Whether no contact showed what stops the motion, so that the normal is just the opposite of the motion.
-        private var _isNormalFallback:Boolean = false;
-
-        private var _standing:ContactPoint = new ContactPoint();
+        // Where the core touches what the last motion touches.
+        private var _corePlace:Vector3D = new Vector3D();
+        private var _contact:ContactPoint = new ContactPoint();
 
         /** @param seen has the rows, and tests which of them touch */
         public function Mover(seen:QueryWorld)
         {
-            _sweep = new CoreSweep(seen);
+            _body = new MovingBody(seen);
+            _sweep = new CoreSweep(seen, _body);
+            _recovery = new OverlapRecovery(_body);
         }
 
         /**
-         * Begins with a body and the rows in its way.
+         * Takes the body and the rows for the next motions.
          *
          * @param body the body that moves. It stays where it is
-         * @param others the rows, of which those from an index to another count
+         * @param rows the rows that may be in its way
          * @param except a row that does not count, or -1
          */
-        public function begin(body:Body, others:Vector.<int>, from:int, end:int, except:int = -1):void
+        public function begin(body:Body, rows:NumberList, except:int = -1):void
         {
-            at.setTo(body.placement.x, body.placement.y, body.placement.z);
-            _sweep.begin(body);
-            _others.count = 0;
-            for (var i:int = from; i < end; i++)
+            _rows.count = 0;
+            for (var i:int = 0; i < rows.count; i++)
             {
-                if (others[i] != except)
+                if (rows.numbers[i] != except)
                 {
-                    _others.add(others[i]);
-                    _sweep.addOther(others[i]);
+                    _rows.add(rows.numbers[i]);
                 }
             }
-            _count = _others.count;
+            _body.read(body, _rows);
+        }
+
+        /** Takes the body and a single row for the next motions. */
+        public function beginAgainst(body:Body, row:int):void
+        {
+            _rows.count = 0;
+            _rows.add(row);
+            _body.read(body, _rows);
         }
 
         /**
@@ -136,250 +96,262 @@ package starlogo.queries
          * @param out receives the lift: 0 if the body overlaps nothing, or does not get free
          * @return whether there is a lift
          */
-        public function findLift(motion:Vector3D, out:StartLift):Boolean
+        public function findLift(from:Vector3D, motion:Vector3D, end:Motion, out:StartLift):Boolean
         {
-            start(motion);
+            start(from, motion, null, SlideLimits.NONE, end);
             out.copyFrom(_lift);
-            out.way.copyFrom(at);
-            out.way.decrementBy(_before);
-            return isLifted;
+            out.way.copyFrom(end.place);
+            out.way.decrementBy(_from);
+            return end.isLifted;
         }
 
         /**
-         * Computes where the body ends if it goes from <code>at</code> until it touches a row.
+         * Finds when a motion first touches a row, and how.
          *
+         * @param from where it begins
          * @param motion the whole motion
-         * @param ending TOUCH or SHORT
          * @param lift the lift of <code>findLift()</code>; null for none
+         * @param out receives the answer. Its place is the end if no row is touched, else the beginning; then <code>goIntoTouch()</code> gives
+         *     the end
          */
-        public function goUntilTouch(motion:Vector3D, ending:int, lift:StartLift = null):void
+        public function findTouch(from:Vector3D, motion:Vector3D, lift:StartLift, out:Motion):void
         {
-            if (!start(motion, lift))
+            if (!start(from, motion, lift, SlideLimits.NONE, out))
             {
                 return;
             }
-            findTouch();
-            var isStopped:Boolean = contactRow >= 0 && fraction > 0;
-            if (isStopped && ending == TOUCH)
+            var crossed:int = _rest.findCrossed();
+            if (crossed >= 0)
             {
-                endTouching();
-                return;
+                out.contact.copyFrom(_rest.planes[crossed]);
+                out.row = _rest.rows[crossed];
+                out.fraction = 0;
             }
-            goFromStart(isStopped ? Math.max(0, fraction + _sweep.clearance / _along) : fraction);
+            else if (findFirst(out.place, _impact))
+            {
+                _sweep.findTouch(out.place, motion, _impact);
+                out.row = _impact.row;
+                out.contact.copyFrom(_impact.contact);
+                out.contact.depth = 0;
+                _corePlace.setTo(out.place.x + _impact.time * motion.x, out.place.y + _impact.time * motion.y, out.place.z + _impact.time * motion.z);
+                // without the lift the body would have touched earlier
+                out.place.decrementBy(_from);
+                var time:Number = _impact.touchTime + out.contact.along(out.place) / _impact.along;
+                out.fraction = time > 0 ? (time < 1 ? time : 1) : 0;
+                if (-out.fraction * _impact.along < _body.slop && _body.touches(out.row, _from))
+                {
+                    out.fraction = 0;
+                }
+            }
+            out.place.copyFrom(_from);
+            if (out.row < 0)
+            {
+                advance(1, out.place);
+            }
         }
 
         /**
-         * Computes where the body ends if it goes from <code>at</code> and slides along what it meets.
+         * Moves the body of the last motion into the touch, on the side that it comes from. If it went beyond a row without thickness, the two
+         * would not touch, and it could not come back. On a long way rounding may hide the touch. Then the body ends where its core touches the row.
          *
-         * @param motion the whole motion
-         * @param steepest a contact counts as an upright wall if the z of its normal is less than this. With -2 none does so
-         * @param widest how far the body may go on the ground plane at most
-         * @param steepness for a fall: the least slope on which it goes on, as a tangent
+         * @param motion the answer of <code>findTouch()</code>, whose place changes
          */
-        public function slide(motion:Vector3D, steepest:Number = -2, widest:Number = Infinity, steepness:Number = -1):void
+        public function goIntoTouch(motion:Motion):void
         {
-            floor.setNormal(0, 0, -2);
-            if (!start(motion, null, widest, steepness))
+            if (motion.row >= 0 && motion.fraction > 0)
+            {
+                advance(motion.fraction, motion.place);
+                if (!stepIntoTouch(motion))
+                {
+                    motion.place.copyFrom(_corePlace);
+                }
+            }
+        }
+
+        /**
+         * Computes where a motion ends that goes until the clearance before a touch.
+         *
+         * @param from where it begins
+         * @param motion the whole motion
+         * @param out receives the answer
+         */
+        public function goBeforeTouch(from:Vector3D, motion:Vector3D, out:Motion):void
+        {
+            findTouch(from, motion, null, out);
+            if (out.row >= 0 && out.fraction > 0)
+            {
+                advance(Math.max(0, out.fraction + _body.clearance / _impact.along), out.place);
+            }
+        }
+
+        /**
+         * Computes where a motion ends that slides along what it meets.
+         *
+         * @param from where it begins
+         * @param motion the whole motion
+         * @param limits how it may go
+         * @param out receives the answer
+         */
+        public function slide(from:Vector3D, motion:Vector3D, limits:SlideLimits, out:Motion):void
+        {
+            if (!start(from, motion, null, limits, out))
             {
                 return;
             }
             var whole:Number = _rest.length;
             for (var iterations:int = 0; iterations < MOST_ITERATIONS && _rest.project(); iterations++)
             {
-                if (!findFirst())
+                if (!findFirst(out.place, _impact))
                 {
-                    _rest.advance(at, 1);
+                    _rest.advance(out.place, 1);
                     break;
                 }
-                if (!isSoon())
+                if (!isSoon(_impact))
                 {
                     _rest.beginCorner();
                 }
-                _sweep.findWhole(contactRow, _along, contact);
-                _rest.advance(at, Math.max(_sweep.wholeTime + _sweep.clearance / _along, 0));
-                if (!_isNormalFallback && contact.normalZ > floor.normalZ)
+                _sweep.findTouch(out.place, _rest.motion, _impact);
+                _rest.advance(out.place, Math.max(_impact.touchTime + _body.clearance / _impact.along, 0));
+                if (!_impact.isNormalFallback && _impact.contact.normalZ > out.floor.normalZ)
                 {
-                    floor.copyFrom(contact);
-                    floorRow = contactRow;
+                    out.floor.copyFrom(_impact.contact);
+                    out.floorRow = _impact.row;
                 }
-                if (contact.normalZ < steepest)
+                if (_impact.contact.normalZ < limits.walkableZ)
                 {
-                    standUp();
+                    out.metWall = true;
+                    standUp(_impact.contact);
                 }
-                _rest.add(contact, contactRow);
-                dropNeedless();
+                _rest.add(_impact.contact, _impact.row);
+                dropNeedless(out.place);
             }
-            contactRow = -1;
-            fraction = _rest.gone < whole ? _rest.gone / whole : 1;
+            out.clearRow = _impact.clearRow;
+            out.fraction = _rest.gone < whole ? _rest.gone / whole : 1;
         }
 
         /** Whether the body would go into a row on a straight way from a place. */
         public function meets(row:int, from:Vector3D, motion:Vector3D):Boolean
         {
-            _sweep.beginMotion(from, motion);
-            _sweep.aim(from, motion);
-            return _sweep.find(row, from);
+            _body.setMotion(from, motion);
+            return _sweep.meets(row, from, motion);
         }
 
-        // Begins a motion at a place that is lifted out of what the row overlaps there. Returns whether there is any motion.
-        private function start(motion:Vector3D, lift:StartLift = null, widest:Number = Infinity, steepness:Number = -1):Boolean
+        /** Finds the deepest overlap of the body at a place. Returns whether there is one. */
+        public function findDeepest(place:Vector3D, out:Overlap):Boolean
         {
-            _rest.begin(motion, widest, steepness);
+            return _recovery.findDeepest(_rows, place, out);
+        }
+
+        /**
+         * After a motion: lifts the body off what it only touches, if there is room.
+         *
+         * @param place the place of the body, which changes
+         * @param clearRow a row that it is known not to touch there, or -1
+         */
+        public function restoreClearance(place:Vector3D, clearRow:int):void
+        {
+            _recovery.restoreClearance(_obstacles, place, clearRow);
+        }
+
+        // Begins a motion at a place that is lifted out of what the body overlaps there. Returns whether there is any motion.
+        private function start(from:Vector3D, motion:Vector3D, lift:StartLift, limits:SlideLimits, out:Motion):Boolean
+        {
+            out.beginAt(from);
+            _from.copyFrom(from);
+            _impact.clearRow = -1;
+            _rest.begin(motion, limits);
             _lift.clear();
-            contactRow = -1;
-            metWall = isDeep = isLifted = false;
-            contact.setNormal(0, 0, 0);
-            fraction = 1;
-            _sweep.beginMotion(at, motion);
-            _before.copyFrom(at);
+            _obstacles.copyFrom(_rows);
+            _body.setMotion(from, motion);
             if (!(_rest.length * _rest.length > Tolerances.VANISHING))
             {
-                _rest.advance(at, 1);
+                _rest.advance(out.place, 1);
                 return false;
             }
             if (lift != null)
             {
                 _lift.copyFrom(lift);
-                at.incrementBy(lift.way);
+                out.place.incrementBy(lift.way);
             }
-            _lift.most = MOST_SLOPS * _sweep.slop;
-            _count = _others.count;
-            liftOut();
-            isDeep = _rest.count > 0;
-            if (_sweep.isFlat && !isDeep)
+            _lift.most = MOST_SLOPS * _body.slop;
+            takeDeep(out.place, false);
+            var lifted:int = _lift.count;
+            if (!_recovery.liftOut(_obstacles, out.place, _lift))
             {
-                // its core is as flat, and a sweep touches across a wider gap than a row that stands
-                _tried.copyFrom(at);
-                restoreClearance(false);
-                isLifted ||= at.x != _tried.x || at.y != _tried.y || at.z != _tried.z;
+                out.place.copyFrom(_from);
+                _lift.clear();
+                takeDeep(out.place, true);
+            }
+            out.isLifted = _lift.count > lifted;
+            out.isDeep = _rest.count > 0;
+            if (_body.isFlat && !out.isDeep)
+            {
+                // its core is as flat, and a sweep touches across a wider gap than a body that stands
+                _place.copyFrom(out.place);
+                restoreClearance(out.place, -1);
+                out.isLifted ||= !out.place.equals(_place);
             }
             _rest.beginCorner();
             return true;
         }
 
-        // Lifts the row out of rows that it overlaps a little at its place. If no round frees it, the last round puts it back at its place.
-        private function liftOut():void
+        // Lets planes take the places of rows that the core overlaps: of those whose overlap is not shallow, or of all. If the core does not
+        // touch a row when it is narrower, the row stays, and the motion has that core.
+        private function takeDeep(place:Vector3D, isOfAll:Boolean):void
         {
-            var isFree:Boolean = false;
-            for (var round:int = 0; !isFree && round <= LIFTING_ROUNDS; round++)
+            var kept:int = 0;
+            for (var i:int = 0; i < _obstacles.count; i++)
             {
-                isFree = true;
-                if (round == LIFTING_ROUNDS)
+                var row:int = _obstacles.numbers[i];
+                if (_body.coreTouches(row, place) && findDeep(row, place, isOfAll, _contact))
                 {
-                    at.copyFrom(_before);
-                    _lift.clear();
+                    _rest.add(_contact, row);
                 }
-                for (var i:int = _count - 1; i >= 0; i--)
+                else
                 {
-                    if (_sweep.coreTouchesAt(_others.numbers[i], at))
-                    {
-                        isFree = false;
-                        liftOutOf(i, round);
-                    }
+                    _obstacles.numbers[kept] = row;
+                    kept++;
                 }
             }
+            _obstacles.count = kept;
         }
 
-        // Lifts the row out of another. If the overlap is deeper, the contact's plane replaces the other row.
-        private function liftOutOf(i:int, round:int):void
+        // Finds the contact with a row that the core overlaps. Returns whether its plane has to take the place of the row.
+        private function findDeep(row:int, place:Vector3D, isOfAll:Boolean, out:ContactPoint):Boolean
         {
-            var other:int = _others.numbers[i];
-            var isShallow:Boolean = _sweep.findContact(other, at, _standing, round >= SURE_ROUND);
-            if (isShallow && round < LIFTING_ROUNDS)
-            {
-                _standing.push(at, _standing.depth + _sweep.clearance);
-                _lift.add(_standing);
-                isLifted = true;
-                return;
-            }
-            if (!_sweep.narrowFor(other, at) && _sweep.overlapsAt(other, at))
-            {
-                _rest.add(_standing, other);
-                _count--;
-                // the others keep their order, because the first in the list is named if several are met at once
-                for (var next:int = i; next < _count; next++)
-                {
-                    _others.numbers[next] = _others.numbers[int(next + 1)];
-                }
-                _others.numbers[_count] = other;
-            }
+            var isShallow:Boolean = _body.findContact(row, place, isOfAll, out);
+            return (isOfAll || !isShallow) && !_body.narrow(row, place) && _body.overlaps(row, place);
         }
 
-        /** Finds the deepest overlap of the body at <code>at</code>. Returns whether there is one. */
-        public function findDeepest():Boolean
+        // Moves a place by a part of the motion from its beginning before the lift, but no deeper into what it was lifted out of.
+        private function advance(part:Number, place:Vector3D):void
         {
-            return overlap.find(_sweep, at, _others.numbers, _others.count);
-        }
-
-        // Finds when the row touches another first, and which.
-        private function findTouch():void
-        {
-            var crossed:int = _rest.findCrossed();
-            if (crossed >= 0)
-            {
-                contact.copyFrom(_rest.planes[crossed]);
-                contactRow = _rest.rows[crossed];
-                fraction = 0;
-            }
-            else if (findFirst())
-            {
-                _sweep.findWhole(contactRow, _along, contact);
-                // without the lift the row would have touched earlier
-                _tried.copyFrom(at);
-                _tried.decrementBy(_before);
-                var time:Number = _sweep.wholeTime + contact.along(_tried) / _along;
-                fraction = time > 0 ? (time < 1 ? time : 1) : 0;
-                if (-fraction * _along < _sweep.slop && _sweep.wholeTouchesAt(contactRow, _before))
-                {
-                    fraction = 0;
-                }
-                contact.depth = 0;
-            }
-        }
-
-        // Moves the row into the touch, on the side that it comes from. If it went beyond a row without thickness, the two would not touch,
-        // and it could not come back. On a long way rounding may hide the touch. Then the row ends where its core touches the other.
-        private function endTouching():void
-        {
-            var motion:Vector3D = _rest.motion;
-            _tried.setTo(at.x + _sweep.time * motion.x, at.y + _sweep.time * motion.y, at.z + _sweep.time * motion.z);
-            goFromStart(fraction);
-            if (!stepIntoTouch())
-            {
-                at.copyFrom(_tried);
-            }
-        }
-
-        // Moves the row by a part of the motion from its place before the lift, but no deeper into what it was lifted out of.
-        private function goFromStart(part:Number):void
-        {
-            at.copyFrom(_before);
-            _rest.advance(at, part);
-            _lift.keepDepth(at, _before.x, _before.y, _before.z);
+            place.copyFrom(_from);
+            _rest.advance(place, part);
+            _lift.keepDepth(place, _from.x, _from.y, _from.z);
         }
 
         // Tries several places, from half a margin before the contact on. The margin is the gap across which the two still touch. Returns whether
         // they touch at one of the places.
-        private function stepIntoTouch():Boolean
+        private function stepIntoTouch(out:Motion):Boolean
         {
-            var margin:Number = _sweep.halfToleranceAt(contactRow, at);
-            contact.push(at, margin);
+            var margin:Number = _body.halfToleranceAt(out.row, out.place);
+            out.contact.push(out.place, margin);
             for (var i:int = 1; i < STEPS_INTO_TOUCH; i++)
             {
-                if (_sweep.wholeTouchesAt(contactRow, at))
+                if (_body.touches(out.row, out.place))
                 {
                     return true;
                 }
-                contact.push(at, -margin);
+                out.contact.push(out.place, -margin);
             }
-            return _sweep.wholeTouchesAt(contactRow, at);
+            return _body.touches(out.row, out.place);
         }
 
-        // If a contact is too steep, this turns it into an upright wall. The rest of the motion becomes level, because the slope would stop
-        // a motion up or down.
-        private function standUp():void
+        // Turns a contact that is too steep into an upright wall. The rest of the motion becomes level, because the slope would stop a motion up
+        // or down.
+        private function standUp(contact:ContactPoint):void
         {
-            metWall = true;
             if (contact.normalX * contact.normalX + contact.normalY * contact.normalY > UPRIGHT)
             {
                 contact.setNormal(contact.normalX, contact.normalY, 0);
@@ -390,59 +362,26 @@ package starlogo.queries
 
         // Removes planes that are not needed. At the edges of tiles, a contact's plane may belong to a side that the next tile hides. A plane is
         // removed if the motion meets nothing in this corner without it.
-        private function dropNeedless():void
+        private function dropNeedless(place:Vector3D):void
         {
             for (var i:int = _rest.count - 2; i >= _rest.corner; i--)
             {
-                if (_rest.project(i) && !(findFirst() && isSoon()))
+                if (_rest.project(i) && !(findFirst(place, _tried) && isSoon(_tried)))
                 {
                     _rest.remove(i);
                 }
             }
         }
 
-        // Whether the row that is met first is met in the same corner.
-        private function isSoon():Boolean
+        // Whether what is met first is met in the same corner.
+        private function isSoon(impact:Impact):Boolean
         {
-            return _sweep.time * _rest.length < NEXT * _sweep.slop;
+            return impact.time * _rest.length < NEXT * _body.slop;
         }
 
-        /**
-         * Lifts the row off what it only touches at the end, if there is room.
-         *
-         * @param isAtEnd whether the row is where the last motion has ended, so that it does not touch what the sweep has found clear
-         */
-        public function restoreClearance(isAtEnd:Boolean):void
+        private function findFirst(place:Vector3D, out:Impact):Boolean
         {
-            _lifts.restoreClearance(_sweep, at, _others.numbers, _count, isAtEnd ? _sweep.clearRow : -1);
-        }
-
-        // Finds the row that the rest of the motion meets first. Returns whether there is one.
-        private function findFirst():Boolean
-        {
-            var motion:Vector3D = _rest.motion;
-            _sweep.aim(at, motion);
-            for (var i:int = 0; i < _count; i++)
-            {
-                if (_sweep.find(_others.numbers[i], at))
-                {
-                    contactRow = _others.numbers[i];
-                }
-            }
-            if (_sweep.time > 1)
-            {
-                return false;
-            }
-            contact.copyFrom(_sweep.contact);
-            _along = contact.along(motion);
-            _isNormalFallback = !(_along < -SlidePlanes.PARALLEL_SINE * _rest.length);
-            if (_isNormalFallback)
-            {
-                contact.setNormal(-motion.x, -motion.y, -motion.z);
-                contact.normalise();
-                _along = -_rest.length;
-            }
-            return true;
+            return _sweep.findFirst(_obstacles, place, _rest.motion, out);
         }
     }
 }

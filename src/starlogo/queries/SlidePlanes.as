@@ -48,7 +48,7 @@ package starlogo.queries
         private var _widest:Number = Infinity;
 
         // How far a fall has to go down for each patch on the ground plane; less than 0 for a motion that is no fall.
-        private var _steepness:Number = -1;
+        private var _fallSlope:Number = -1;
 
         // The rest of the motion when the corner began, and a projection that is tried.
         private var _whole:Vector3D = new Vector3D();
@@ -57,14 +57,12 @@ package starlogo.queries
         /**
          * Begins a motion, without planes.
          *
-         * @param widest how far it may go on the ground plane at most. The planes can turn a motion up or down more level
-         * @param steepness if it is a fall: the least slope on which it goes on, as a tangent; less than 0 if it is none. In each corner a fall
-         *     begins straight down again. So it has no momentum, and never goes up
+         * @param limits how it may go
          */
-        public function begin(whole:Vector3D, widest:Number, steepness:Number):void
+        public function begin(whole:Vector3D, limits:SlideLimits):void
         {
-            _widest = widest;
-            _steepness = steepness;
+            _widest = limits.widest;
+            _fallSlope = limits.fallSlope;
             _whole.copyFrom(whole);
             motion.copyFrom(whole);
             length = Math.sqrt(whole.x * whole.x + whole.y * whole.y + whole.z * whole.z);
@@ -79,7 +77,7 @@ package starlogo.queries
         public function beginCorner():void
         {
             corner = count;
-            if (_steepness < 0)
+            if (_fallSlope < 0)
             {
                 _whole.copyFrom(motion);
             }
@@ -186,7 +184,7 @@ package starlogo.queries
         private function keepWithinWidest():Boolean
         {
             var wide:Number = Math.sqrt(motion.x * motion.x + motion.y * motion.y);
-            if (_steepness >= 0 && -motion.z < _steepness * wide * (1 - STEEPNESS_ROUNDING))
+            if (_fallSlope >= 0 && -motion.z < _fallSlope * wide * (1 - STEEPNESS_ROUNDING))
             {
                 return false;
             }

@@ -33,8 +33,7 @@ package starlogo.queries
         // In the air every surface is a wall, except level floors.
         private static const FLOOR:Number = 1 - 1e-12;
 
-        // A walk that is longer than the agent goes in pieces of the agent's size, because the ground may be even only so far. Endless walks have
-        // no more pieces than this.
+        // A piece of a walk is as long as the agent. Endless walks have no more pieces than this.
         private static const MOST_PIECES:int = 64;
 
         // A walk begins with this many pushes at most.
@@ -45,32 +44,17 @@ package starlogo.queries
 
         private var _set:QuerySet;
         private var _mover:Mover;
+        private var _walk:Walk = new Walk();
+        private var _overlap:Overlap = new Overlap();
+        private var _downhill:SlideLimits = new SlideLimits();
 
-        // The walk: its options, and the cosine of the steepest slope; the number of pieces; the way of a piece, its length, and the place where
-        // it begins; how far the agent may come; its largest extent; and the depth of ground that is close.
-        private var _options:WalkOptions;
-        private var _cosine:Number = 0;
-        private var _pieces:int = 1;
-        private var _piece:Vector3D = new Vector3D();
-        private var _whole:Number = 0;
-        private var _start:Vector3D = new Vector3D();
-        private var _reach:Number = 0;
-        private var _extent:Number = 0;
-        private var _close:Number = 0;
+        // A slide along the ground, a way down, and a motion that is tried in place of another.
+        private var _slide:Motion = new Motion();
+        private var _down:Motion = new Motion();
+        private var _tried:Motion = new Motion();
 
-        // How the agent is carried: its motion, and its turn in degrees.
-        private var _carry:Vector3D = new Vector3D();
-        private var _turn:Number = 0;
-
-        // The place that is reached without a step, the places before and after the way down, and a part of the walk.
-        private var _plain:Vector3D = new Vector3D();
-        private var _above:Vector3D = new Vector3D();
-        private var _below:Vector3D = new Vector3D();
-        private var _way:Vector3D = new Vector3D();
-
-        // The ground that was found: its row and its normal; and where the ray begins that looks for it behind an edge.
-        private var _row:int = -1;
-        private var _normal:Vector3D = new Vector3D();
+        // The vector of a motion, and the beginning of a motion or of a ray.
+        private var _vector:Vector3D = new Vector3D();
         private var _origin:Vector3D = new Vector3D();
 
         /** @param questions what questions work with */
@@ -83,316 +67,313 @@ package starlogo.queries
         /** See AgentQueries.walk. */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
-            var size:Number = _set.seen.placeOf(agent).size;
-            _options = options || DEFAULTS;
-            _cosine = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(_options.slopeDegrees);
-            _whole = Math.sqrt(dx * dx + dy * dy);
-            _pieces = Math.min(MOST_PIECES, Math.max(1, Math.ceil(_whole / size)));
-            var standing:PlatformLink = agent.standing ||= new PlatformLink(agent);
-            var platform:int = findPlatform(agent, standing);
-            // on the steepest slope the way is this long
-            _reach = _whole / _cosine + Math.min(_options.fall, size) / 2 + _carry.length;
-            _piece.setTo(dx, dy, 0);
-            findNear(agent, 0);
-            _piece.setTo(dx / _pieces, dy / _pieces, 0);
-            _whole /= _pieces;
-            var body:Body = _set.moves.body;
-            _start.setTo(body.placement.x, body.placement.y, body.placement.z);
-            _extent = 2 * body.largestHalf;
-            _close = CLOSE * _extent;
-            if (platform >= 0)
-            {
-                carryWith(platform);
-            }
-            beginAt(_start, -1);
+            var walk:Walk = _walk;
+            var standing:PlatformLink = begin(agent, dx, dy, options || DEFAULTS, walk);
             var footing:Footing = out || new Footing();
-            footing.stands = go(agent, footing);
-            _set.moves.put(agent, _mover.at, _turn);
+            footing.stands = go(walk, footing);
+            _set.moves.put(agent, walk.place, walk.turn);
             if (!footing.stands)
             {
-                _row = -1;
-                _normal.setTo(0, 0, 1);
+                walk.row = -1;
+                walk.normal.setTo(0, 0, 1);
             }
             var table:AgentTable = _set.seen.table;
-            footing.on = _row < 0 ? null : table.list.agents[_row];
-            footing.normal.copyFrom(_normal);
+            footing.on = walk.row < 0 ? null : table.list.agents[walk.row];
+            footing.normal.copyFrom(walk.normal);
             standing.on = null;
-            if (_row >= ListedAgents.LISTED)
+            if (walk.row >= ListedAgents.LISTED)
             {
-                standing.read(footing.on, table.bodyOf(_row).placement, table.places.now.revisions[_row]);
+                standing.read(footing.on, table.bodyOf(walk.row).placement, table.places.now.revisions[walk.row]);
             }
             return footing;
         }
 
-        // Returns the row of the agent below if it carries the agent, or -1: if it has moved since the last walk, and the filter does not exclude
-        // it. Writes how it carries the agent.
-        private function findPlatform(agent:Agent, standing:PlatformLink):int
+        // Begins a walk: finds what the options mean for the agent and the rows near the walk, and lets a platform carry the agent. Returns what the
+        // agent stands on.
+        private function begin(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Walk):PlatformLink
         {
-            var row:int = _options.carried && standing.isValid ? _set.seen.rowOf(standing.on) : -1;
+            var size:Number = _set.seen.placeOf(agent).size;
+            var whole:Number = Math.sqrt(dx * dx + dy * dy);
+            out.agent = agent;
+            out.options = options;
+            out.cosine = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
+            out.pieces = Math.min(MOST_PIECES, Math.max(1, Math.ceil(whole / size)));
+            var standing:PlatformLink = agent.standing ||= new PlatformLink(agent);
+            var platform:int = findPlatform(out, standing);
+            // on the steepest slope the way is this long
+            out.reach = whole / out.cosine + Math.min(options.fall, size) / 2 + out.carry.length;
+            out.piece.setTo(dx, dy, 0);
+            findNear(out, 0);
+            out.piece.setTo(dx / out.pieces, dy / out.pieces, 0);
+            out.length = whole / out.pieces;
+            out.extent = 2 * out.way.body.largestHalf;
+            out.close = CLOSE * out.extent;
+            out.onGround.setTo(out.cosine, out.length, -1);
+            out.inAir.setTo(FLOOR, out.length, -1);
+            out.start.copyFrom(out.way.from);
+            if (platform >= 0)
+            {
+                carryWith(platform, out);
+            }
+            _mover.begin(out.way.body, out.way.rows);
+            return standing;
+        }
+
+        // Returns the row of the agent below if it carries the agent, or -1: if it has moved since the last walk, and the filter does not exclude
+        // it. The walk receives how it carries the agent.
+        private function findPlatform(walk:Walk, standing:PlatformLink):int
+        {
+            var row:int = walk.options.carried && standing.isValid ? _set.seen.rowOf(standing.on) : -1;
             if (row >= 0 && _set.seen.table.shapes[row] != null)
             {
-                _turn = standing.carry(_set.seen.table.bodyOf(row).placement, _carry);
-                if ((_turn != 0 || _carry.length > 0) && _set.found.admits(row, agent, _options.filter))
+                walk.turn = standing.carry(_set.seen.table.bodyOf(row).placement, walk.carry);
+                if ((walk.turn != 0 || walk.carry.length > 0) && _set.found.admits(row, walk.agent, walk.options.filter))
                 {
                     return row;
                 }
             }
-            _carry.setTo(0, 0, 0);
-            _turn = 0;
+            walk.carry.setTo(0, 0, 0);
+            walk.turn = 0;
             return -1;
         }
 
         // Carries the agent with the platform. It slides along others that are in its way, but not into the platform. The platform has moved
         // already, so only the rest of its way, which the agent misses, can lead into it.
-        private function carryWith(platform:int):void
+        private function carryWith(platform:int, walk:Walk):void
         {
-            beginAt(_start, platform);
-            _mover.slide(_carry);
-            if (_mover.fraction < 1 && missesInto(platform))
+            _mover.begin(walk.way.body, walk.way.rows, platform);
+            _mover.slide(walk.start, walk.carry, SlideLimits.NONE, _slide);
+            if (_slide.fraction < 1 && missesInto(platform, walk, _slide.place))
             {
-                _plain.copyFrom(_mover.at);
-                _mover.at.copyFrom(_start);
-                _mover.goUntilTouch(_carry, Mover.SHORT);
-                if (missesInto(platform))
+                _mover.goBeforeTouch(walk.start, walk.carry, _tried);
+                if (!missesInto(platform, walk, _tried.place))
                 {
-                    _mover.at.copyFrom(_plain);
+                    _slide.place.copyFrom(_tried.place);
                 }
             }
-            _start.copyFrom(_mover.at);
+            walk.start.copyFrom(_slide.place);
         }
 
-        // Whether the way from where the platform would carry the agent to where it is leads into the platform.
-        private function missesInto(platform:int):Boolean
+        // Whether the way from where the platform would carry the agent to a place leads into the platform.
+        private function missesInto(platform:int, walk:Walk, place:Vector3D):Boolean
         {
-            _above.copyFrom(_start);
-            _above.incrementBy(_carry);
-            _way.copyFrom(_mover.at);
-            _way.decrementBy(_above);
-            return _mover.meets(platform, _above, _way);
+            _origin.copyFrom(walk.start);
+            _origin.incrementBy(walk.carry);
+            _vector.copyFrom(place);
+            _vector.decrementBy(_origin);
+            return _mover.meets(platform, _origin, _vector);
         }
 
         // Finds the rows near the walk, and in some distance from these.
-        private function findNear(agent:Agent, distance:Number):void
+        private function findNear(walk:Walk, distance:Number):void
         {
-            var up:Number = _pieces * _options.stepHeight;
-            var down:Number = _pieces * _options.snap + _options.fall;
-            _set.moves.begin(agent, _set.ofMoving(agent), _piece.x, _piece.y, 0, _options.filter, _reach + distance, up, down, _turn);
-        }
-
-        // Lets the next motion begin at a place, among all rows but one.
-        private function beginAt(place:Vector3D, except:int):void
-        {
-            _mover.begin(_set.moves.body, _set.moves.near.numbers, 0, _set.moves.near.count, except);
-            _mover.at.copyFrom(place);
+            var options:WalkOptions = walk.options;
+            _set.moves.findWay(walk.agent, _set.ofMoving(walk.agent), walk.piece.x, walk.piece.y, 0, options.filter, walk.way, walk.reach + distance,
+                    walk.pieces * options.stepHeight, walk.pieces * options.snap + options.fall, walk.turn);
         }
 
         // Pushes the agent out of what it overlaps, goes all pieces, and falls if the agent does not stand. Returns whether it stands at the end.
-        // Writes how far it was pushed, and which part of the way it has come.
-        private function go(agent:Agent, footing:Footing):Boolean
+        // The footing receives how far it was pushed, and which part of the way it has come.
+        private function go(walk:Walk, footing:Footing):Boolean
         {
-            var stands:Boolean = findGround(_close);
+            var stands:Boolean = findGround(walk, walk.start, walk.close);
             var pushed:Number = 0;
-            if (_mover.isDeep)
+            if (_down.isDeep)
             {
-                pushed = pushOut(agent);
-                stands = findGround(_close);
+                pushed = pushOut(walk);
+                stands = findGround(walk, walk.start, walk.close);
             }
             // a walk that begins in the air stays there
             var isInAir:Boolean = !stands;
-            var at:Vector3D = _mover.at;
-            var x:Number = _start.x;
-            var y:Number = _start.y;
-            for (var i:int = 0; i < _pieces; i++)
+            var x:Number = walk.start.x;
+            var y:Number = walk.start.y;
+            for (var i:int = 0; i < walk.pieces; i++)
             {
                 if (i > 0)
                 {
-                    _start.copyFrom(at);
-                    stands = !isInAir && findGround(_close);
+                    walk.start.copyFrom(walk.place);
+                    stands = !isInAir && findGround(walk, walk.start, walk.close);
                 }
-                stands = goOn(stands);
+                stands = goOn(walk, stands);
             }
-            x = at.x - x;
-            y = at.y - y;
+            x = walk.place.x - x;
+            y = walk.place.y - y;
             footing.pushed = pushed;
-            footing.part = _whole > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / (_pieces * _whole)) : 1;
-            stands ||= _set.moves.body.shape != null && fall();
-            _mover.restoreClearance(false);
+            footing.part = walk.length > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / (walk.pieces * walk.length)) : 1;
+            stands ||= walk.way.body.shape != null && fall(walk);
+            _mover.restoreClearance(walk.place, -1);
             return stands;
         }
 
         // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else. Returns how far.
-        private function pushOut(agent:Agent):Number
+        private function pushOut(walk:Walk):Number
         {
-            var at:Vector3D = _mover.at;
-            at.copyFrom(_start);
-            if (!_mover.findDeepest())
+            if (!_mover.findDeepest(walk.start, _overlap))
             {
                 return 0;
             }
-            var left:Number = _mover.overlap.sum;
-            findNear(agent, left);
-            beginAt(_start, -1);
-            for (var i:int = 0; i < MOST_PUSHES && left > 0 && _mover.findDeepest(); i++)
+            var left:Number = _overlap.sum;
+            findNear(walk, left);
+            _mover.begin(walk.way.body, walk.way.rows);
+            _slide.place.copyFrom(walk.start);
+            for (var i:int = 0; i < MOST_PUSHES && left > 0 && _mover.findDeepest(_slide.place, _overlap); i++)
             {
-                var length:Number = Math.min(left, _mover.overlap.contact.depth);
+                var length:Number = Math.min(left, _overlap.contact.depth);
                 left -= length;
-                _way.setTo(0, 0, 0);
-                _mover.overlap.contact.push(_way, length);
-                _mover.slide(_way);
+                _vector.setTo(0, 0, 0);
+                _overlap.contact.push(_vector, length);
+                _mover.slide(_slide.place, _vector, SlideLimits.NONE, _slide);
             }
-            _way.copyFrom(at);
-            _way.decrementBy(_start);
-            _start.copyFrom(at);
-            return _way.length;
+            _vector.copyFrom(_slide.place);
+            _vector.decrementBy(walk.start);
+            walk.start.copyFrom(_slide.place);
+            return _vector.length;
         }
 
         // Goes a piece of the way, and down to the ground. Returns whether the agent stands at the end.
-        private function goOn(stands:Boolean):Boolean
+        private function goOn(walk:Walk, stands:Boolean):Boolean
         {
             if (!stands)
             {
                 // the fall finds whether it stands
-                slide(0, FLOOR);
+                slide(walk, walk.start, 0, walk.inAir, _slide);
+                walk.place.copyFrom(_slide.place);
                 return false;
             }
-            if (_whole == 0)
+            if (walk.length == 0)
             {
                 // it stays exactly where it is
-                _mover.at.copyFrom(_start);
+                walk.place.copyFrom(walk.start);
                 return true;
             }
-            slide(-(_normal.x * _piece.x + _normal.y * _piece.y) / _normal.z, _cosine);
-            if (_mover.metWall)
+            var rise:Number = -(walk.normal.x * walk.piece.x + walk.normal.y * walk.piece.y) / walk.normal.z;
+            slide(walk, walk.place, rise, walk.onGround, _slide);
+            if (_slide.metWall && climb(walk, _slide.place))
             {
-                _plain.copyFrom(_mover.at);
-                if (climb())
-                {
-                    return true;
-                }
-                _mover.at.copyFrom(_plain);
+                return true;
             }
-            return findGround(_options.snap + _close);
+            walk.place.copyFrom(_slide.place);
+            return findGround(walk, walk.place, walk.options.snap + walk.close);
         }
 
-        private function slide(rise:Number, steepest:Number):void
+        // Slides along the way of a piece, and up or down.
+        private function slide(walk:Walk, from:Vector3D, rise:Number, limits:SlideLimits, out:Motion):void
         {
-            _way.setTo(_piece.x, _piece.y, rise);
-            _mover.slide(_way, steepest, _whole);
+            _vector.setTo(walk.piece.x, walk.piece.y, rise);
+            _mover.slide(from, _vector, limits, out);
         }
 
-        private function goDown(depth:Number):void
+        private function goDown(from:Vector3D, depth:Number, out:Motion):void
         {
-            _way.setTo(0, 0, -depth);
-            _mover.goUntilTouch(_way, Mover.SHORT);
+            _vector.setTo(0, 0, -depth);
+            _mover.goBeforeTouch(from, _vector, out);
         }
 
-        // Tries the same way a step higher, and goes down again. Returns whether the agent came farther than without the step, and stands.
-        private function climb():Boolean
+        // Tries the same way a step higher, and goes down again. If the agent comes farther than without the step, and stands, the walk is there.
+        // Returns whether it does.
+        private function climb(walk:Walk, plain:Vector3D):Boolean
         {
-            _mover.at.copyFrom(_start);
-            goDown(-_options.stepHeight);
-            var height:Number = _mover.at.z - _start.z;
-            if (height <= _close)
+            goDown(walk.start, -walk.options.stepHeight, _tried);
+            var height:Number = _tried.place.z - walk.start.z;
+            if (height <= walk.close)
             {
                 return false;
             }
-            slide(0, _cosine);
-            var farther:Number = (_mover.at.x - _plain.x) * _piece.x + (_mover.at.y - _plain.y) * _piece.y;
-            return farther > _close * _whole && findGround(height + _options.snap + _close);
+            slide(walk, _tried.place, 0, walk.onGround, _tried);
+            var farther:Number = (_tried.place.x - plain.x) * walk.piece.x + (_tried.place.y - plain.y) * walk.piece.y;
+            return farther > walk.close * walk.length && findGround(walk, _tried.place, height + walk.options.snap + walk.close);
         }
 
-        // Goes down to the ground if it is no deeper than this depth, and not too steep. Returns whether there is such ground.
-        private function findGround(depth:Number):Boolean
+        // Goes down to the ground if it is no deeper than this depth, and not too steep. If there is such ground, the walk is there. Otherwise it
+        // is at the beginning. Returns whether there is.
+        private function findGround(walk:Walk, from:Vector3D, depth:Number):Boolean
         {
-            _above.copyFrom(_mover.at);
-            goDown(depth);
-            if (_mover.contactRow >= 0 && (isWalkable(_mover.contact, _mover.contactRow) || isOnAnother()))
+            walk.place.copyFrom(from);
+            goDown(walk.place, depth, _down);
+            if (_down.row < 0 || !(findSupport(walk, _down.contact, _down.row, _down.place) || findOtherSupport(walk, _down.place)))
             {
-                return true;
+                return false;
             }
-            _mover.at.copyFrom(_above);
-            return false;
+            walk.place.copyFrom(_down.place);
+            return true;
         }
 
-        // Whether the agent, which touches something too steep, touches something else that is not.
-        private function isOnAnother():Boolean
+        // Finds what else the agent touches at a place, besides something too steep, and whether that carries it.
+        private function findOtherSupport(walk:Walk, place:Vector3D):Boolean
         {
-            _below.copyFrom(_mover.at);
-            slideDown(_close, _extent);
-            _mover.at.copyFrom(_below);
-            return _mover.floor.normalZ > -1 && isWalkable(_mover.floor, _mover.floorRow);
+            slideDown(walk, place, walk.close, walk.extent, _tried);
+            return _tried.floor.normalZ > -1 && findSupport(walk, _tried.floor, _tried.floorRow, place);
         }
 
-        private function slideDown(depth:Number, widest:Number):void
+        private function slideDown(walk:Walk, from:Vector3D, depth:Number, widest:Number, out:Motion):void
         {
-            _way.setTo(0, 0, -depth);
-            _mover.slide(_way, -2, widest, Math.sqrt(1 - _cosine * _cosine) / _cosine);
+            _downhill.setTo(-2, widest, Math.sqrt(1 - walk.cosine * walk.cosine) / walk.cosine);
+            _vector.setTo(0, 0, -depth);
+            _mover.slide(from, _vector, _downhill, out);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. It falls in pieces that get longer, because rounding
         // errors grow with the length of a motion. If nothing stops an endless fall, it ends where it began. Returns whether the agent stands.
-        private function fall():Boolean
+        private function fall(walk:Walk):Boolean
         {
-            var left:Number = _options.fall;
-            _above.copyFrom(_mover.at);
-            _mover.contactRow = -1;
-            for (var piece:Number = 1; left > 0 && _mover.contactRow < 0; piece *= 2)
+            var left:Number = walk.options.fall;
+            _down.beginAt(walk.place);
+            for (var piece:Number = 1; left > 0 && _down.row < 0; piece *= 2)
             {
-                if (_mover.at.z - Math.min(left, piece) < -Agent.LARGEST_COORDINATE)
+                if (_down.place.z - Math.min(left, piece) < -Agent.LARGEST_COORDINATE)
                 {
-                    _mover.at.copyFrom(_above);
                     return false;
                 }
-                goDown(Math.min(left, piece));
-                left -= _mover.fraction * Math.min(left, piece);
+                goDown(_down.place, Math.min(left, piece), _down);
+                left -= _down.fraction * Math.min(left, piece);
             }
-            if (_mover.contactRow >= 0)
+            if (_down.row < 0)
             {
-                if (isWalkable(_mover.contact, _mover.contactRow))
-                {
-                    return true;
-                }
-                var longest:Number = Math.min(_options.fall, _set.moves.body.placement.size);
-                slideDown(Math.min(left, longest), longest / 2);
-                if (_above.z - _mover.at.z < REST * _extent)
-                {
-                    _mover.at.copyFrom(_above);
-                }
+                // a fall can also end where the ground begins, without being stopped
+                return findGround(walk, _down.place, walk.close);
             }
-            // a fall can also end where the ground begins, without being stopped
-            return findGround(_close);
-        }
-
-        // Whether the surface that stopped the way down is not too steep. At an edge, for example of a step, the face behind the edge
-        // decides. But the edge must not be more than a step higher than the agent was at the beginning of the walk, or is now.
-        private function isWalkable(contact:ContactPoint, row:int):Boolean
-        {
-            _row = row;
-            _normal.setTo(contact.normalX, contact.normalY, contact.normalZ);
-            if (_normal.z >= _cosine)
+            if (findSupport(walk, _down.contact, _down.row, _down.place))
             {
+                walk.place.copyFrom(_down.place);
                 return true;
             }
-            var body:Body = _set.moves.body;
+            var longest:Number = Math.min(walk.options.fall, walk.way.body.placement.size);
+            slideDown(walk, _down.place, Math.min(left, longest), longest / 2, _tried);
+            return findGround(walk, walk.place.z - _tried.place.z < REST * walk.extent ? walk.place : _tried.place, walk.close);
+        }
+
+        // Finds the surface that carries the agent at a contact below it. At an edge, for example of a step, it is the face behind the edge. But
+        // the edge must not be more than a step higher than the agent was at the beginning of the piece, or is at its place. If the surface is
+        // not too steep, the walk receives it. Returns whether it is not.
+        private function findSupport(walk:Walk, contact:ContactPoint, row:int, place:Vector3D):Boolean
+        {
+            if (contact.normalZ >= walk.cosine)
+            {
+                walk.row = row;
+                walk.normal.setTo(contact.normalX, contact.normalY, contact.normalZ);
+                return true;
+            }
+            var body:Body = walk.way.body;
             var bottom:Number = body.z - body.halfZ - body.placement.z;
-            if (contact.z > Math.min(_start.z, _mover.at.z) + bottom + _options.stepHeight + _close)
+            if (contact.z > Math.min(walk.start.z, place.z) + bottom + walk.options.stepHeight + walk.close)
             {
                 return false;
             }
-            var across:Number = Math.sqrt(_normal.x * _normal.x + _normal.y * _normal.y);
-            var behind:Number = BEHIND_EDGE * _extent;
+            var across:Number = Math.sqrt(contact.normalX * contact.normalX + contact.normalY * contact.normalY);
+            var behind:Number = BEHIND_EDGE * walk.extent;
             // the ray begins outside of all faces that are not too steep
-            var above:Number = 2 * behind / _cosine;
-            _origin.setTo(contact.x - behind * _normal.x / across, contact.y - behind * _normal.y / across, contact.z + above);
+            var above:Number = 2 * behind / walk.cosine;
+            _origin.setTo(contact.x - behind * contact.normalX / across, contact.y - behind * contact.normalY / across, contact.z + above);
             var ray:Ray = _set.rowRays.ray;
             ray.aim(_origin, DOWN);
             ray.to = 2 * above;
-            if (!_set.rowRays.meets(row) || ray.from == 0)
+            if (!_set.rowRays.meets(row) || ray.from == 0 || !(ray.normalZ >= walk.cosine))
             {
                 return false;
             }
-            _normal.setTo(ray.normalX, ray.normalY, ray.normalZ);
-            return _normal.z >= _cosine;
+            walk.row = row;
+            walk.normal.setTo(ray.normalX, ray.normalY, ray.normalZ);
+            return true;
         }
     }
 }

@@ -13,6 +13,16 @@ package starlogo.search
         /** How many they are. */
         public var count:int = 0;
 
+        /** Takes the numbers of another list. */
+        public function copyFrom(other:NumberList):void
+        {
+            count = other.count;
+            for (var i:int = 0; i < count; i++)
+            {
+                numbers[i] = other.numbers[i];
+            }
+        }
+
         /** Adds a number at the end. */
         public function add(number:int):void
         {

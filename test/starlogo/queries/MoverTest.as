@@ -1,5 +1,6 @@
 package starlogo.queries
 {
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
@@ -18,14 +19,18 @@ package starlogo.queries
         public function aSlideWithoutAMotionHasMetNoFloorAndNoWall():void
         {
             var seen:QueryWorld = new QueryWorld(new TightestFitCollider(landOf(BuiltInModel.cube())));
-            var moves:MoveQueries = new QuerySet(seen).moves;
+            var set :QuerySet = new QuerySet(seen);
             var agent:Agent = agentAt("cube", 0, 0, 1.5);
             seen.update(new <Agent>[agent, agentAt("cube", 0.2, 0, 0)]);
-            moves.slide(agent, 0, 0, -1, null);
-            assertTrue("it met the cube below: " + moves.mover.floor.normalZ, Math.abs(moves.mover.floor.normalZ - 1) < 1e-9);
-            moves.slide(agent, 0, 0, 0, null);
-            assertEquals(-2, moves.mover.floor.normalZ);
-            assertEquals(false, moves.mover.metWall);
+            var way:Way = new Way();
+            var motion:Motion = new Motion();
+            set .moves.findWay(agent, set .ofMoving(agent), 0, 0, -1, null, way);
+            set .moves.mover.begin(way.body, way.rows);
+            set .moves.mover.slide(way.from, way.motion, SlideLimits.NONE, motion);
+            assertTrue("it met the cube below: " + motion.floor.normalZ, Math.abs(motion.floor.normalZ - 1) < 1e-9);
+            set .moves.mover.slide(way.from, new Vector3D(), SlideLimits.NONE, motion);
+            assertEquals(-2, motion.floor.normalZ);
+            assertEquals(false, motion.metWall);
         }
     }
 }

@@ -1,0 +1,59 @@
+package starlogo.queries
+{
+    import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
+
+    /**
+     * A walk: what the options mean for this agent, and how far it has come. WalkQueries writes it.
+     *
+     * @private
+     */
+    public final class Walk
+    {
+        /** The agent that walks. */
+        public var agent:Agent;
+
+        /** Its options. */
+        public var options:WalkOptions;
+
+        /** Its body, and the rows near the walk. */
+        public var way:Way = new Way();
+
+        /** The number of pieces. A walk that is longer than the agent goes in pieces, because the ground may be even only so far. */
+        public var pieces:int = 1;
+
+        /** The way of a piece on the ground plane, and its length. */
+        public var piece:Vector3D = new Vector3D();
+        public var length:Number = 0;
+
+        /** How far the agent may come. */
+        public var reach:Number = 0;
+
+        /** The cosine of the steepest slope. */
+        public var cosine:Number = 1;
+
+        /** The largest extent of the agent. */
+        public var extent:Number = 0;
+
+        /** The agent stands on ground that is at most this far below it. */
+        public var close:Number = 0;
+
+        /** How a slide along the ground and a slide in the air may go. */
+        public var onGround:SlideLimits = new SlideLimits();
+        public var inAir:SlideLimits = new SlideLimits();
+
+        /** How a platform carries the agent: the motion, and the turn in degrees. */
+        public var carry:Vector3D = new Vector3D();
+        public var turn:Number = 0;
+
+        /** Where the present piece begins. */
+        public var start:Vector3D = new Vector3D();
+
+        /** Where the agent is now. */
+        public var place:Vector3D = new Vector3D();
+
+        /** The row that the agent stood on last, and the normal of its surface. */
+        public var row:int = -1;
+        public var normal:Vector3D = new Vector3D();
+    }
+}

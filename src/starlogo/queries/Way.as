@@ -1,0 +1,26 @@
+package starlogo.queries
+{
+    import flash.geom.Vector3D;
+    import starlogo.search.Body;
+    import starlogo.search.NumberList;
+
+    /**
+     * The way of a body: what moves, where to, and what may be in the way. MoveQueries.findWay() writes it.
+     *
+     * @private
+     */
+    public final class Way
+    {
+        /** The body that moves, where it begins. It has no shape while its model is loading. */
+        public var body:Body;
+
+        /** Where its place is then. */
+        public var from:Vector3D = new Vector3D();
+
+        /** The whole motion. */
+        public var motion:Vector3D = new Vector3D();
+
+        /** The rows that count and are near the way, in the order of the list. */
+        public var rows:NumberList = new NumberList();
+    }
+}

@@ -269,8 +269,8 @@ package starlogo.queries
 
         private static function shareOf(largestHalf:Number, leastHalf:Number, width:Number):Number
         {
-            var share:Number = width / Math.max(leastHalf, largestHalf / SLIMMEST);
-            return share < MOST_SHRINK ? share : MOST_SHRINK;
+            var taken:Number = width / Math.max(leastHalf, largestHalf / SLIMMEST);
+            return taken < MOST_SHRINK ? taken : MOST_SHRINK;
         }
     }
 }

@@ -1,7 +1,11 @@
 package starlogo.broadphase
 {
-    /** The cells of one width. Cells are squares of the ground. A cell's number is a hash of its column and row. */
-    internal final class BinLevel
+    /**
+     * The cells of one width. Cells are squares of the ground. A cell's number is a hash of its column and row.
+     *
+     * @private
+     */
+    public final class BinLevel
     {
         // A level reaches this many widths from the origin. At that distance a position is rounded to 2^-29 of a width, and shapes within
         // 2^-20 of a width touch.
@@ -25,8 +29,8 @@ package starlogo.broadphase
         // each Number that is returned.
         internal var reachSquared:Number;
 
-        // Two extents may be this far apart, in patches, and still be a pair. Rounding errors are smaller than this everywhere in reach.
-        internal var slack:Number;
+        /** Two extents may be this far apart, in patches, and still be a pair. Rounding errors are smaller than this everywhere in reach. */
+        public var slack:Number;
 
         // the number of members in this search, and the index of the first cell's counter
         internal var count:int;

@@ -35,17 +35,11 @@ package starlogo.broadphase
         /** The levels of the members. */
         public var levels:BinLevels = new BinLevels();
 
-        /** By slot: the member's row. */
-        public var rowAt:Vector.<int> = new Vector.<int>();
-
-        /** By slot: the member's middle and circle. */
-        public var members:Circles = new Circles();
-
-        /** The circles of a pair may be this far apart, in patches. It is larger than rounding errors. Read it during the sink's call. */
-        public var slack:Number;
-
-        /** The number of pairs in the last search. */
-        public var pairCount:int = 0;
+        // By slot: the member's row, its middle, and the radius of its circle.
+        private var _rows:Vector.<int> = new Vector.<int>();
+        private var _xs:Vector.<Number> = new Vector.<Number>();
+        private var _ys:Vector.<Number> = new Vector.<Number>();
+        private var _radii:Vector.<Number> = new Vector.<Number>();
 
         // By member: the index of its cell's counter.
         private var _cells:Vector.<int> = new Vector.<int>();
@@ -55,7 +49,7 @@ package starlogo.broadphase
         private var _counts:Vector.<int> = new Vector.<int>();
         private var _ends:Vector.<int> = new Vector.<int>();
 
-        // The slots of the candidates of the present member.
+        // The rows of the candidates of the present member.
         private var _candidates:Vector.<int> = new Vector.<int>();
 
         /**
@@ -68,15 +62,13 @@ package starlogo.broadphase
          */
         public function findPairs(extents:Extents, rows:Vector.<int>, count:int, sink:PairSink):void
         {
-            pairCount = 0;
             countMembers(extents, rows, count);
             var counters:int = layOut(count);
             countCells(extents, rows, count);
             var slots:int = sumUp(counters);
-            if (slots > rowAt.length)
+            if (slots > _rows.length)
             {
-                rowAt.length = slots;
-                members.grow(slots);
+                _rows.length = _xs.length = _ys.length = _radii.length = slots;
             }
             sortByCells(rows, count);
             copyFirstCells();
@@ -92,10 +84,10 @@ package starlogo.broadphase
                 {
                     if (levels.byWidth[coarser].count > 0)
                     {
-                        pairCount += collideLevels(level, levels.byWidth[coarser], sink);
+                        collideLevels(level, levels.byWidth[coarser], sink);
                     }
                 }
-                pairCount += collideLevel(level, sink);
+                collideLevel(level, sink);
             }
         }
 
@@ -202,7 +194,7 @@ package starlogo.broadphase
 
         private function sortByCells(rows:Vector.<int>, count:int):void
         {
-            var toRow:Vector.<int> = rowAt;
+            var toRow:Vector.<int> = _rows;
             var cells:Vector.<int> = _cells;
             var ends:Vector.<int> = _ends;
             for (var i:int = 0; i < count; i++)
@@ -237,7 +229,7 @@ package starlogo.broadphase
             }
             for (var slot:int = to; slot < _ends[copies + COPIED]; slot++)
             {
-                rowAt[slot] = rowAt[from + slot - to];
+                _rows[slot] = _rows[from + slot - to];
             }
         }
 
@@ -246,30 +238,28 @@ package starlogo.broadphase
         {
             var fromX:Vector.<Number> = extents.x;
             var fromY:Vector.<Number> = extents.y;
-            var fromZ:Vector.<Number> = extents.z;
             var fromRadius:Vector.<Number> = extents.radius;
-            var rows:Vector.<int> = rowAt;
-            var toX:Vector.<Number> = members.x;
-            var toY:Vector.<Number> = members.y;
-            var toZ:Vector.<Number> = members.z;
-            var toRadius:Vector.<Number> = members.radius;
+            var rows:Vector.<int> = _rows;
+            var toX:Vector.<Number> = _xs;
+            var toY:Vector.<Number> = _ys;
+            var toRadius:Vector.<Number> = _radii;
             for (var slot:int = 0; slot < slots; slot++)
             {
                 var row:int = rows[slot];
                 toX[slot] = fromX[row];
                 toY[slot] = fromY[row];
-                toZ[slot] = fromZ[row];
                 toRadius[slot] = fromRadius[row];
             }
         }
 
-        // The pairs of members of one level. Returns their number. This and the next function are the inner loops of every frame. So all
+        // The pairs of members of one level. This and the next function are the inner loops of every frame. So all
         // numbers are in locals, each if compares once, and only the sink is called.
-        private function collideLevel(level:BinLevel, sink:PairSink):int
+        private function collideLevel(level:BinLevel, sink:PairSink):void
         {
-            var xs:Vector.<Number> = members.x;
-            var ys:Vector.<Number> = members.y;
-            var radii:Vector.<Number> = members.radius;
+            var rows:Vector.<int> = _rows;
+            var xs:Vector.<Number> = _xs;
+            var ys:Vector.<Number> = _ys;
+            var radii:Vector.<Number> = _radii;
             var ends:Vector.<int> = _ends;
             var candidates:Vector.<int> = _candidates;
             var margin:Number = level.slack;
@@ -278,8 +268,6 @@ package starlogo.broadphase
             var mask:int = level.mask;
             var toNextLine:int = level.stride - 1 - base;
             var last:int = ends[base + mask + 1];
-            var pairs:int = 0;
-            slack = margin;
             var end:int = ends[base];
             for (var cell:int = base; end < last; cell++)
             {
@@ -309,7 +297,7 @@ package starlogo.broadphase
                             var reach:Number = ownReach + radii[other];
                             if (distanceX * distanceX + distanceY * distanceY <= reach * reach)
                             {
-                                candidates[candidateCount] = other;
+                                candidates[candidateCount] = rows[other];
                                 candidateCount++;
                             }
                         }
@@ -321,26 +309,25 @@ package starlogo.broadphase
                         reach = ownReach + radii[other];
                         if (distanceX * distanceX + distanceY * distanceY <= reach * reach)
                         {
-                            candidates[candidateCount] = other;
+                            candidates[candidateCount] = rows[other];
                             candidateCount++;
                         }
                     }
                     if (candidateCount > 0)
                     {
-                        pairs += candidateCount;
-                        sink.onCandidates(slot, candidates, candidateCount);
+                        sink.onCandidates(rows[slot], candidates, candidateCount, level);
                     }
                 }
             }
-            return pairs;
         }
 
         // The pairs of members of one level with members of a coarser level. A member meets at most three cells in each of three rows.
-        private function collideLevels(level:BinLevel, coarser:BinLevel, sink:PairSink):int
+        private function collideLevels(level:BinLevel, coarser:BinLevel, sink:PairSink):void
         {
-            var xs:Vector.<Number> = members.x;
-            var ys:Vector.<Number> = members.y;
-            var radii:Vector.<Number> = members.radius;
+            var rows:Vector.<int> = _rows;
+            var xs:Vector.<Number> = _xs;
+            var ys:Vector.<Number> = _ys;
+            var radii:Vector.<Number> = _radii;
             var ends:Vector.<int> = _ends;
             var candidates:Vector.<int> = _candidates;
             var margin:Number = coarser.slack;
@@ -350,8 +337,6 @@ package starlogo.broadphase
             var stride:int = coarser.stride;
             var base:int = coarser.base;
             var last:int = ends[level.base + level.mask + 1];
-            var pairs:int = 0;
-            slack = margin;
             for (var slot:int = ends[level.base]; slot < last; slot++)
             {
                 var middleX:Number = xs[slot];
@@ -373,18 +358,16 @@ package starlogo.broadphase
                         var reach:Number = ownReach + radii[other];
                         if (distanceX * distanceX + distanceY * distanceY <= reach * reach)
                         {
-                            candidates[candidateCount] = other;
+                            candidates[candidateCount] = rows[other];
                             candidateCount++;
                         }
                     }
                 }
                 if (candidateCount > 0)
                 {
-                    pairs += candidateCount;
-                    sink.onCandidates(slot, candidates, candidateCount);
+                    sink.onCandidates(rows[slot], candidates, candidateCount, coarser);
                 }
             }
-            return pairs;
         }
     }
 }

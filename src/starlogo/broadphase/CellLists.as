@@ -13,11 +13,8 @@ package starlogo.broadphase
         /** The number of members. */
         public var count:int = 0;
 
-        /** The rows that the last <code>findNear()</code> has found. */
-        public var near:Vector.<int> = new Vector.<int>();
-
-        /** How far apart the circles of a pair of that call may be, in patches. */
-        public var slack:Number = 0;
+        // The rows that are found near a row.
+        private var _near:Vector.<int> = new Vector.<int>();
 
         private var _levels:BinLevels;
         private var _extents:Extents;
@@ -160,32 +157,39 @@ package starlogo.broadphase
         }
 
         /**
-         * Finds the members of a level whose circles overlap a member's circle, and writes them to <code>near</code>.
+         * Finds the members whose circles overlap a member's circle, level by level, and passes them to the sink.
          *
-         * @param index the level's index, from the coarsest to the finest
          * @param marks by row; a row with the mark is left out if it is less than the member, because the pair is found from there
-         * @return the number of rows
          */
-        public function findNear(row:int, index:int, marks:Vector.<int>, mark:int):int
+        public function findNear(row:int, marks:Vector.<int>, mark:int, sink:PairSink):void
         {
-            var level:BinLevel = _levels.byWidth[index];
-            if (level.count == 0)
-            {
-                return 0;
-            }
             var own:BinLevel = _levels.byNumber[_extents.level[row]];
-            slack = own.width > level.width ? own.slack : level.slack;
-            var wide:Number = own.width / 2 + level.width / 2 + slack;
-            var across:Number = 2 * wide * level.cellsPerPatch + 2;
+            for (var i:int = 0; i < _levels.byWidth.length; i++)
+            {
+                var level:BinLevel = _levels.byWidth[i];
+                var coarser:BinLevel = own.width > level.width ? own : level;
+                var count:int = level.count == 0 ? 0 : findOfLevel(row, level, own.width / 2 + level.width / 2 + coarser.slack);
+                count = keepNear(row, count, coarser.slack, marks, mark);
+                if (count > 0)
+                {
+                    sink.onCandidates(row, _near, count, coarser);
+                }
+            }
+        }
+
+        // Finds the members of a level in the cells within a distance of a member. Returns their number.
+        private function findOfLevel(row:int, level:BinLevel, distance:Number):int
+        {
+            var found:int = 0;
+            var across:Number = 2 * distance * level.cellsPerPatch + 2;
             if (across * across > level.mask)
             {
                 // a cell's number may come several times in so many cells, but each of all numbers comes once
-                var all:int = 0;
                 for (var cell:int = level.base; cell <= level.base + level.mask; cell++)
                 {
-                    all = _heads[cell] == NONE ? all : collect(row, cell, all, marks, mark);
+                    found = collect(cell, found);
                 }
-                return all;
+                return found;
             }
             var x:Number = _extents.x[row];
             var y:Number = _extents.y[row];
@@ -193,27 +197,16 @@ package starlogo.broadphase
             {
                 return 0;
             }
-            var found:int = 0;
-            var lastColumn:int = level.columnOf(x + wide);
-            var lastLine:int = level.columnOf(y + wide);
-            for (var line:int = level.columnOf(y - wide); line <= lastLine; line++)
+            var lastColumn:int = level.columnOf(x + distance);
+            var lastLine:int = level.columnOf(y + distance);
+            for (var line:int = level.columnOf(y - distance); line <= lastLine; line++)
             {
-                for (var column:int = level.columnOf(x - wide); column <= lastColumn; column++)
+                for (var column:int = level.columnOf(x - distance); column <= lastColumn; column++)
                 {
-                    cell = level.base + level.numberOf(column, line);
-                    if (_heads[cell] != NONE)
-                    {
-                        found = keepOfCell(level, column, line, found, collect(row, cell, found, marks, mark));
-                    }
+                    found = keepOfCell(level, column, line, found, collect(level.base + level.numberOf(column, line), found));
                 }
             }
             return found;
-        }
-
-        /** The number of levels, as <code>findNear()</code> counts them. */
-        public function get levelCount():int
-        {
-            return _levels.byWidth.length;
         }
 
         private function enter(row:int, level:BinLevel, cell:int):void
@@ -224,26 +217,13 @@ package starlogo.broadphase
             _levelNumbers[row] = level.number;
         }
 
-        // Adds the rows of a cell whose circles overlap a row's circle to near. Returns their number with the ones before.
-        private function collect(row:int, cell:int, found:int, marks:Vector.<int>, mark:int):int
+        // Adds the rows of a cell to _near. Returns their number with the ones before.
+        private function collect(cell:int, found:int):int
         {
-            var xs:Vector.<Number> = _extents.x;
-            var ys:Vector.<Number> = _extents.y;
-            var radii:Vector.<Number> = _extents.radius;
-            var next:Vector.<int> = _next;
-            var x:Number = xs[row];
-            var y:Number = ys[row];
-            var ownReach:Number = radii[row] + slack;
-            for (var other:int = _heads[cell]; other != NONE; other = next[other])
+            for (var row:int = _heads[cell]; row != NONE; row = _next[row])
             {
-                var distanceX:Number = xs[other] - x;
-                var distanceY:Number = ys[other] - y;
-                var reach:Number = ownReach + radii[other];
-                if (distanceX * distanceX + distanceY * distanceY <= reach * reach && other != row && (other > row || marks[other] != mark))
-                {
-                    near[found] = other;
-                    found++;
-                }
+                _near[found] = row;
+                found++;
             }
             return found;
         }
@@ -254,10 +234,35 @@ package starlogo.broadphase
             var kept:int = first;
             for (var i:int = first; i < end; i++)
             {
-                var row:int = near[i];
+                var row:int = _near[i];
                 if (level.columnOf(_extents.x[row]) == column && level.columnOf(_extents.y[row]) == line)
                 {
-                    near[kept] = row;
+                    _near[kept] = row;
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        // Keeps the rows that make a pair with a member: whose circles overlap its own, and whose pair is not found from them.
+        private function keepNear(row:int, count:int, slack:Number, marks:Vector.<int>, mark:int):int
+        {
+            var xs:Vector.<Number> = _extents.x;
+            var ys:Vector.<Number> = _extents.y;
+            var radii:Vector.<Number> = _extents.radius;
+            var x:Number = xs[row];
+            var y:Number = ys[row];
+            var ownReach:Number = radii[row] + slack;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = _near[i];
+                var distanceX:Number = xs[other] - x;
+                var distanceY:Number = ys[other] - y;
+                var reach:Number = ownReach + radii[other];
+                if (distanceX * distanceX + distanceY * distanceY <= reach * reach && other != row && (other > row || marks[other] != mark))
+                {
+                    _near[kept] = other;
                     kept++;
                 }
             }

@@ -6,8 +6,11 @@ package starlogo.broadphase
      *
      * @private
      */
-    public final class Extents extends Circles
+    public final class Extents extends Points
     {
+        /** The radius of a circle on the ground around the extents. */
+        public var radius:Vector.<Number> = new Vector.<Number>();
+
         /** Half the length along x. */
         public var halfX:Vector.<Number> = new Vector.<Number>();
 
@@ -26,7 +29,7 @@ package starlogo.broadphase
             super.grow(length);
             if (length > level.length)
             {
-                halfX.length = halfY.length = halfZ.length = level.length = length;
+                radius.length = halfX.length = halfY.length = halfZ.length = level.length = length;
             }
         }
     }

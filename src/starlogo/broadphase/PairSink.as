@@ -10,14 +10,14 @@ package starlogo.broadphase
     public class PairSink
     {
         /**
-         * Takes the pairs of one member with all others whose circles on the ground overlap its own. All come in one call, because a call
-         * for each pair would cost as much as its test.
+         * Takes the pairs of one row with all others whose circles on the ground overlap its own. All come in one call, because a call for each
+         * pair would cost as much as its test.
          *
-         * @param slot the member's slot in the bins, see Bins.rowAt
-         * @param others begins with the slots of the candidates; no pair comes twice, in either order
+         * @param others begins with the candidates, which may be overwritten; no pair comes twice, in either order
          * @param count the number of candidates
+         * @param level the level of the candidates, or of the row if that is coarser. Extents that touch may be its slack apart
          */
-        public function onCandidates(slot:int, others:Vector.<int>, count:int):void
+        public function onCandidates(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
             throw new IllegalOperationError(this + " does not implement onCandidates");
         }

@@ -126,12 +126,11 @@ package starlogo.search
          * Keeps a row's candidates whose breeds are of interest together with its own breed, and moves them to the beginning of the list.
          *
          * @param numbers by row: the number of its breed. A breed that is in no pair has no partners but those of ANY_BREED
-         * @param rows the candidates are indices in this list of rows
-         * @param others the candidates
+         * @param others the candidates, which are rows
          * @param count the number of candidates
          * @return the number of candidates that it keeps
          */
-        internal function keepOfInterest(numbers:Vector.<int>, row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
+        internal function keepOfInterest(numbers:Vector.<int>, row:int, others:Vector.<int>, count:int):int
         {
             var own:int = indexOfNumber(numbers[row]);
             var any:IdTable = _partners[Breeds.ANY];
@@ -147,7 +146,7 @@ package starlogo.search
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                var number:int = numbers[rows[other]] + 1;
+                var number:int = numbers[other] + 1;
                 // as has(), with one call less for each candidate
                 if (ids[partners.slotOf(number)] == number || any != null && any.has(number))
                 {

@@ -3,8 +3,8 @@ package starlogo.search
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Bins;
-    import starlogo.broadphase.Circles;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.PairSink;
     import starlogo.engine;
@@ -58,13 +58,10 @@ package starlogo.search
         // Finds the pairs of a search in which little has changed.
         private var _kept:KeptPairs;
 
-        // The search under way. _interests is null if all pairs count. The candidates of onCandidates are indices in _rows and _circles. Found
-        // pairs go to _out.
+        // The search under way. _interests is null if all pairs count. Found pairs go to _out.
         private var _interests:BreedInterests;
-        private var _circles:Circles;
-        private var _rows:Vector.<int>;
         private var _out:FoundPairs;
-        private var _skippedPairs:int;
+        private var _candidatePairs:int;
 
         /**
          * @param choice finds the shapes of agents
@@ -111,7 +108,7 @@ package starlogo.search
             isSwept = Agent.haveSwept && SweptPairs.anySweeping(agents);
             this.takePart = takePart;
             _interests = interests;
-            _skippedPairs = 0;
+            _candidatePairs = 0;
             // tests since the last search, as those of questions, do not count
             narrowPhase.takeCounts(counts);
             if (!mayKeep)
@@ -139,10 +136,10 @@ package starlogo.search
         {
             if (isSwept)
             {
-                motions.find(table, bins, table.list.rows, table.list.count);
+                motions.find(table, bins.levels, table.list.rows, table.list.count);
             }
             chooseMembers();
-            writeTo(out, bins.rowAt, bins.members);
+            writeTo(out);
             bins.findPairs(extents, _memberRows, _memberCount, this);
             for (var row:int = ListedAgents.GROUND; row <= ListedAgents.EDGES; row++)
             {
@@ -157,18 +154,11 @@ package starlogo.search
             return isSwept ? motions.extents : table.extents;
         }
 
-        /**
-         * Says what the indices of <code>onCandidates()</code> mean, and where the pairs go.
-         *
-         * @param rows by index: the row
-         * @param circles by index: the row's middle and circle
-         */
-        internal function writeTo(out:FoundPairs, rows:Vector.<int>, circles:Circles):void
+        /** Says where the pairs go. */
+        internal function writeTo(out:FoundPairs):void
         {
             out.begin(table.list);
             _out = out;
-            _rows = rows;
-            _circles = circles;
         }
 
         /** The speed at which the two agents of the last findContact came together, in patches a frame. */
@@ -250,32 +240,25 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function onCandidates(slot:int, others:Vector.<int>, count:int):void
+        override public function onCandidates(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
-            var rows:Vector.<int> = _rows;
-            var row:int = rows[slot];
             if (_interests != null && !_interests.areAll)
             {
-                var kept:int = _interests.keepOfInterest(table.breeds, row, rows, others, count);
-                _skippedPairs += count - kept;
-                count = kept;
+                count = _interests.keepOfInterest(table.breeds, row, others, count);
             }
+            _candidatePairs += count;
             if (isSwept)
             {
-                count = keepTouchingMotions(row, rows, others, count);
+                count = keepTouchingMotions(row, others, count, level);
             }
             else if (areSpheres)
             {
-                narrowPhase.spheres.writeTouching(table, bins, _circles, slot, rows, others, count, _out);
+                narrowPhase.spheres.writeTouching(table, level.slack, row, others, count, _out);
                 return;
             }
             else
             {
-                count = narrowPhase.keepTouching(table, bins, _circles, slot, rows, others, count);
-            }
-            for (var i:int = 0; i < count; i++)
-            {
-                others[i] = rows[others[i]];
+                count = narrowPhase.keepTouching(table, level.slack, row, others, count);
             }
             _out.addPairs(row, others, count);
         }
@@ -304,11 +287,10 @@ package starlogo.search
                     count++;
                 }
             }
-            var rows:Vector.<int> = table.list.itself;
-            count = _interests.keepOfInterest(table.breeds, fixture, rows, others, count);
+            count = _interests.keepOfInterest(table.breeds, fixture, others, count);
             if (isSwept)
             {
-                count = keepTouchingMotions(fixture, rows, others, count);
+                count = keepTouchingMotions(fixture, others, count, null);
             }
             else
             {
@@ -346,25 +328,23 @@ package starlogo.search
             return table.shapes[row] != null && (_interests == null || _interests.indexOfNumber(table.breeds[row]) >= 0) && (takePart == null || takePart[table.list.ranks[row]]);
         }
 
-        // Like keepTouching, and writes the times.
-        private function keepTouchingMotions(row:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
+        // Like keepTouching, and writes the times. There is no level for the ground and the edges, whose extents say nothing.
+        private function keepTouchingMotions(row:int, others:Vector.<int>, count:int, level:BinLevel):int
         {
-            // the extents of the ground and of the edges say nothing
-            var near:Bins = row < ListedAgents.LISTED ? null : bins;
             var at:int = _out.count;
             var ranks:Vector.<int> = table.list.ranks;
             var rank:int = ranks[row];
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
-                var other:int = rows[others[i]];
+                var other:int = others[i];
                 // the time belongs to the motion of the agent that comes first in the list, relative to the other
                 var isFirst:Boolean = rank < ranks[other];
-                motions.findTime(table, near, isFirst ? row : other, isFirst ? other : row, null);
+                motions.findTime(table, level, isFirst ? row : other, isFirst ? other : row, null);
                 var time:Number = motions.foundTime;
                 if (time != RelativeMotion.NEVER)
                 {
-                    others[kept] = others[i];
+                    others[kept] = other;
                     _out.times[int(at + kept)] = time;
                     kept++;
                 }
@@ -378,7 +358,7 @@ package starlogo.search
             counts.agents = agentCount;
             counts.agentsSkipped = agentCount - _memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
-            counts.candidatePairs = bins.pairCount - _skippedPairs;
+            counts.candidatePairs = _candidatePairs;
             counts.collisions = pairCount;
         }
     }

@@ -117,23 +117,22 @@ package starlogo.search
             // they are not if the search throws
             _isValid = false;
             _number++;
-            _search.bins.pairCount = 0;
             listChanged();
             if (_search.isSwept)
             {
-                _search.motions.find(_table, _search.bins, _changed.numbers, _changed.count);
+                _search.motions.find(_table, _search.bins.levels, _changed.numbers, _changed.count);
             }
             placeChanged();
             if (!_cells.areCellsValid())
             {
                 return false;
             }
-            _search.writeTo(_found, _table.list.itself, _search.extents);
+            _search.writeTo(_found);
             for (var i:int = 0; i < _changed.count; i++)
             {
                 if (_cells.has(_changed.numbers[i]))
                 {
-                    findNear(_changed.numbers[i]);
+                    _cells.findNear(_changed.numbers[i], _changedIn, _number, _search);
                 }
             }
             findAtFixture(ListedAgents.GROUND);
@@ -241,20 +240,6 @@ package starlogo.search
                 else
                 {
                     _cells.remove(row);
-                }
-            }
-        }
-
-        private function findNear(row:int):void
-        {
-            for (var level:int = 0; level < _cells.levelCount; level++)
-            {
-                var count:int = _cells.findNear(row, level, _changedIn, _number);
-                if (count > 0)
-                {
-                    _search.bins.slack = _cells.slack;
-                    _search.bins.pairCount += count;
-                    _search.onCandidates(row, _cells.near, count);
                 }
             }
         }

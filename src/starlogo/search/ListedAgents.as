@@ -40,9 +40,6 @@ package starlogo.search
         /** By row: the agent, or null. Agents of a list that was refused may still have rows. */
         public var agents:Vector.<Agent> = new <Agent>[null, null];
 
-        /** By row: the row itself. For tests whose candidates are rows. */
-        internal var itself:Vector.<int> = new <int>[GROUND, EDGES];
-
         /** The rows of the agents of the list that was proposed last. */
         internal var proposed:Vector.<int> = new Vector.<int>();
 
@@ -208,10 +205,6 @@ package starlogo.search
         private function grow(length:int):void
         {
             agents.length = ranks.length = _lastLists.length = length;
-            for (var row:int = itself.length; row < length; row++)
-            {
-                itself[row] = row;
-            }
         }
 
         // Lists rows so that all others have the same order in both lists. If the last agent took the place of one that was removed, it is one row.

@@ -1,8 +1,6 @@
 package starlogo.search
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.broadphase.Bins;
-    import starlogo.broadphase.Circles;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
 
@@ -38,32 +36,27 @@ package starlogo.search
         }
 
         /**
-         * Keeps the candidates that touch a row, and moves them to the beginning of the list. The row and the candidates are indices in a list of
-         * rows.
+         * Keeps the candidates that touch a row, and moves them to the beginning of the list.
          *
-         * @param bins knows how far apart the extents of touching rows may be
-         * @param circles the middles and circles in the order of the list of rows
-         * @param at the index of the row
-         * @param rows the list of rows
+         * @param slack how far apart the extents of touching rows may be
          * @param others the candidates, whose circles on the ground overlap the row's circle
          * @param count the number of candidates
          * @return the number of candidates that it keeps
          */
-        public function keepTouching(table:AgentTable, bins:Bins, circles:Circles, at:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
+        public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
         {
-            var row:int = rows[at];
             if (table.forms[row] != ModelShape.TREE)
             {
-                return structures.keepTouching(table, bins, circles, at, rows, others, count);
+                return structures.keepTouching(table, slack, row, others, count);
             }
             var body:Body = table.bodyOf(row);
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
-                var other:int = rows[others[i]];
-                if (areNear(table.extents, bins, row, other) && trees.areTouching(body, table.bodyOf(other)))
+                var other:int = others[i];
+                if (areNear(table.extents, slack, row, other) && trees.areTouching(body, table.bodyOf(other)))
                 {
-                    others[kept] = others[i];
+                    others[kept] = other;
                     kept++;
                 }
             }
@@ -128,10 +121,11 @@ package starlogo.search
         /**
          * Whether the extents of two rows overlap, or nearly do. The heights are compared first, because the bins have already compared the
          * circles on the ground.
+         *
+         * @param slack how far apart they may be
          */
-        public static function areNear(extents:Extents, bins:Bins, a:int, b:int):Boolean
+        public static function areNear(extents:Extents, slack:Number, a:int, b:int):Boolean
         {
-            var slack:Number = bins.slack;
             var distance:Number = extents.z[a] - extents.z[b];
             var reach:Number = extents.halfZ[a] + extents.halfZ[b] + slack;
             if (distance > reach || distance < -reach)

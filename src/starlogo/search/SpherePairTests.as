@@ -2,8 +2,6 @@ package starlogo.search
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Sphere;
-    import starlogo.broadphase.Bins;
-    import starlogo.broadphase.Circles;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -38,28 +36,22 @@ package starlogo.search
          * Writes the pairs of a row with its candidates that touch it. All must be spheres. It tests and writes in one loop, because in a dense
          * crowd each pass over the pairs takes time.
          *
-         * @param bins their slack is that of the candidates
-         * @param circles by index: the middle and the circle of a row
-         * @param at the index of the row
-         * @param rows by index: the row
-         * @param others the indices of the candidates
+         * @param slack how far apart the circles of the candidates may be
+         * @param others the candidates
          * @param count their number
          * @param out takes the pairs
          */
-        public function writeTouching(table:AgentTable, bins:Bins, circles:Circles, at:int, rows:Vector.<int>, others:Vector.<int>, count:int,
-                out:FoundPairs):void
+        public function writeTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int, out:FoundPairs):void
         {
-            var xs:Vector.<Number> = circles.x;
-            var ys:Vector.<Number> = circles.y;
-            var zs:Vector.<Number> = circles.z;
-            var radii:Vector.<Number> = circles.radius;
-            var atX:Number = xs[at];
-            var atY:Number = ys[at];
-            var atZ:Number = zs[at];
-            var radius:Number = radii[at];
-            var slack:Number = bins.slack;
+            var xs:Vector.<Number> = table.extents.x;
+            var ys:Vector.<Number> = table.extents.y;
+            var zs:Vector.<Number> = table.extents.z;
+            var radii:Vector.<Number> = table.extents.radius;
+            var atX:Number = xs[row];
+            var atY:Number = ys[row];
+            var atZ:Number = zs[row];
+            var radius:Number = radii[row];
             var pairs:Vector.<int> = out.rows;
-            var row:int = rows[at];
             var to:int = 2 * out.count;
             tests += count;
             for (var i:int = 0; i < count; i++)
@@ -74,13 +66,13 @@ package starlogo.search
                 {
                     // if the gap is not larger than rounding errors, the exact test decides
                     across += slack;
-                    if (squared > across * across || !areTouching(table.bodyOf(row), table.bodyOf(rows[other])))
+                    if (squared > across * across || !areTouching(table.bodyOf(row), table.bodyOf(other)))
                     {
                         continue;
                     }
                 }
                 pairs[to] = row;
-                pairs[int(to + 1)] = rows[other];
+                pairs[int(to + 1)] = other;
                 to += 2;
             }
             out.count = to >> 1;

@@ -2,8 +2,6 @@ package starlogo.search
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
-    import starlogo.broadphase.Bins;
-    import starlogo.broadphase.Circles;
     import starlogo.engine;
     import starlogo.intersection.boxBox;
     import starlogo.intersection.contact.ContactPoint;
@@ -41,25 +39,23 @@ package starlogo.search
         }
 
         /** See NarrowPhase.keepTouching. The row is no tree. */
-        public function keepTouching(table:AgentTable, bins:Bins, circles:Circles, at:int, rows:Vector.<int>, others:Vector.<int>, count:int):int
+        public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
         {
-            var row:int = rows[at];
             var spheres:SpherePairTests = _narrowPhase.spheres;
             var forms:Vector.<int> = table.forms;
             var isSphere:Boolean = forms[row] == BoundingStructure.SPHERE;
-            var xs:Vector.<Number> = circles.x;
-            var ys:Vector.<Number> = circles.y;
-            var zs:Vector.<Number> = circles.z;
-            var radii:Vector.<Number> = circles.radius;
+            var xs:Vector.<Number> = table.extents.x;
+            var ys:Vector.<Number> = table.extents.y;
+            var zs:Vector.<Number> = table.extents.z;
+            var radii:Vector.<Number> = table.extents.radius;
             var halfZs:Vector.<Number> = table.extents.halfZ;
             var boxes:Vector.<Box> = table.boxes;
             var placed:Vector.<int> = table.placedRevisions;
             var revisions:Vector.<int> = table.places.now.revisions;
-            var atX:Number = xs[at];
-            var atY:Number = ys[at];
-            var atZ:Number = zs[at];
-            var radius:Number = radii[at];
-            var slack:Number = bins.slack;
+            var atX:Number = xs[row];
+            var atY:Number = ys[row];
+            var atZ:Number = zs[row];
+            var radius:Number = radii[row];
             var reachZ:Number = halfZs[row] + slack;
             var box:Box = boxes[row];
             var body:Body = null;
@@ -73,9 +69,8 @@ package starlogo.search
             {
                 // two boxes need no test of their extents, except for the heights
                 var other:int = others[i];
-                var otherRow:int = rows[other];
                 var distance:Number = zs[other] - atZ;
-                var reach:Number = reachZ + halfZs[otherRow];
+                var reach:Number = reachZ + halfZs[other];
                 if (distance > reach)
                 {
                     continue;
@@ -84,20 +79,20 @@ package starlogo.search
                 {
                     continue;
                 }
-                var otherBox:Box = boxes[otherRow];
+                var otherBox:Box = boxes[other];
                 if (box != null && otherBox != null)
                 {
                     boxTests++;
-                    if (placed[otherRow] != revisions[otherRow])
+                    if (placed[other] != revisions[other])
                     {
-                        table.placeBox(otherRow);
+                        table.placeBox(other);
                     }
                     if (!boxBox(box, otherBox))
                     {
                         continue;
                     }
                 }
-                else if (isSphere && forms[otherRow] == BoundingStructure.SPHERE)
+                else if (isSphere && forms[other] == BoundingStructure.SPHERE)
                 {
                     spheres.tests++;
                     var x:Number = xs[other] - atX;
@@ -109,13 +104,13 @@ package starlogo.search
                     {
                         // if the gap is not larger than rounding errors, the exact test decides
                         across += slack;
-                        if (squared > across * across || !spheres.areTouching(table.bodyOf(row), table.bodyOf(otherRow)))
+                        if (squared > across * across || !spheres.areTouching(table.bodyOf(row), table.bodyOf(other)))
                         {
                             continue;
                         }
                     }
                 }
-                else if (!NarrowPhase.areNear(table.extents, bins, row, otherRow) || !_narrowPhase.areTouching(body ||= table.bodyOf(row), table.bodyOf(otherRow)))
+                else if (!NarrowPhase.areNear(table.extents, slack, row, other) || !_narrowPhase.areTouching(body ||= table.bodyOf(row), table.bodyOf(other)))
                 {
                     continue;
                 }

@@ -2,7 +2,8 @@ package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.broadphase.Bins;
+    import starlogo.broadphase.BinLevel;
+    import starlogo.broadphase.BinLevels;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
     import starlogo.engine;
@@ -60,7 +61,7 @@ package starlogo.search
          * @param rows the rows; those without an agent are left out
          * @param count the number of rows
          */
-        public function find(table:AgentTable, bins:Bins, rows:Vector.<int>, count:int):void
+        public function find(table:AgentTable, levels:BinLevels, rows:Vector.<int>, count:int):void
         {
             if (table.list.agents.length > _isSweeping.length)
             {
@@ -96,7 +97,7 @@ package starlogo.search
                 swept.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
                 if (table.shapes[row] != null)
                 {
-                    bins.levels.assignLevel(swept, row);
+                    levels.assignLevel(swept, row);
                 }
             }
         }
@@ -105,10 +106,10 @@ package starlogo.search
          * Finds the time at which two rows first touch, and writes it to <code>foundTime</code>. If neither of the two sweeps, they are tested
          * where they are now.
          *
-         * @param bins knows how far apart the extents of touching rows may be; null to make the exact test for all pairs
+         * @param level has the slack of the two rows' extents; null to make the exact test for all pairs
          * @param out receives the contact if they touch, where b is now; null if only the time is needed
          */
-        public function findTime(table:AgentTable, bins:Bins, a:int, b:int, out:ContactPoint):void
+        public function findTime(table:AgentTable, level:BinLevel, a:int, b:int, out:ContactPoint):void
         {
             var motion:RelativeMotion = _motion;
             var way:Points = _motions;
@@ -116,7 +117,7 @@ package starlogo.search
             motion.time = RelativeMotion.NEVER;
             var isSwept:Boolean = _isSweeping[a] || _isSweeping[b];
             var areSpheres:Boolean = table.forms[a] == BoundingStructure.SPHERE && table.forms[b] == BoundingStructure.SPHERE;
-            if (!isSwept && bins != null && !NarrowPhase.areNear(table.extents, bins, a, b))
+            if (!isSwept && level != null && !NarrowPhase.areNear(table.extents, level.slack, a, b))
             {
                 return;
             }
@@ -130,7 +131,7 @@ package starlogo.search
                     _narrowPhase.testsOf(table.bodyOf(a), table.bodyOf(b)).findContact(table.bodyOf(a), table.bodyOf(b), motion, out);
                 }
             }
-            else if (bins == null || areSpheres || overlapOnMotions(table.extents, bins, a, b))
+            else if (level == null || areSpheres || overlapOnMotions(table.extents, level.slack, a, b))
             {
                 _narrowPhase.sweptPairs++;
                 if (areSpheres && out == null)
@@ -195,10 +196,10 @@ package starlogo.search
         }
 
         // Whether the extents of two rows overlap in all directions at the same time, on their motions.
-        private function overlapOnMotions(standing:Extents, bins:Bins, a:int, b:int):Boolean
+        private function overlapOnMotions(standing:Extents, slack:Number, a:int, b:int):Boolean
         {
             _times.last = 1;
-            _times.gap = bins.slack;
+            _times.gap = slack;
             _times.reset();
             return !isGap(standing.x, standing.halfX, _motions.x, a, b) && !isGap(standing.y, standing.halfY, _motions.y, a, b)
                 && !isGap(standing.z, standing.halfZ, _motions.z, a, b);

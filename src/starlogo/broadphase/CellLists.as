@@ -168,11 +168,11 @@ package starlogo.broadphase
             {
                 var level:BinLevel = _levels.byWidth[i];
                 var coarser:BinLevel = own.width > level.width ? own : level;
-                var count:int = level.count == 0 ? 0 : findOfLevel(row, level, own.width / 2 + level.width / 2 + coarser.slack);
-                count = keepNear(row, count, coarser.slack, marks, mark);
-                if (count > 0)
+                var found:int = level.count == 0 ? 0 : findOfLevel(row, level, own.width / 2 + level.width / 2 + coarser.slack);
+                found = keepNear(row, found, coarser.slack, marks, mark);
+                if (found > 0)
                 {
-                    sink.onCandidates(row, _near, count, coarser);
+                    sink.onCandidates(row, _near, found, coarser);
                 }
             }
         }

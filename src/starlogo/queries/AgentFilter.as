@@ -53,15 +53,13 @@ package starlogo.queries
         /** @inheritDoc */
         override public function admits(agent:Agent):Boolean
         {
-            if (breeds != null && !has(breeds, agent.breed))
-            {
-                return false;
-            }
-            if (exceptBreeds != null && has(exceptBreeds, agent.breed))
-            {
-                return false;
-            }
-            return (except == null || except.indexOf(agent) < 0) && (accepts == null || accepts(agent));
+            return admitsBreed(agent.breed) && (except == null || except.indexOf(agent) < 0) && (accepts == null || accepts(agent));
+        }
+
+        /** Whether agents of a breed count, unless they are excluded otherwise. */
+        internal function admitsBreed(breed:String):Boolean
+        {
+            return (breeds == null || has(breeds, breed)) && (exceptBreeds == null || !has(exceptBreeds, breed));
         }
 
         // faster than indexOf if there are few names

@@ -137,7 +137,7 @@ package starlogo.queries
         public function countNear(agent:Agent, radius:Number, filter:AgentFilter = null):int
         {
             var at:Placement = _seen.placeOf(agent);
-            return ask.near(agent, at.x, at.y, at.z, radius, Collector.NUMBER, filter).end();
+            return ask.countNear(agent, at.x, at.y, at.z, radius, filter);
         }
 
         /**
@@ -206,7 +206,7 @@ package starlogo.queries
         public function countNearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null):int
         {
             requirePoint(point);
-            return ask.near(null, point.x, point.y, point.z, radius, Collector.NUMBER, filter).end();
+            return ask.countNear(null, point.x, point.y, point.z, radius, filter);
         }
 
         /**

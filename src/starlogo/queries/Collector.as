@@ -1,7 +1,6 @@
 package starlogo.queries
 {
     import starlogo.agents.Agent;
-    import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.search.KeySort;
 
@@ -23,8 +22,8 @@ package starlogo.queries
         /** A value of <code>wanted</code>: all rows. */
         public static const ALL:int = int.MAX_VALUE;
 
-        /** The number of all rows is wanted, not the rows. Only <code>end()</code> has it. */
-        public static const NUMBER:int = -1;
+        /** The rows that count. */
+        public var filter:RowFilter;
 
         /** The rows that were found, unsorted. If <code>accepts</code> decides, the rows that it has admitted come first. */
         public var rows:Vector.<int> = new Vector.<int>();
@@ -41,84 +40,55 @@ package starlogo.queries
         /** The number of rows that are wanted, or ALL. */
         public var wanted:int = ALL;
 
-        /** When this number of rows is found, <code>narrow()</code> has to be called. */
-        public var narrowAt:int = ALL;
-
-        /** Whether only the first row is wanted, and <code>accepts</code> does not decide. Then each row that is found replaces the last one. */
-        public var keepsFirst:Boolean = false;
-
-        /** Whether only the number of rows is wanted, and <code>accepts</code> does not decide. Then a search adds to <code>count</code> alone. */
-        public var countsOnly:Boolean = false;
-
-        /** The filter's <code>accepts</code>, which decides last; null if there is none. */
-        public var accepts:Function = null;
-
-        /** Whether breeds or agents are excluded. */
-        public var filters:Boolean = false;
-
-        /** The breeds that may count, a set of NodeBreeds. */
-        public var breeds:int = NodeBreeds.ALL;
-
-        /** The row of the agent that asks, which does not count; or -1. */
-        public var askerRow:int = -1;
-
-        /** The agents that questions are about. */
-        public var seen:QueryWorld;
-
+        private var _seen:QueryWorld;
         private var _order:KeySort = new KeySort();
+
+        // When this number of rows is found, the rows that are not wanted are dropped. If 1 row is wanted, it is 1: each row that is found replaces
+        // the last one.
+        private var _dropAt:int = ALL;
 
         // The number of rows that accepts has admitted. They come first, in order.
         private var _admitted:int = 0;
 
-        // The number of the question, from 1 on. It marks agents by their rows, and breeds by their numbers. If the filter has breeds, the
-        // marked breeds count. Else the marked breeds do not count.
-        private var _question:int = 0;
-        private var _excepted:Vector.<int> = new Vector.<int>();
-        private var _breeds:Vector.<int> = new Vector.<int>();
-        private var _breedsCount:Boolean = false;
-
         /** @param seen the agents that questions are about */
         public function Collector(seen:QueryWorld)
         {
-            this.seen = seen;
+            _seen = seen;
+            filter = new RowFilter(seen);
         }
 
         /**
          * Begins a search.
          *
-         * @param wanted how many of the rows with the smallest keys are wanted, or ALL, or NUMBER
+         * @param wanted how many of the rows with the smallest keys are wanted, or ALL
          * @param limit the largest key
          * @param asker the agent that asks, which does not count; or null
-         * @param filter the agents that count; null for all
+         * @param agents the agents that count; null for all
          */
-        public function begin(wanted:int, limit:Number, asker:Agent, filter:AgentFilter):void
+        public function begin(wanted:int, limit:Number, asker:Agent, agents:AgentFilter):void
         {
-            askerRow = asker == null ? -1 : seen.table.list.rowOf(asker);
-            accepts = filter == null ? null : filter.accepts;
-            var asks:Boolean = accepts != null;
-            mark(filter);
-            countsOnly = wanted == NUMBER && !asks;
-            this.wanted = wanted == NUMBER ? ALL : wanted;
+            filter.begin(asker, agents);
+            this.wanted = wanted;
             this.limit = wanted == 0 ? -1 : limit;
-            keepsFirst = wanted == 1 && !asks;
-            narrowAt = asks || this.wanted > ALL / 2 ? ALL : 2 * wanted;
+            _dropAt = wanted == 1 ? 1 : 2 * wanted;
+            if (filter.accepts != null || wanted > ALL / 2)
+            {
+                _dropAt = ALL;
+            }
             count = _admitted = 0;
         }
 
-        /**
-         * Whether a row counts, if it is not the one that is skipped. Ask only if <code>filters</code> is true. The filter's <code>accepts</code>
-         * is not asked here.
-         */
-        public function admitsMarked(row:int):Boolean
+        /** Whether the search can end, because one row is wanted, which may be any, and is found. */
+        public function get hasAny():Boolean
         {
-            return (_breeds[seen.table.list.agents[row].breedNumber] == _question) == _breedsCount && _excepted[row] != _question;
+            return _dropAt == 1 && count > 0;
         }
 
         /** Whether a row counts. This is a search of its own. */
-        public function admits(row:int, asker:Agent, filter:AgentFilter):Boolean
+        public function admits(row:int, asker:Agent, agents:AgentFilter):Boolean
         {
-            begin(1, 0, asker, filter);
-            if (!filters || admitsMarked(row))
+            begin(1, 0, asker, agents);
+            if (filter.admits(row))
             {
                 add(row, 0);
             }
@@ -128,18 +98,18 @@ package starlogo.queries
         /** The next row of a search that counts and has a shape, or -1. Without a ground, the ground's row has none. */
         public function nextOf(search:SweptBoxSearch):int
         {
-            var row:int = search.next(breeds);
+            var row:int = search.next(filter.breeds);
             while (row >= 0)
             {
-                if (row != askerRow && seen.table.shapes[row] != null)
+                if (row != filter.askerRow && _seen.table.shapes[row] != null)
                 {
-                    if (!filters || admitsMarked(row))
+                    if (filter.admits(row))
                     {
                         return row;
                     }
                     search.passOver();
                 }
-                row = search.next(breeds);
+                row = search.next(filter.breeds);
             }
             return -1;
         }
@@ -152,29 +122,38 @@ package starlogo.queries
          */
         public function add(row:int, key:Number):Boolean
         {
-            if (keepsFirst)
+            if (_dropAt == 1)
             {
-                if (count > 0 && (key > keys[0] || (key == keys[0] && seen.table.list.ranks[row] > seen.table.list.ranks[rows[0]])))
-                {
-                    return false;
-                }
-                count = 0;
-                limit = key;
+                return replace(row, key);
             }
             rows[count] = row;
             keys[count] = key;
             count++;
-            if (count == narrowAt)
+            if (count == _dropAt)
             {
-                narrow();
+                sort();
             }
             return true;
         }
 
-        /** Sorts the rows, and keeps those that are wanted. */
-        public function narrow():void
+        // Takes a row in place of the last one if it comes before it.
+        private function replace(row:int, key:Number):Boolean
         {
-            _order.sort(rows, keys, count, seen.table.list.ranks);
+            if (count > 0 && (key > keys[0] || (key == keys[0] && _seen.table.list.ranks[row] > _seen.table.list.ranks[rows[0]])))
+            {
+                return false;
+            }
+            rows[0] = row;
+            keys[0] = key;
+            count = 1;
+            limit = key;
+            return true;
+        }
+
+        // Sorts the rows, and keeps those that are wanted.
+        private function sort():void
+        {
+            _order.sort(rows, keys, count, _seen.table.list.ranks);
             if (count > wanted)
             {
                 count = wanted;
@@ -193,9 +172,9 @@ package starlogo.queries
             {
                 return;
             }
-            _order.sort(rows, keys, end, seen.table.list.ranks);
-            var decide:Function = accepts;
-            seen.asking++;
+            _order.sort(rows, keys, end, _seen.table.list.ranks);
+            var decide:Function = filter.accepts;
+            _seen.asking++;
             try
             {
                 for (var i:int = _admitted; i < end && _admitted < wanted; i++)
@@ -209,10 +188,8 @@ package starlogo.queries
             }
             finally
             {
-                seen.asking--;
+                _seen.asking--;
             }
-            // accepts may have given agents new breeds
-            makeRoomForBreeds();
             if (_admitted == wanted)
             {
                 limit = -1;
@@ -229,7 +206,7 @@ package starlogo.queries
         /** Ends the search. Returns how many rows are in the answer. */
         public function end():int
         {
-            if (accepts != null)
+            if (filter.accepts != null)
             {
                 ask(Infinity);
             }
@@ -239,7 +216,7 @@ package starlogo.queries
         /** The agent of a row of the answer. */
         public function agentAt(index:int):Agent
         {
-            return seen.table.list.agents[rows[index]];
+            return _seen.table.list.agents[rows[index]];
         }
 
         /** Ends the search. Returns the agent of the first row of the answer, or null. */
@@ -251,9 +228,9 @@ package starlogo.queries
         /** Ends the search, and sorts the rows of the answer. Returns how many they are. */
         public function endSorted():int
         {
-            if (accepts == null)
+            if (filter.accepts == null)
             {
-                narrow();
+                sort();
             }
             return end();
         }
@@ -303,75 +280,6 @@ package starlogo.queries
         {
             rows[to] = rows[from];
             keys[to] = keys[from];
-        }
-
-        private function makeRoomForBreeds():void
-        {
-            if (_breeds.length < Breeds.count)
-            {
-                _breeds.length = Breeds.count;
-            }
-        }
-
-        // Marks the filter's breeds and the agents that it excepts.
-        private function mark(filter:AgentFilter):void
-        {
-            _question++;
-            filters = false;
-            breeds = NodeBreeds.ALL;
-            if (filter == null)
-            {
-                return;
-            }
-            makeRoomForBreeds();
-            if (_excepted.length < seen.table.list.agents.length)
-            {
-                _excepted.length = seen.table.list.agents.length;
-            }
-            _breedsCount = filter.breeds != null;
-            filters = _breedsCount || filter.exceptBreeds != null;
-            if (_breedsCount)
-            {
-                breeds = markBreeds(filter.breeds, _question);
-            }
-            if (filter.exceptBreeds != null)
-            {
-                var excepted:int = markBreeds(filter.exceptBreeds, _breedsCount ? 0 : _question);
-                if (!_breedsCount && NodeBreeds.areSetsExact)
-                {
-                    breeds = ~excepted;
-                }
-            }
-            var except:Vector.<Agent> = filter.except;
-            for (var i:int = 0; except != null && i < except.length; i++)
-            {
-                var row:int = except[i] == null ? -1 : seen.table.list.rowOf(except[i]);
-                if (row >= 0)
-                {
-                    filters = true;
-                    _excepted[row] = _question;
-                }
-            }
-        }
-
-        // Marks breeds, and returns the set of them.
-        private function markBreeds(names:Vector.<String>, by:int):int
-        {
-            var marked:int = 0;
-            for (var i:int = 0; i < names.length; i++)
-            {
-                if (names[i] != null)
-                {
-                    var number:int = Breeds.numberOf(names[i]);
-                    if (_breeds.length <= number)
-                    {
-                        _breeds.length = number + 1;
-                    }
-                    _breeds[number] = by;
-                    marked |= NodeBreeds.setOf(number);
-                }
-            }
-            return marked;
         }
     }
 }

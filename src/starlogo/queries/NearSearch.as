@@ -15,8 +15,7 @@ package starlogo.queries
         private var _tree:RowTree;
         private var _found:Collector;
 
-        // Whether all rows in the limit count. Then a node that is inside the limit is counted as a whole.
-        private var _countsNodes:Boolean = false;
+        // The place.
         private var _x:Number = 0;
         private var _y:Number = 0;
         private var _z:Number = 0;
@@ -33,7 +32,7 @@ package starlogo.queries
          * @param y the place
          * @param z the place
          * @param found says which rows are wanted, and collects them unsorted
-         * @param cone the rows must be in it too; null for none. It does not go with a number of rows alone
+         * @param cone the rows must be in it too; null for none
          */
         public function find(tree:RowTree, x:Number, y:Number, z:Number, found:Collector, cone:Cone = null):void
         {
@@ -45,8 +44,7 @@ package starlogo.queries
             var nodes:Vector.<int> = _nodes;
             var squares:Vector.<Number> = _squares;
             var firstLeaf:int = tree.firstLeaf;
-            _countsNodes = found.countsOnly && !found.filters;
-            var asks:Boolean = found.accepts != null && found.wanted < Collector.ALL;
+            var asks:Boolean = found.filter.accepts != null && found.wanted < Collector.ALL;
             var waiting:int = begin();
             while (waiting > 0)
             {
@@ -70,7 +68,7 @@ package starlogo.queries
                 }
                 else
                 {
-                    visit(tree.starts[int(node - firstLeaf)], tree.starts[int(node + 1 - firstLeaf)], found, cone);
+                    visit(tree.starts[int(node - firstLeaf)], tree.starts[int(node + 1 - firstLeaf)], cone);
                 }
             }
         }
@@ -82,20 +80,7 @@ package starlogo.queries
             {
                 return 0;
             }
-            if (_found.askerRow < 0)
-            {
-                return measure(1, 0);
-            }
-            if (!_countsNodes)
-            {
-                return beginBeside(_tree.leafOf(_found.askerRow));
-            }
-            // the skipped row is counted below
-            if (_tree.squareTo(_found.askerRow, _x, _y, _z) <= _found.limit)
-            {
-                _found.count--;
-            }
-            return measure(1, 0);
+            return _found.filter.askerRow < 0 ? measure(1, 0) : beginBeside(_tree.leafOf(_found.filter.askerRow));
         }
 
         // Makes a leaf the next node, because it probably has the nearest rows. After it come the nodes beside the path from the root to the
@@ -160,8 +145,7 @@ package starlogo.queries
             return waiting;
         }
 
-        // Puts a node on the waiting list if its box is within the limit. If all rows in the limit count, and the whole box is within the
-        // limit, the node is counted at once. Returns how many nodes wait.
+        // Puts a node on the waiting list if its box is within the limit. Returns how many nodes wait.
         private function measure(node:int, waiting:int):int
         {
             var boxes:Vector.<Number> = _tree.nodeBoxes;
@@ -194,36 +178,20 @@ package starlogo.queries
                 }
             }
             var square:Number = toX * toX + toY * toY + toZ * toZ;
-            if (square > _found.limit || !_tree.breeds.mayHave(node, _found.breeds))
+            if (square > _found.limit || !_tree.breeds.mayHave(node, _found.filter.breeds))
             {
                 return waiting;
-            }
-            if (_countsNodes)
-            {
-                toX = _x - boxes[box];
-                toY = _y - boxes[int(box + 1)];
-                toZ = _z - boxes[int(box + 2)];
-                var farX:Number = boxes[int(box + 3)] - _x;
-                var farY:Number = boxes[int(box + 4)] - _y;
-                var farZ:Number = boxes[int(box + 5)] - _z;
-                farX = toX > farX ? toX : farX;
-                farY = toY > farY ? toY : farY;
-                farZ = toZ > farZ ? toZ : farZ;
-                if (farX * farX + farY * farY + farZ * farZ <= _found.limit)
-                {
-                    _found.count += _tree.countIn(node);
-                    return waiting;
-                }
             }
             _nodes[waiting] = node;
             _squares[waiting] = square;
             return waiting + 1;
         }
 
-        // Tests the rows of a leaf. Rows that are only kept or counted are handled here, because a call for each row would take as long as the
-        // test.
-        private function visit(start:int, end:int, found:Collector, cone:Cone):void
+        // Gives the collector the rows of a leaf that are within the limit.
+        private function visit(start:int, end:int, cone:Cone):void
         {
+            var found:Collector = _found;
+            var filter:RowFilter = found.filter;
             var places:Points = _tree.middles;
             var xs:Vector.<Number> = places.x;
             var ys:Vector.<Number> = places.y;
@@ -231,17 +199,6 @@ package starlogo.queries
             var atX:Number = _x;
             var atY:Number = _y;
             var atZ:Number = _z;
-            var rows:Vector.<int> = _tree.rows;
-            var filters:Boolean = found.filters;
-            var countsOnly:Boolean = found.countsOnly;
-            var countsAll:Boolean = _countsNodes;
-            var askerRow:int = found.askerRow;
-            var keepsFirst:Boolean = found.keepsFirst;
-            var narrowAt:int = found.narrowAt;
-            var limit:Number = found.limit;
-            var foundRows:Vector.<int> = found.rows;
-            var keys:Vector.<Number> = found.keys;
-            var count:int = found.count;
             var passedOver:int = 0;
             for (var slot:int = start; slot < end; slot++)
             {
@@ -249,60 +206,25 @@ package starlogo.queries
                 var toY:Number = ys[slot] - atY;
                 var toZ:Number = zs[slot] - atZ;
                 var square:Number = toX * toX + toY * toY + toZ * toZ;
-                if (square > limit)
+                if (square > found.limit)
                 {
                     continue;
                 }
-                if (countsAll)
-                {
-                    count++;
-                    continue;
-                }
-                var row:int = rows[slot];
-                if (row == askerRow)
+                var row:int = _tree.rows[slot];
+                if (row == filter.askerRow)
                 {
                     continue;
                 }
-                if (filters)
+                if (!filter.admits(row))
                 {
-                    if (!found.admitsMarked(row))
-                    {
-                        passedOver++;
-                        continue;
-                    }
-                }
-                if (cone != null && !cone.contains(places, slot))
-                {
+                    passedOver++;
                     continue;
                 }
-                if (keepsFirst)
+                if (cone == null || cone.contains(places, slot))
                 {
-                    if (count == 0 || square < limit || found.seen.table.list.ranks[row] < found.seen.table.list.ranks[foundRows[0]])
-                    {
-                        count = 1;
-                        limit = keys[0] = square;
-                        foundRows[0] = row;
-                    }
-                    continue;
-                }
-                if (countsOnly)
-                {
-                    count++;
-                    continue;
-                }
-                foundRows[count] = row;
-                keys[count] = square;
-                count++;
-                if (count == narrowAt)
-                {
-                    found.count = count;
-                    found.narrow();
-                    count = found.count;
-                    limit = found.limit;
+                    found.add(row, square);
                 }
             }
-            found.count = count;
-            found.limit = limit;
             _tree.breeds.passOver(passedOver);
         }
     }

@@ -35,6 +35,20 @@ package starlogo.queries
             return 1 << breed % BITS;
         }
 
+        /** The set with some breeds. A name may be null. */
+        public static function setOfNames(names:Vector.<String>):int
+        {
+            var found:int = 0;
+            for (var i:int = 0; i < names.length; i++)
+            {
+                if (names[i] != null)
+                {
+                    found |= setOf(Breeds.numberOf(names[i]));
+                }
+            }
+            return found;
+        }
+
         /** Whether each breed has a bit of its own. */
         public static function get areSetsExact():Boolean
         {

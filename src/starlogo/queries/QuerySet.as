@@ -47,6 +47,7 @@ package starlogo.queries
 
         private var _first:Body = new Body();
         private var _near:NearSearch = new NearSearch();
+        private var _count:CountSearch = new CountSearch();
         private var _cone:Cone = new Cone();
 
         /** @param seen the agents that questions are about */
@@ -69,7 +70,7 @@ package starlogo.queries
          * @param y the place
          * @param z the place
          * @param radius the largest distance
-         * @param wanted how many of the nearest agents are wanted; or Collector.ALL or Collector.NUMBER
+         * @param wanted how many of the nearest agents are wanted, or Collector.ALL
          * @param filter the agents that count; null for all
          * @param degrees the angle of a cone in front of the asker; from 360 on there is no cone
          * @return has the answer
@@ -81,6 +82,18 @@ package starlogo.queries
             var cone:Cone = degrees < 360 ? _cone.setTo(asker.worldPlacement(), degrees / 2) : null;
             _near.find(seen.findPlaces(), x, y, z, found, cone);
             return found;
+        }
+
+        /** Counts the agents near a place. The parameters are those of <code>near()</code>. */
+        public function countNear(asker:Agent, x:Number, y:Number, z:Number, radius:Number, filter:AgentFilter):int
+        {
+            if (filter != null && filter.accepts != null)
+            {
+                return near(asker, x, y, z, radius, Collector.ALL, filter).end();
+            }
+            requirePositive("radius", radius);
+            found.filter.begin(asker, filter);
+            return _count.count(seen.findPlaces(), x, y, z, radius * radius, found.filter);
         }
 
         /**
@@ -104,7 +117,7 @@ package starlogo.queries
             }
             seen.beginWay(search, body);
             // if one row is wanted, it may be any that touches
-            for (var other:int = answer.nextOf(search); other >= 0 && !(answer.keepsFirst && answer.count > 0); other = answer.nextOf(search))
+            for (var other:int = answer.nextOf(search); other >= 0 && !answer.hasAny; other = answer.nextOf(search))
             {
                 if (seen.narrowPhase.areTouching(body, table.bodyOf(other)))
                 {

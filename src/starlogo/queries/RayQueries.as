@@ -80,7 +80,7 @@ package starlogo.queries
             {
                 if (row != rowA && row != rowB && rays.meets(row))
                 {
-                    if (found.accepts == null)
+                    if (found.filter.accepts == null)
                     {
                         // any row will do
                         return false;

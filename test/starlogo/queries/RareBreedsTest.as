@@ -59,7 +59,7 @@ package starlogo.queries
             var wolves:AgentFilter = AgentFilter.ofBreeds("wolves");
             assertFew(_seen.findPlaces(), function(sheep:Agent):void
                 {
-                    assertEquals(0, _set.near(sheep, sheep.x, sheep.y, 0, 200, Collector.NUMBER, wolves).end());
+                    assertEquals(0, _set.countNear(sheep, sheep.x, sheep.y, 0, 200, wolves));
                 });
             assertFew(_seen.findPlaces(), function(sheep:Agent):void
                 {

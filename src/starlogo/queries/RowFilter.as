@@ -1,0 +1,123 @@
+package starlogo.queries
+{
+    import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
+    import starlogo.engine;
+
+    use namespace engine;
+
+    /**
+     * The rows that count in a question: those of the agents that an AgentFilter admits, without the agent that asks. The filter is asked
+     * about each breed once a question, when a row of the breed is met. Its <code>accepts</code> is asked last, by the Collector.
+     *
+     * @private
+     */
+    public final class RowFilter
+    {
+        /** The filter's <code>accepts</code>; null if there is none. */
+        public var accepts:Function = null;
+
+        /** Whether breeds or agents are excluded. If not, <code>admits()</code> is true for all rows. */
+        public var excludes:Boolean = false;
+
+        /** The breeds that may count, a set of NodeBreeds. */
+        public var breeds:int = NodeBreeds.ALL;
+
+        /** The row of the agent that asks, which does not count; or -1. */
+        public var askerRow:int = -1;
+
+        private var _seen:QueryWorld;
+        private var _filter:AgentFilter;
+
+        // The number of the question, from 1 on. By row: the question that excepts it. By the number of a breed: the question in which it counts,
+        // or does not count, which is less than 0 then.
+        private var _question:int = 0;
+        private var _exceptedBy:Vector.<int> = new Vector.<int>();
+        private var _breedsOf:Vector.<int> = new Vector.<int>();
+
+        /** @param seen the agents that questions are about */
+        public function RowFilter(seen:QueryWorld)
+        {
+            _seen = seen;
+        }
+
+        /**
+         * Begins a question.
+         *
+         * @param asker the agent that asks; or null
+         * @param filter the agents that count; null for all
+         */
+        public function begin(asker:Agent, filter:AgentFilter):void
+        {
+            askerRow = asker == null ? -1 : _seen.table.list.rowOf(asker);
+            _filter = filter;
+            excludes = false;
+            breeds = NodeBreeds.ALL;
+            accepts = null;
+            if (filter == null)
+            {
+                return;
+            }
+            accepts = filter.accepts;
+            _question = _question == int.MAX_VALUE ? forget() : _question + 1;
+            excludes = filter.breeds != null || filter.exceptBreeds != null;
+            if (filter.breeds != null)
+            {
+                breeds = NodeBreeds.setOfNames(filter.breeds);
+            }
+            else if (filter.exceptBreeds != null && NodeBreeds.areSetsExact)
+            {
+                breeds = ~NodeBreeds.setOfNames(filter.exceptBreeds);
+            }
+            except(filter.except);
+        }
+
+        /** Whether a row's agent counts, if it is not the one that asks. The filter's <code>accepts</code> is not asked. */
+        public function admits(row:int):Boolean
+        {
+            return !excludes || (_exceptedBy[row] != _question && admitsBreedOf(_seen.table.list.agents[row]));
+        }
+
+        private function admitsBreedOf(agent:Agent):Boolean
+        {
+            var breed:int = agent.breedNumber;
+            if (breed >= _breedsOf.length)
+            {
+                _breedsOf.length = Breeds.count;
+            }
+            var known:int = _breedsOf[breed];
+            if (known == _question || known == -_question)
+            {
+                return known > 0;
+            }
+            var counts:Boolean = _filter.admitsBreed(agent.breed);
+            _breedsOf[breed] = counts ? _question : -_question;
+            return counts;
+        }
+
+        // Marks the rows of agents that do not count.
+        private function except(agents:Vector.<Agent>):void
+        {
+            if (_exceptedBy.length < _seen.table.list.agents.length)
+            {
+                _exceptedBy.length = _seen.table.list.agents.length;
+            }
+            for (var i:int = 0; agents != null && i < agents.length; i++)
+            {
+                var row:int = agents[i] == null ? -1 : _seen.table.list.rowOf(agents[i]);
+                if (row >= 0)
+                {
+                    excludes = true;
+                    _exceptedBy[row] = _question;
+                }
+            }
+        }
+
+        // Forgets all marks. Returns the number of the first question.
+        private function forget():int
+        {
+            _exceptedBy.length = _breedsOf.length = 0;
+            return 1;
+        }
+    }
+}

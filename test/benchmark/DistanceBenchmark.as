@@ -3,9 +3,9 @@ package benchmark
     import evaluation.Measurement;
     import evaluation.Table;
     import evaluation.pairs.SeededRandom;
+    import starlogo.convex.ClosestPoints;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.intersection.distance.DistanceResult;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;
@@ -35,7 +35,7 @@ package benchmark
         private var _pair:TreePair = new TreePair();
         private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery();
         private var _distances:TreeDistanceQuery = new TreeDistanceQuery(new TreeOverlapQuery());
-        private var _closest:DistanceResult = new DistanceResult();
+        private var _closest:ClosestPoints = new ClosestPoints();
         private var _all:Vector.<Measurement> = new Vector.<Measurement>();
         private var _visits:Array = [];
 

@@ -5,12 +5,12 @@ package benchmark
     import evaluation.pairs.RandomStructures;
     import evaluation.pairs.SeededRandom;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.intersection.contact.findPairContact;
-    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.findClosest;
     import starlogo.intersection.intersects;
-    import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findTimeOfImpact;
 
     /**
@@ -25,7 +25,7 @@ package benchmark
         private var _random:SeededRandom = new SeededRandom(2210);
         private var _all:Vector.<Measurement> = new Vector.<Measurement>();
         private var _contact:ContactPoint = new ContactPoint();
-        private var _closest:DistanceResult = new DistanceResult();
+        private var _closest:ClosestPoints = new ClosestPoints();
 
         /** The table. */
         public function run():String

@@ -6,12 +6,12 @@ package benchmark
     import evaluation.pairs.SeededRandom;
     import flash.utils.ByteArray;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTraversal;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;

@@ -2,8 +2,8 @@ package support
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.convex.ClosestPoints;
     import starlogo.engine;
-    import starlogo.intersection.distance.DistanceResult;
     import starlogo.queries.DistanceQueries;
     import starlogo.search.AgentShapes;
     import starlogo.search.AgentTable;
@@ -17,7 +17,7 @@ package support
     public final class AskedDistance
     {
         /** What was found last. */
-        public var closest:DistanceResult;
+        public var closest:ClosestPoints;
 
         /** Whether the two touch. */
         public var areTouching:Boolean;

@@ -6,8 +6,8 @@ package support
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
-    import starlogo.convex.ConvexMotion;
     import starlogo.convex.ConvexShape;
+    import starlogo.convex.RelativeMotion;
 
     /** Reads test/fixtures/convex: pairs of convex shapes of all kinds, with their exact distances and times. manifest.json says what is in it. */
     public final class ConvexVectors
@@ -25,7 +25,7 @@ package support
         public var distance:Number;
 
         /** The motion of a. */
-        public var motion:ConvexMotion = new ConvexMotion();
+        public var motion:RelativeMotion = new RelativeMotion(0);
 
         /** The earliest and the latest time that is right for the first touch; 2 if there is none. */
         public var earliest:Number;

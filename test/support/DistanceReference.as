@@ -5,9 +5,9 @@ package support
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
+    import starlogo.convex.ClosestPoints;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.findClosest;
     import starlogo.solid.SolidHierarchy;
 
@@ -21,7 +21,7 @@ package support
     {
         private var _greatLand:GreatLand;
         private var _hierarchies:HierarchyReference;
-        private var _pair:DistanceResult = new DistanceResult();
+        private var _pair:ClosestPoints = new ClosestPoints();
 
         /**
          * @param greatLand has the models

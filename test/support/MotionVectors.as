@@ -2,7 +2,7 @@ package support
 {
     import flash.utils.ByteArray;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.convex.RelativeMotion;
 
     /** Reads a file of test/fixtures/motion, side by side with the pairs that move. manifest.json beside it says what is in it. */
     public final class MotionVectors

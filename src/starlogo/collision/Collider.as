@@ -2,8 +2,8 @@ package starlogo.collision
 {
     import flash.utils.getTimer;
     import starlogo.agents.Agent;
+    import starlogo.convex.ContactPoint;
     import starlogo.engine;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.search.AgentShapes;
     import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;

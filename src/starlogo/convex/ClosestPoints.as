@@ -1,14 +1,16 @@
 package starlogo.convex
 {
+    import flash.geom.Vector3D;
+    import starlogo.geometry.Placement;
+
     /**
-     * The distance of two shapes and their closest points, as a record. If the shapes overlap, the distance is 0, and both points are one point of
-     * both.
+     * The distance of two shapes and their closest points, as a record. If the shapes touch, both points are one point of both shapes.
      *
      * @private
      */
     public final class ClosestPoints
     {
-        /** The distance. ConvexPair.findCloser() looks only for a distance below it. */
+        /** The distance of the two points: 0 if the shapes touch. A search for a closer pair looks only for a distance below it. */
         public var distance:Number = Infinity;
 
         /** The point of the first shape. */
@@ -20,5 +22,82 @@ package starlogo.convex
         public var bX:Number = 0;
         public var bY:Number = 0;
         public var bZ:Number = 0;
+
+        /** Exchanges the two shapes. */
+        public function swapShapes():void
+        {
+            var x:Number = aX;
+            var y:Number = aY;
+            var z:Number = aZ;
+            aX = bX;
+            aY = bY;
+            aZ = bZ;
+            bX = x;
+            bY = y;
+            bZ = z;
+        }
+
+        /**
+         * Corrects what rounding has made of the distance, when another test knows whether the shapes touch. If they touch, the distance
+         * becomes 0 and both points move to the middle of the gap. If not, the distance becomes more than 0.
+         */
+        public function settle(areTouching:Boolean):void
+        {
+            if (areTouching)
+            {
+                distance = 0;
+                aX = bX = (aX + bX) / 2;
+                aY = bY = (aY + bY) / 2;
+                aZ = bZ = (aZ + bZ) / 2;
+            }
+            else if (!(distance > 0))
+            {
+                distance = Number.MIN_VALUE;
+            }
+        }
+
+        /** Sets both points to one. */
+        public function setPoint(point:Vector3D):void
+        {
+            aX = bX = point.x;
+            aY = bY = point.y;
+            aZ = bZ = point.z;
+        }
+
+        /** Transforms the points by a placement. */
+        public function place(placement:Placement):void
+        {
+            var size:Number = placement.size;
+            var x:Number = aX * size;
+            var y:Number = aY * size;
+            var z:Number = aZ * size;
+            aX = placement.r00 * x + placement.r01 * y + placement.r02 * z + placement.x;
+            aY = placement.r10 * x + placement.r11 * y + placement.r12 * z + placement.y;
+            aZ = placement.r20 * x + placement.r21 * y + placement.r22 * z + placement.z;
+            x = bX * size;
+            y = bY * size;
+            z = bZ * size;
+            bX = placement.r00 * x + placement.r01 * y + placement.r02 * z + placement.x;
+            bY = placement.r10 * x + placement.r11 * y + placement.r12 * z + placement.y;
+            bZ = placement.r20 * x + placement.r21 * y + placement.r22 * z + placement.z;
+        }
+
+        /** Copies another pair. */
+        public function copyFrom(other:ClosestPoints):void
+        {
+            distance = other.distance;
+            copyPoints(other);
+        }
+
+        /** Copies the points of another pair, but not the distance. */
+        public function copyPoints(other:ClosestPoints):void
+        {
+            aX = other.aX;
+            aY = other.aY;
+            aZ = other.aZ;
+            bX = other.bX;
+            bY = other.bY;
+            bZ = other.bZ;
+        }
     }
 }

@@ -23,7 +23,7 @@ package starlogo.convex
         private var _slack:Number = 0;
 
         /** Writes the point halfway between the two surfaces, relative to b's origin. */
-        public function find(cores:CorePair, out:ConvexContact):void
+        public function find(cores:CorePair, out:ContactPoint):void
         {
             if (cores.a.end > 3)
             {
@@ -51,7 +51,7 @@ package starlogo.convex
         }
 
         // Finds a core's corners that are farthest along the normal, or against it. Returns how many numbers they are.
-        private function findCorners(shape:ConvexShape, side:int, contact:ConvexContact):int
+        private function findCorners(shape:ConvexShape, side:int, contact:ContactPoint):int
         {
             var p:Vector.<Number> = shape.points;
             var x:Number = side * contact.normalX;
@@ -81,7 +81,7 @@ package starlogo.convex
         }
 
         // Writes the found corners in order around the normal (gift wrapping). Returns how many numbers they are.
-        private function wrap(end:int, contact:ConvexContact, out:Vector.<Number>):int
+        private function wrap(end:int, contact:ContactPoint, out:Vector.<Number>):int
         {
             // the first is farthest from another one
             var first:int = farthestFrom(0, end);
@@ -157,7 +157,7 @@ package starlogo.convex
         }
 
         // Returns the corner after which all others are on the left.
-        private function nextOf(at:int, end:int, contact:ConvexContact):int
+        private function nextOf(at:int, end:int, contact:ContactPoint):int
         {
             var found:Vector.<Number> = _found;
             var best:int = at;
@@ -184,7 +184,7 @@ package starlogo.convex
         }
 
         // Reduces a's polygon to what it has in common with b's.
-        private function intersect(contact:ConvexContact):void
+        private function intersect(contact:ContactPoint):void
         {
             if (_endB == 6 && _endA > 6 || _endB == 3)
             {
@@ -211,7 +211,7 @@ package starlogo.convex
         }
 
         // Clips a's polygon to b's (Sutherland and Hodgman, 1974). If nothing is left, takes b's.
-        private function clip(contact:ConvexContact):void
+        private function clip(contact:ContactPoint):void
         {
             var last:int = _endB - 3;
             for (var at:int = 0; at < _endB && _endA > 0; at += 3)
@@ -226,7 +226,7 @@ package starlogo.convex
         }
 
         // Keeps the part of a's polygon that is on the inner side of an edge of b's.
-        private function cut(edge:int, to:int, contact:ConvexContact):void
+        private function cut(edge:int, to:int, contact:ContactPoint):void
         {
             var points:Vector.<Number> = _a;
             var kept:Vector.<Number> = _clipped;
@@ -315,7 +315,7 @@ package starlogo.convex
         }
 
         // Writes the middle of the corners of a's polygon.
-        private function writeMiddle(out:ConvexContact):void
+        private function writeMiddle(out:ContactPoint):void
         {
             var count:Number = _endA / 3;
             out.x = out.y = out.z = 0;

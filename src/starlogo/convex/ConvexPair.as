@@ -24,7 +24,7 @@ package starlogo.convex
         private var _common:CommonPoint = new CommonPoint();
         private var _cores:CorePair = new CorePair();
         private var _witness:CoreWitness = new CoreWitness();
-        private var _exact:ConvexContact = new ConvexContact();
+        private var _exact:ContactPoint = new ContactPoint();
 
         // Where the motion begins: the vector from b's origin to a's. The latest time at which the shapes touch within rounding.
         private var _from:Vector3D = new Vector3D();
@@ -74,9 +74,9 @@ package starlogo.convex
          * detection", 2004). A step ends when no gap is left along the line between the closest points.
          *
          * @param motion the motion of a, and the earliest and the latest time that count; receives the time: 0 if they touch at the beginning, or
-         *     ConvexMotion.NEVER
+         *     RelativeMotion.NEVER
          */
-        public function findTime(a:ConvexShape, b:ConvexShape, motion:ConvexMotion):void
+        public function findTime(a:ConvexShape, b:ConvexShape, motion:RelativeMotion):void
         {
             relate(a, b);
             setWay(motion);
@@ -84,7 +84,7 @@ package starlogo.convex
             _from.y = _cores.y;
             _from.z = _cores.z;
             _cores.reach += Touching.marginOfMotion(motion.startX, motion.startY, motion.startZ) + Touching.marginOfMotion(motion.x, motion.y, motion.z);
-            _touch = ConvexMotion.NEVER;
+            _touch = RelativeMotion.NEVER;
             skipToBalls(motion);
             motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;
             for (var step:int = 0; step < MOST_STEPS && motion.time <= motion.latest; step++)
@@ -115,7 +115,7 @@ package starlogo.convex
          * @param motion the motion of a; a is where it is at the motion's time
          * @param out receives the contact
          */
-        public function findContact(a:ConvexShape, b:ConvexShape, motion:ConvexMotion, out:ConvexContact):void
+        public function findContact(a:ConvexShape, b:ConvexShape, motion:RelativeMotion, out:ContactPoint):void
         {
             relate(a, b);
             setWay(motion);
@@ -205,7 +205,7 @@ package starlogo.convex
         }
 
         // Sets the motion of the first core, and moves it to where the motion begins.
-        private function setWay(motion:ConvexMotion):void
+        private function setWay(motion:RelativeMotion):void
         {
             var cores:CorePair = _cores;
             var side:int = cores.isSwapped ? -1 : 1;
@@ -218,7 +218,7 @@ package starlogo.convex
         }
 
         // Sets the motion's time to when balls around the two first meet.
-        private function skipToBalls(motion:ConvexMotion):void
+        private function skipToBalls(motion:RelativeMotion):void
         {
             var cores:CorePair = _cores;
             var reach:Number = Tolerances.OUTER * (cores.reach + cores.a.size + cores.b.size);
@@ -228,12 +228,12 @@ package starlogo.convex
             {
                 var closing:Number = -(cores.x * cores.wayX + cores.y * cores.wayY + cores.z * cores.wayZ);
                 var left:Number = closing * closing - (cores.wayX * cores.wayX + cores.wayY * cores.wayY + cores.wayZ * cores.wayZ) * beyond;
-                motion.time = closing > 0 && left >= 0 ? beyond / (closing + Math.sqrt(left)) : ConvexMotion.NEVER;
+                motion.time = closing > 0 && left >= 0 ? beyond / (closing + Math.sqrt(left)) : RelativeMotion.NEVER;
             }
         }
 
         // Sets the motion's time to that of the next step. If the search ends, sets it to the time of the first touch and returns false.
-        private function advance(motion:ConvexMotion):Boolean
+        private function advance(motion:RelativeMotion):Boolean
         {
             var witness:CoreWitness = _witness;
             var cores:CorePair = _cores;
@@ -259,7 +259,7 @@ package starlogo.convex
                 refine();
             }
             var speed:Number = -(witness.normalX * cores.wayX + witness.normalY * cores.wayY + witness.normalZ * cores.wayZ);
-            var next:Number = speed > 0 ? motion.time + (witness.separation - radii) / speed : ConvexMotion.NEVER;
+            var next:Number = speed > 0 ? motion.time + (witness.separation - radii) / speed : RelativeMotion.NEVER;
             if (!(next > motion.time))
             {
                 // rounding leaves no step
@@ -319,7 +319,7 @@ package starlogo.convex
         }
 
         // Makes the contact that of the shapes in their own order: the second one moves out of the first, and is where the motion brings it.
-        private static function swapContact(motion:ConvexMotion, out:ConvexContact):void
+        private static function swapContact(motion:RelativeMotion, out:ContactPoint):void
         {
             out.x += motion.startX + motion.time * motion.x;
             out.y += motion.startY + motion.time * motion.y;

@@ -27,7 +27,7 @@ package starlogo.convex
         private var _back:Number = 0;
 
         /** Finds the displacement of a. Its length is less than 0 if the cores are apart. Only normal and depth are written. */
-        public function find(cores:CorePair, out:ConvexContact):void
+        public function find(cores:CorePair, out:ContactPoint):void
         {
             out.depth = Infinity;
             tryFaces(cores.b, cores, out);
@@ -47,7 +47,7 @@ package starlogo.convex
             }
         }
 
-        private function tryFaces(shape:ConvexShape, cores:CorePair, out:ConvexContact):void
+        private function tryFaces(shape:ConvexShape, cores:CorePair, out:ContactPoint):void
         {
             var p:Vector.<Number> = shape.points;
             var faces:Vector.<int> = shape.faces;
@@ -76,7 +76,7 @@ package starlogo.convex
             }
         }
 
-        private function tryEdges(cores:CorePair, out:ConvexContact):void
+        private function tryEdges(cores:CorePair, out:ContactPoint):void
         {
             var a:ConvexShape = cores.a;
             var end:int = readEdges(cores.b);
@@ -117,7 +117,7 @@ package starlogo.convex
         }
 
         // Tries the perpendicular of a's edge and one of b's.
-        private function tryAcross(k:int, cores:CorePair, out:ConvexContact):void
+        private function tryAcross(k:int, cores:CorePair, out:ContactPoint):void
         {
             var u:Vector.<Number> = _edge;
             var v:Vector.<Number> = _edges;
@@ -232,7 +232,7 @@ package starlogo.convex
             }
         }
 
-        private function tryUpwards(cores:CorePair, out:ConvexContact):void
+        private function tryUpwards(cores:CorePair, out:ContactPoint):void
         {
             // up for the shape that was asked about first
             var up:int = cores.isSwapped ? -1 : 1;
@@ -244,7 +244,7 @@ package starlogo.convex
         }
 
         // Tries a displacement along the direction, and the one against it.
-        private function tryDirection(cores:CorePair, out:ConvexContact):void
+        private function tryDirection(cores:CorePair, out:ContactPoint):void
         {
             measure(cores);
             var rounding:Number = Tolerances.ROUNDING * (cores.a.size + cores.b.size);
@@ -259,7 +259,7 @@ package starlogo.convex
         }
 
         // Keeps the displacement along the direction, or against it if the side is -1, if it is the shortest so far.
-        private function keep(side:int, cores:CorePair, out:ConvexContact):void
+        private function keep(side:int, cores:CorePair, out:ContactPoint):void
         {
             var depth:Number = side < 0 ? _back : _forth;
             if (depth < out.depth - Tolerances.ROUNDING * (cores.a.size + cores.b.size))

@@ -1,11 +1,11 @@
 package starlogo.ground
 {
     import starlogo.agents.Agent;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayTriangleTest;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 

@@ -3,12 +3,12 @@ package starlogo.ground
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.intersection.ConvexTriangle;
-    import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.solid.SolidHierarchy;
 
     use namespace engine;

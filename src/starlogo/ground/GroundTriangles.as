@@ -2,12 +2,12 @@ package starlogo.ground
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
     import starlogo.intersection.GapToBox;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 

@@ -2,12 +2,10 @@ package starlogo.ground
 {
     import flash.geom.Vector3D;
     import starlogo.convex.ClosestPoints;
-    import starlogo.convex.ConvexMotion;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.distance.DistanceResult;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 
@@ -46,11 +44,9 @@ package starlogo.ground
         private var _part:Vector.<Number> = new Vector.<Number>(9, true);
         private var _hasPart:Boolean = false;
         private var _nearest:Number = 0;
-        private var _closest:ClosestPoints = new ClosestPoints();
 
-        // The motion of the search for the first touch, and none.
-        private var _sweep:ConvexMotion = new ConvexMotion();
-        private var _still:ConvexMotion = new ConvexMotion();
+        // The motion of the search for the first touch.
+        private var _sweep:RelativeMotion = new RelativeMotion();
 
         /** Whether the two overlap or touch where the model stands. */
         public function areOverlapping():Boolean
@@ -201,7 +197,7 @@ package starlogo.ground
             begin(null, RelativeMotion.NONE, reach);
             while (next())
             {
-                _piece.findBehind(_still, _tried);
+                _piece.findBehind(RelativeMotion.NONE, _tried);
                 if (_tried.depth >= -_faces.gap && (!_hasPart || isPartBehind()))
                 {
                     count = addExit(ways, count);
@@ -235,10 +231,10 @@ package starlogo.ground
          *
          * @param areTouching whether they overlap. If so, a point of both is found
          */
-        public function findClosest(areTouching:Boolean, out:DistanceResult):void
+        public function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
             setNearest();
-            _closest.distance = _nearest;
+            out.distance = _nearest;
             if (_tree == null)
             {
                 setPiece(_structure);
@@ -285,14 +281,13 @@ package starlogo.ground
         }
 
         // Measures the distances of all pairs of a piece and a triangle, and keeps the closest points of the nearest ones.
-        private function measure(out:DistanceResult):void
+        private function measure(out:ClosestPoints):void
         {
             while (next())
             {
-                if (_piece.findCloser(_closest))
+                if (_piece.findCloser(out))
                 {
-                    _nearest = _faces.reach = _closest.distance;
-                    out.copyConvex(_closest);
+                    _nearest = _faces.reach = out.distance;
                 }
             }
         }
@@ -305,7 +300,7 @@ package starlogo.ground
             begin(_tree, RelativeMotion.NONE, 0);
             while (next())
             {
-                var isUnder:Boolean = _piece.findBehind(_still, _tried);
+                var isUnder:Boolean = _piece.findBehind(RelativeMotion.NONE, _tried);
                 if (deepest > 0 && _tried.depth < deepest + _faces.gap)
                 {
                     continue;
@@ -316,7 +311,7 @@ package starlogo.ground
                     deepest = _tried.depth;
                     if (overlaps)
                     {
-                        _piece.leadOutside(_still, _tried);
+                        _piece.leadOutside(RelativeMotion.NONE, _tried);
                     }
                     else
                     {
@@ -334,7 +329,7 @@ package starlogo.ground
             {
                 return false;
             }
-            _piece.findContact(_still, _tried);
+            _piece.findContact(RelativeMotion.NONE, _tried);
             return true;
         }
 

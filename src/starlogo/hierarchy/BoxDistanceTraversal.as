@@ -3,11 +3,11 @@ package starlogo.hierarchy
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
+    import starlogo.convex.ClosestPoints;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.BoxAxes;
-    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.findClosest;
 
     use namespace engine;
@@ -29,7 +29,7 @@ package starlogo.hierarchy
         public var structure:BoundingStructure = null;
 
         /** The closest points of the nearest pair, in the first model's space. */
-        public var points:DistanceResult = new DistanceResult();
+        public var points:ClosestPoints = new ClosestPoints();
 
         // An estimate is smaller than the distances below it by this fraction, which is more than the errors of rounding and nesting.
         private static const SLACK:Number = 1e-12;
@@ -45,7 +45,7 @@ package starlogo.hierarchy
         private var _directionY:Number;
         private var _directionZ:Number;
 
-        private var _measured:DistanceResult = new DistanceResult();
+        private var _measured:ClosestPoints = new ClosestPoints();
         private var _boxA:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _boxB:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _moved:BoundingStructure = _boxB.clone();
@@ -168,7 +168,7 @@ package starlogo.hierarchy
         /** @inheritDoc */
         override protected function settle(a:HierarchyNode, b:HierarchyNode, leaves:LeafTest):void
         {
-            var found:DistanceResult = _measured;
+            var found:ClosestPoints = _measured;
             if (leaves == null)
             {
                 measure(a, b);

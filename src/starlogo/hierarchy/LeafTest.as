@@ -1,8 +1,8 @@
 package starlogo.hierarchy
 {
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
     import starlogo.intersection.TriangleTest;
-    import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.distance.DistanceResult;
 
     /**
      * Decides about two leaves by their contents: whether they touch, when they touch, or how far they are apart. Abstract: a lower package
@@ -16,7 +16,7 @@ package starlogo.hierarchy
         public var triangleTests:int = 0;
 
         /** For distances: the closest points of the leaves tested, and their distance, in the first model's space. */
-        public var points:DistanceResult = null;
+        public var points:ClosestPoints = null;
 
         /** Whether a leaf of the first model touches a leaf of the second, or is nearer than <code>least</code>. */
         public function touch(a:HierarchyNode, b:HierarchyNode):Boolean

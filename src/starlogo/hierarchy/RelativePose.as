@@ -1,10 +1,10 @@
 package starlogo.hierarchy
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Touching;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 

@@ -5,11 +5,11 @@ package starlogo.hierarchy
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.intersects;
-    import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findTimeOfImpact;
 
     use namespace engine;

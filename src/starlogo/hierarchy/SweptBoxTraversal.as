@@ -1,10 +1,10 @@
 package starlogo.hierarchy
 {
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.sweep.BoxSweep;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 

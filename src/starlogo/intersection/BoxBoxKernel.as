@@ -3,12 +3,11 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexPair;
     import starlogo.convex.ConvexShape;
-    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.intersection.contact.LeastOverlap;
-    import starlogo.intersection.distance.DistanceResult;
-    import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findBoxImpact;
 
     /**
@@ -23,7 +22,6 @@ package starlogo.intersection
         private var _pair:ConvexPair = new ConvexPair();
         private var _a:ConvexShape = new ConvexShape();
         private var _b:ConvexShape = new ConvexShape();
-        private var _closest:ClosestPoints = new ClosestPoints();
 
         /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
@@ -38,12 +36,11 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
+        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
             _a.setBox(a as Box);
             _b.setBox(b as Box);
-            _pair.findClosest(_a, _b, _closest);
-            out.copyConvex(_closest);
+            _pair.findClosest(_a, _b, out);
         }
     }
 }

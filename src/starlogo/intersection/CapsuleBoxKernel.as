@@ -4,15 +4,15 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.LeastOverlap;
     import starlogo.intersection.contact.placeContact;
     import starlogo.intersection.distance.RoundGap;
-    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.moveToSurfaces;
     import starlogo.intersection.sweep.NewtonSteps;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     /** The kernel of a capsule and a box. It works in the box's axes, mirrored so that no component of the capsule's axis is negative. */
     internal final class CapsuleBoxKernel extends PairKernel
@@ -69,7 +69,7 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
+        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
             var capsule:Capsule = a as Capsule;
             var box:Box = b as Box;

@@ -3,15 +3,15 @@ package starlogo.intersection
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Capsule;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.LeastOverlap;
     import starlogo.intersection.contact.placeContact;
     import starlogo.intersection.distance.RoundGap;
-    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.moveToSurfaces;
     import starlogo.intersection.sweep.NewtonSteps;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     /** The kernel of two capsules. */
     internal final class CapsuleCapsuleKernel extends PairKernel
@@ -75,7 +75,7 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
+        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
             // The order is always the same, so that rounding is the same for (a, b) and (b, a).
             var capsule:Capsule = a as Capsule;

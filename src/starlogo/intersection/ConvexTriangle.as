@@ -3,14 +3,13 @@ package starlogo.intersection
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
-    import starlogo.convex.ConvexContact;
-    import starlogo.convex.ConvexMotion;
+    import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexPair;
     import starlogo.convex.ConvexShape;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.contact.ContactPoint;
 
     use namespace engine;
 
@@ -42,8 +41,6 @@ package starlogo.intersection
         private var _triangle:ConvexShape = new ConvexShape();
         private var _face:ContactPoint = new ContactPoint();
         private var _deepest:DeepestPoint = new DeepestPoint();
-
-        private var _contact:ConvexContact = new ConvexContact();
 
         /**
          * Begins with a structure.
@@ -87,9 +84,9 @@ package starlogo.intersection
         /**
          * Finds when the shape first touches the triangle while it moves.
          *
-         * @param motion of the shape; receives the time, or ConvexMotion.NEVER
+         * @param motion of the shape; receives the time, or RelativeMotion.NEVER
          */
-        public function findTime(motion:ConvexMotion):void
+        public function findTime(motion:RelativeMotion):void
         {
             prepare();
             _pair.findTime(shape, _triangle, motion);
@@ -101,11 +98,10 @@ package starlogo.intersection
          * @param motion of the shape; the shape is where it is at the motion's time
          * @param out receives the contact, with a normal that points from the triangle to the shape
          */
-        public function findContact(motion:ConvexMotion, out:ContactPoint):void
+        public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
             prepare();
-            _pair.findContact(shape, _triangle, motion, _contact);
-            out.copyConvex(_contact);
+            _pair.findContact(shape, _triangle, motion, out);
         }
 
         /**
@@ -115,7 +111,7 @@ package starlogo.intersection
          * @param motion the motion of <code>findContact()</code>
          * @param contact the contact that it found
          */
-        public function leadOutside(motion:ConvexMotion, contact:ContactPoint):void
+        public function leadOutside(motion:RelativeMotion, contact:ContactPoint):void
         {
             // Where a moving shape first touches a sharp edge, the normal may point behind one of the edge's faces.
             var isFirstTouch:Boolean = motion.time > 0
@@ -139,7 +135,7 @@ package starlogo.intersection
          *     has no area
          * @return whether this point is behind the triangle itself
          */
-        public function findBehind(motion:ConvexMotion, out:ContactPoint):Boolean
+        public function findBehind(motion:RelativeMotion, out:ContactPoint):Boolean
         {
             setFace();
             out.setNormal(_face.normalX, _face.normalY, _face.normalZ);
@@ -168,7 +164,7 @@ package starlogo.intersection
         }
 
         /** Whether the shape stays on one side of the triangle's plane until the motion's latest time. A quick test. */
-        public function staysBeside(motion:ConvexMotion):Boolean
+        public function staysBeside(motion:RelativeMotion):Boolean
         {
             prepare();
             setFace();

@@ -1,8 +1,8 @@
 package starlogo.intersection
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexShape;
-    import starlogo.intersection.contact.ContactPoint;
 
     /**
      * Finds the point of a convex shape that is farthest against a normal. If there are several, it is their middle. NaN if the normal is NaN.

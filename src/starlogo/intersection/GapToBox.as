@@ -2,8 +2,8 @@ package starlogo.intersection
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.RelativeMotion;
     import starlogo.intersection.contact.Zonotope;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     /**
      * Finds a direction along which a structure and an axis-aligned box are apart, and how far. The gap is a lower bound of their distance:

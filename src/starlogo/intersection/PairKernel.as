@@ -1,9 +1,9 @@
 package starlogo.intersection
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.distance.DistanceResult;
-    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
 
     /**
      * The kernel of a pair of kinds: it tests, sweeps and measures two structures. PairTable has the kernel of each pair. This class is the
@@ -60,7 +60,7 @@ package starlogo.intersection
          * @param out receives the distance and the points
          * @throws ArgumentError if the pair has no such test
          */
-        public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
+        public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
             throw missing("distance", a, b);
         }

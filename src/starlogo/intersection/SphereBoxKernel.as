@@ -4,14 +4,14 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Sphere;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.placeContact;
     import starlogo.intersection.distance.RoundGap;
-    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.moveToSurfaces;
     import starlogo.intersection.sweep.NewtonSteps;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     /** The kernel of a sphere and a box. It works in the box's axes. */
     internal final class SphereBoxKernel extends PairKernel
@@ -90,7 +90,7 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
+        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
             var sphere:Sphere = a as Sphere;
             var box:Box = b as Box;

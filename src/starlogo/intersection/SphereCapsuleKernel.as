@@ -4,14 +4,14 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.placeContact;
     import starlogo.intersection.distance.RoundGap;
-    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.moveToSurfaces;
     import starlogo.intersection.sweep.NewtonSteps;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     /** The kernel of a sphere and a capsule. */
     internal final class SphereCapsuleKernel extends PairKernel
@@ -86,7 +86,7 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
+        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
             var sphere:Sphere = a as Sphere;
             var capsule:Capsule = b as Capsule;

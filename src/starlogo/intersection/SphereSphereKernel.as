@@ -3,12 +3,12 @@ package starlogo.intersection
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
-    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.intersection.contact.placeContact;
     import starlogo.intersection.distance.RoundGap;
-    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.moveToSurfaces;
-    import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findSphereEntry;
 
     /**
@@ -67,7 +67,7 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
+        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
             var sphere:Sphere = a as Sphere;
             var other:Sphere = b as Sphere;

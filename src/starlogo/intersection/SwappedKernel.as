@@ -1,9 +1,9 @@
 package starlogo.intersection
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.distance.DistanceResult;
-    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
 
     /** The kernel of two kinds in the order opposite to that of another kernel. It asks the other kernel, and swaps the answer back. */
     internal final class SwappedKernel extends PairKernel
@@ -40,7 +40,7 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
+        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
             _kernel.findClosest(b, a, out);
             out.swapShapes();

@@ -2,9 +2,9 @@ package starlogo.intersection
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
+    import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.sweep.BoxSweep;
-    import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findBoxImpact;
 
     // The sweep of two boxes (BoxSweep) tries the same axes, and a motion of no length gives the same answer. This function has arithmetic

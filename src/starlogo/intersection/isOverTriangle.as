@@ -1,7 +1,7 @@
 package starlogo.intersection
 {
     import flash.geom.Vector3D;
-    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.convex.ContactPoint;
 
     /**
      * Whether a point is over a triangle or behind it: its foot on the triangle's plane is in the triangle. False if the normal or the point is NaN.

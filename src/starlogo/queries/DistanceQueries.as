@@ -5,9 +5,9 @@ package starlogo.queries
     import starlogo.agents.Breeds;
     import starlogo.bounding.Sphere;
     import starlogo.collision.Collider;
+    import starlogo.convex.ClosestPoints;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.findClosest;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
@@ -24,7 +24,7 @@ package starlogo.queries
     public final class DistanceQueries
     {
         /** What <code>measure()</code> found last: the distance, and the closest points in the world. */
-        public var closest:DistanceResult = new DistanceResult();
+        public var closest:ClosestPoints = new ClosestPoints();
 
         private var _set:QuerySet;
         private var _point:Sphere = new Sphere(new Vector3D(), 0);

@@ -1,7 +1,7 @@
 package starlogo.queries
 {
     import flash.geom.Vector3D;
-    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.convex.ContactPoint;
 
     /**
      * Keeps how a ray or a moving body meets rows, until the answer of the question is known. It also keeps the RayHits or ShapeHits that no

@@ -1,6 +1,6 @@
 package starlogo.queries
 {
-    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.convex.ContactPoint;
 
     /**
      * What the core of a body meets first on a motion. CoreSweep writes it.

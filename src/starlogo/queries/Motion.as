@@ -1,7 +1,7 @@
 package starlogo.queries
 {
     import flash.geom.Vector3D;
-    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.convex.ContactPoint;
 
     /**
      * How a motion of a body has ended. Mover writes it.

@@ -1,8 +1,8 @@
 package starlogo.queries
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.search.Body;
     import starlogo.search.NumberList;
 

@@ -1,10 +1,10 @@
 package starlogo.queries
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NumberList;

@@ -1,6 +1,6 @@
 package starlogo.queries
 {
-    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.convex.ContactPoint;
 
     /**
      * The deepest overlap of a body with some rows. OverlapRecovery writes it.

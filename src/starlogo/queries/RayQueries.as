@@ -2,10 +2,10 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireInWorld;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.isAfter;
     import starlogo.intersection.ray.Ray;
     import starlogo.search.Body;

@@ -1,8 +1,8 @@
 package starlogo.queries
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.contact.ContactPoint;
 
     /**
      * Keeps the rest of a motion, and the planes of the contacts that it has met. It projects the rest on these planes (Fauerby, "Improved

@@ -1,7 +1,7 @@
 package starlogo.queries
 {
     import flash.geom.Vector3D;
-    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.convex.ContactPoint;
 
     /**
      * How the beginning of a motion lifts a body out of what it overlaps a little: the way, and the contacts that it leads out of.

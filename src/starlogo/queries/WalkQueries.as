@@ -3,9 +3,9 @@ package starlogo.queries
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.agents.PlatformLink;
+    import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.geometry.Trigonometry;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.ray.Ray;
     import starlogo.search.AgentTable;
     import starlogo.search.Body;

@@ -7,9 +7,9 @@ package starlogo.search
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.PairSink;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
-    import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 

@@ -1,10 +1,10 @@
 package starlogo.search
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 

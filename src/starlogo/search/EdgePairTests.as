@@ -1,11 +1,11 @@
 package starlogo.search
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.distance.DistanceResult;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 
@@ -124,7 +124,7 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:DistanceResult):void
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             findOuterContact(a, b, _touch);
             var gap:Number = -_penetration[_nearest];

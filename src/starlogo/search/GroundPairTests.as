@@ -2,15 +2,15 @@ package starlogo.search
 {
     import flash.geom.Vector3D;
     import starlogo.broadphase.Extents;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.ground.GroundEarlyOut;
     import starlogo.ground.GroundRay;
     import starlogo.ground.HeightGrid;
     import starlogo.ground.TerrainPair;
-    import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.ray.Ray;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 
@@ -141,7 +141,7 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:DistanceResult):void
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             pairOf(a, b).findClosest(areTouching, out);
         }

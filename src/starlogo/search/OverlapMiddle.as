@@ -1,8 +1,8 @@
 package starlogo.search
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ContactPoint;
     import starlogo.engine;
-    import starlogo.intersection.contact.ContactPoint;
 
     use namespace engine;
 

@@ -1,10 +1,10 @@
 package starlogo.search
 {
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
-    import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.ray.Ray;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 
@@ -134,7 +134,7 @@ package starlogo.search
          * @param areTouching whether the two touch
          * @param out receives the distance and the closest points, in the world
          */
-        public function findClosest(a:Body, b:Body, areTouching:Boolean, out:DistanceResult):void
+        public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
         }
 

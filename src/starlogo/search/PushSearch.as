@@ -1,7 +1,7 @@
 package starlogo.search
 {
     import flash.geom.Vector3D;
-    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.convex.ContactPoint;
 
     /**
      * Finds the shortest push that leads out of several contacts. A contact requires a push of at least its depth along its normal.

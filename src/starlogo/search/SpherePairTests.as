@@ -3,13 +3,13 @@ package starlogo.search
     import flash.geom.Vector3D;
     import starlogo.bounding.Sphere;
     import starlogo.broadphase.Extents;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.SphereSphereKernel;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.distance.RoundGap;
-    import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findSphereEntry;
 
     use namespace engine;

@@ -2,12 +2,12 @@ package starlogo.search
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.intersection.boxBox;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.findPairContact;
     import starlogo.intersection.intersects;
-    import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findTimeOfImpact;
 
     use namespace engine;

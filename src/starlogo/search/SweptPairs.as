@@ -6,10 +6,10 @@ package starlogo.search
     import starlogo.broadphase.BinLevels;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.ContactInterval;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 

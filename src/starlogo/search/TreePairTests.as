@@ -1,10 +1,10 @@
 package starlogo.search
 {
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.distance.DistanceResult;
-    import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.solid.TreeDistanceQuery;
     import starlogo.solid.TreeImpactQuery;
     import starlogo.solid.TreeOverlapQuery;
@@ -102,7 +102,7 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:DistanceResult):void
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             setPair(a, b);
             _distances.findClosest(_pair, areTouching, out);

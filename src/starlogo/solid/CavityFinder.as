@@ -1,6 +1,6 @@
 package starlogo.solid
 {
-    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.convex.ContactPoint;
     import starlogo.steps.StepSequence;
 
     /**

@@ -7,7 +7,6 @@ package starlogo.solid
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.intersection.distance.DistanceResult;
 
     use namespace engine;
 
@@ -19,8 +18,7 @@ package starlogo.solid
         private var _a:ConvexShape = new ConvexShape();
         private var _b:ConvexShape = new ConvexShape();
 
-        // The nearest pair so far, and its squared distance.
-        private var _nearest:ClosestPoints = new ClosestPoints();
+        // The squared distance of the nearest pair so far, which is in <code>points</code>.
         private var _squared:Number = 0;
 
         // The vector from the first model's point to the second's in the nearest pair, and the place along it beyond which a triangle of
@@ -32,14 +30,14 @@ package starlogo.solid
 
         public function LeafDistanceTest()
         {
-            points = new DistanceResult();
+            points = new ClosestPoints();
         }
 
         /** Begins with two models that have triangles. The pose must relate them already. Returns this. */
         public function begin(a:SolidHierarchy, b:SolidHierarchy, pose:RelativePose):LeafTest
         {
             _triangles.begin(a, b, pose);
-            _nearest.distance = _squared = Infinity;
+            points.distance = _squared = Infinity;
             return this;
         }
 
@@ -48,13 +46,12 @@ package starlogo.solid
         {
             _triangles.move(b);
             var count:int = b.end - b.first;
-            for (var i:int = 0; i < count && _nearest.distance > 0; i++)
+            for (var i:int = 0; i < count && points.distance > 0; i++)
             {
                 addTriangle(a, i);
             }
-            var isNearer:Boolean = _nearest.distance < least;
-            least = _nearest.distance;
-            points.copyConvex(_nearest);
+            var isNearer:Boolean = points.distance < least;
+            least = points.distance;
             return isNearer;
         }
 
@@ -121,9 +118,9 @@ package starlogo.solid
                 {
                     triangleTests++;
                     _a.setTriangle(solid.corners, 9 * i);
-                    if (_pair.findCloser(_a, _b, _nearest))
+                    if (_pair.findCloser(_a, _b, points))
                     {
-                        limit = _squared = _nearest.distance * _nearest.distance;
+                        limit = _squared = points.distance * points.distance;
                         isProjected = false;
                     }
                 }
@@ -133,9 +130,9 @@ package starlogo.solid
         // Measures a triangle of the second model along the line between the closest points so far.
         private function projectTo(corners:Vector.<Number>, at:int):void
         {
-            var alongX:Number = _nearest.bX - _nearest.aX;
-            var alongY:Number = _nearest.bY - _nearest.aY;
-            var alongZ:Number = _nearest.bZ - _nearest.aZ;
+            var alongX:Number = points.bX - points.aX;
+            var alongY:Number = points.bY - points.aY;
+            var alongZ:Number = points.bZ - points.aZ;
             var p:Number = alongX * corners[at] + alongY * corners[int(at + 1)] + alongZ * corners[int(at + 2)];
             var q:Number = alongX * corners[int(at + 3)] + alongY * corners[int(at + 4)] + alongZ * corners[int(at + 5)];
             var r:Number = alongX * corners[int(at + 6)] + alongY * corners[int(at + 7)] + alongZ * corners[int(at + 8)];

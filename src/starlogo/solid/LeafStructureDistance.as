@@ -7,7 +7,6 @@ package starlogo.solid
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.ConvexTriangle;
-    import starlogo.intersection.distance.DistanceResult;
 
     use namespace engine;
 
@@ -25,7 +24,7 @@ package starlogo.solid
 
         public function LeafStructureDistance()
         {
-            points = new DistanceResult();
+            points = new ClosestPoints();
         }
 
         /**
@@ -59,7 +58,7 @@ package starlogo.solid
             if (isNearer)
             {
                 least = _nearest.distance;
-                points.copyConvex(_nearest);
+                points.copyFrom(_nearest);
                 points.swapShapes();
             }
             return isNearer;

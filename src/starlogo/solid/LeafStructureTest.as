@@ -2,7 +2,9 @@ package starlogo.solid
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.convex.ConvexMotion;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
@@ -11,10 +13,7 @@ package starlogo.solid
     import starlogo.hierarchy.MovingBoxTraversal;
     import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.ConvexTriangle;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.Zonotope;
-    import starlogo.intersection.distance.DistanceResult;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 
@@ -39,7 +38,7 @@ package starlogo.solid
         private var _solid:Solid;
         private var _planes:Vector.<Number>;
         private var _motion:RelativeMotion;
-        private var _sweep:ConvexMotion = new ConvexMotion();
+        private var _sweep:RelativeMotion = new RelativeMotion();
         private var _test:ConvexTriangle = new ConvexTriangle();
 
         // The extents of the structure's core and of its motion: least x, greatest x, least y, ... The core of a round structure is a point
@@ -206,7 +205,7 @@ package starlogo.solid
          * If a corner of the triangle that is touched first is inside of a structure, writes it in place of both closest points. Only after a triangle
          * was touched.
          */
-        public function takeCorner(structure:BoundingStructure, out:DistanceResult):void
+        public function takeCorner(structure:BoundingStructure, out:ClosestPoints):void
         {
             _corner.setTo(_solid.corners[_first], _solid.corners[int(_first + 1)], _solid.corners[int(_first + 2)]);
             if (structure.contains(_corner))
@@ -233,7 +232,7 @@ package starlogo.solid
             _sweep.earliest = 0;
             if (gap > 0)
             {
-                _sweep.earliest = closing > 0 ? gap / closing : ConvexMotion.NEVER;
+                _sweep.earliest = closing > 0 ? gap / closing : RelativeMotion.NEVER;
             }
         }
 

@@ -1,14 +1,13 @@
 package starlogo.solid
 {
-    import starlogo.convex.ConvexContact;
-    import starlogo.convex.ConvexMotion;
+    import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexPair;
     import starlogo.convex.ConvexShape;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.intersection.contact.ContactPoint;
 
     use namespace engine;
 
@@ -19,8 +18,7 @@ package starlogo.solid
         private var _pair:ConvexPair = new ConvexPair();
         private var _a:ConvexShape = new ConvexShape();
         private var _b:ConvexShape = new ConvexShape();
-        private var _motion:ConvexMotion = new ConvexMotion();
-        private var _contact:ConvexContact = new ConvexContact();
+        private var _motion:RelativeMotion = new RelativeMotion();
 
         // How far off a plane corners have to be to be certainly on one side of it.
         private var _off:Number = 0;
@@ -49,9 +47,9 @@ package starlogo.solid
             _triangles.move(b);
             var gap:Number = _triangles.outerGap;
             var solid:Solid = _triangles.solidA;
-            var motion:ConvexMotion = _motion;
+            var motion:RelativeMotion = _motion;
             var latest:Number = least;
-            least = ConvexMotion.NEVER;
+            least = RelativeMotion.NEVER;
             var corners:Vector.<Number> = _triangles.moved;
             var spans:Vector.<Number> = _triangles.extents;
             var extents:Vector.<Number> = solid.extents;
@@ -139,8 +137,7 @@ package starlogo.solid
             _a.setTriangle(_triangles.solidA.corners, _firstA);
             _b.setTriangle(_corners, 0);
             _motion.time = pose.motion.time;
-            _pair.findContact(_b, _a, _motion, _contact);
-            out.copyConvex(_contact);
+            _pair.findContact(_b, _a, _motion, out);
             out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
         }
     }

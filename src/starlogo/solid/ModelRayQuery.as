@@ -1,11 +1,11 @@
 package starlogo.solid
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.MovingBoxTraversal;
     import starlogo.hierarchy.RayTraversal;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayTriangleTest;
 

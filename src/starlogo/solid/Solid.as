@@ -1,13 +1,13 @@
 package starlogo.solid
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.MovingBoxTraversal;
     import starlogo.hierarchy.PackedTree;
     import starlogo.intersection.TriangleTest;
-    import starlogo.intersection.contact.ContactPoint;
 
     use namespace engine;
 

@@ -1,13 +1,13 @@
 package starlogo.solid
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ClosestPoints;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxDistanceTraversal;
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.StructureLeaf;
-    import starlogo.intersection.distance.DistanceResult;
 
     use namespace engine;
 
@@ -58,7 +58,7 @@ package starlogo.solid
          * @param areTouching whether the two overlap. If so, a point of both is found
          * @param out receives the distance and the points, in the world
          */
-        public function findClosest(pair:TreePair, areTouching:Boolean, out:DistanceResult):void
+        public function findClosest(pair:TreePair, areTouching:Boolean, out:ClosestPoints):void
         {
             _pose.relate(pair.placementA, pair.placementB);
             if (pair.b == null)

@@ -3,6 +3,8 @@ package starlogo.solid
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
@@ -10,9 +12,7 @@ package starlogo.solid
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.StructureLeaf;
     import starlogo.hierarchy.SweptBoxTraversal;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.findPairContact;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 

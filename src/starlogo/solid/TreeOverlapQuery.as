@@ -1,6 +1,7 @@
 package starlogo.solid
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ClosestPoints;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTraversal;
@@ -8,7 +9,6 @@ package starlogo.solid
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.StructureLeaf;
-    import starlogo.intersection.distance.DistanceResult;
 
     use namespace engine;
 
@@ -109,7 +109,7 @@ package starlogo.solid
          * @param out receives the point twice; left as it is if no such point is known
          * @return the placement of the model in whose space the points are
          */
-        public function findCommonPoint(pair:TreePair, out:DistanceResult):Placement
+        public function findCommonPoint(pair:TreePair, out:ClosestPoints):Placement
         {
             _pose.relate(pair.placementA, pair.placementB);
             if (isOneInside(pair.a, pair.b, pair.structureB))

@@ -18,7 +18,7 @@ export class Kernels {
 	constructor(engine) {
 		this.engine = engine;
 		this.motion = new engine.RelativeMotion();
-		this.result = new engine.DistanceResult();
+		this.result = new engine.ClosestPoints();
 		this.touch = new engine.ContactPoint();
 	}
 
@@ -56,9 +56,9 @@ export class Core {
 		this.engine = engine;
 		this.hulls = new WeakMap();
 		this.pair = new engine.ConvexPair();
-		this.motion = new engine.ConvexMotion();
+		this.motion = new engine.RelativeMotion();
 		this.result = new engine.ClosestPoints();
-		this.touch = new engine.ConvexContact();
+		this.touch = new engine.ContactPoint();
 	}
 
 	asMade(each) {
@@ -95,7 +95,7 @@ export class Core {
 	}
 
 	contact(a, b) {
-		this.pair.findContact(a, b, new this.engine.ConvexMotion(), this.touch);
+		this.pair.findContact(a, b, new this.engine.RelativeMotion(0), this.touch);
 		return contactOf(this.touch);
 	}
 }

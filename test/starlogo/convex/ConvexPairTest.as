@@ -23,7 +23,7 @@ package starlogo.convex
         private var _structures:RandomStructures = new RandomStructures(_random);
         private var _pair:ConvexPair = new ConvexPair();
         private var _points:ClosestPoints = new ClosestPoints();
-        private var _contact:ConvexContact = new ConvexContact();
+        private var _contact:ContactPoint = new ContactPoint();
         private var _wrong:Complaints = new Complaints();
 
         private var _a:ConvexShape;
@@ -72,7 +72,7 @@ package starlogo.convex
         {
             var touching:int = 0;
             var count:int = 0;
-            var motion:ConvexMotion = new ConvexMotion();
+            var motion:RelativeMotion = new RelativeMotion(0);
             forAll(Effort.choose(40, 2000), function():void
                 {
                     if (_random.chance(0.3))
@@ -99,9 +99,9 @@ package starlogo.convex
         public function theOtherOrderGivesTheSameBits():void
         {
             var other:ClosestPoints = new ClosestPoints();
-            var swapped:ConvexContact = new ConvexContact();
-            var motion:ConvexMotion = new ConvexMotion();
-            var back:ConvexMotion = new ConvexMotion();
+            var swapped:ContactPoint = new ContactPoint();
+            var motion:RelativeMotion = new RelativeMotion(0);
+            var back:RelativeMotion = new RelativeMotion(0);
             var hits:int = 0;
             forAll(Effort.choose(40, 1000), function():void
                 {
@@ -136,7 +136,7 @@ package starlogo.convex
         [Test]
         public function timesAreThoseOfTheFirstTouch():void
         {
-            var motion:ConvexMotion = new ConvexMotion();
+            var motion:RelativeMotion = new RelativeMotion(0);
             var hits:int = 0;
             var misses:int = 0;
             forAll(Effort.choose(40, 1000), function():void
@@ -159,12 +159,12 @@ package starlogo.convex
                     else
                     {
                         misses++;
-                        _wrong.addIf(time != ConvexMotion.NEVER, "never", what);
+                        _wrong.addIf(time != RelativeMotion.NEVER, "never", what);
                         _wrong.addIf(leastGap(motion) < -1e-12 * _size, "missed", what);
                     }
                     motion.latest = time / 2 < 1 ? time / 2 : 1;
                     _pair.findTime(_a, _b, motion);
-                    _wrong.addIf(motion.time != ConvexMotion.NEVER, "latest", what + ": " + motion.time);
+                    _wrong.addIf(motion.time != RelativeMotion.NEVER, "latest", what + ": " + motion.time);
                     motion.latest = 1;
                 });
             _wrong.assertNone();
@@ -175,7 +175,7 @@ package starlogo.convex
         [Test]
         public function shortWaysOfLevelShapesAreExact():void
         {
-            var motion:ConvexMotion = new ConvexMotion();
+            var motion:RelativeMotion = new RelativeMotion(0);
             var hits:int = 0;
             var count:int = 0;
             forAll(Effort.choose(60, 2000), function():void
@@ -215,7 +215,7 @@ package starlogo.convex
         [Test]
         public function contactsSeparate():void
         {
-            var still:ConvexMotion = new ConvexMotion();
+            var still:RelativeMotion = new RelativeMotion(0);
             var deep:int = 0;
             forAll(Effort.choose(40, 1000), function():void
                 {
@@ -255,7 +255,7 @@ package starlogo.convex
         [Test]
         public function boxesOfIntegersAreExact():void
         {
-            var still:ConvexMotion = new ConvexMotion();
+            var still:RelativeMotion = new RelativeMotion(0);
             var touching:int = 0;
             var corners:int = 0;
             for (var i:int = Effort.choose(2000, 100000); i > 0; i--)
@@ -378,7 +378,7 @@ package starlogo.convex
         }
 
         // A motion that comes from a multiple of the sizes away to a place beside b, and as far again.
-        private function setMotion(motion:ConvexMotion, from:Number, aside:Number):void
+        private function setMotion(motion:RelativeMotion, from:Number, aside:Number):void
         {
             var way:Vector3D = _structures.direction();
             var beside:Vector3D = _structures.direction();
@@ -392,31 +392,31 @@ package starlogo.convex
             motion.z = 2 * way.z + beside.z;
         }
 
-        private function there(motion:ConvexMotion, time:Number):ConvexShape
+        private function there(motion:RelativeMotion, time:Number):ConvexShape
         {
             return RandomConvex.moved(_a, motion.startX + time * motion.x, motion.startY + time * motion.y, motion.startZ + time * motion.z);
         }
 
-        private function gapAt(motion:ConvexMotion, time:Number):Number
+        private function gapAt(motion:RelativeMotion, time:Number):Number
         {
             _pair.findClosest(there(motion, time), _b, _points);
             return _points.distance;
         }
 
         // Less than 0 if the two overlap.
-        private function signedGapAt(motion:ConvexMotion, time:Number):Number
+        private function signedGapAt(motion:RelativeMotion, time:Number):Number
         {
             var gap:Number = gapAt(motion, time);
             if (gap > 0)
             {
                 return gap;
             }
-            _pair.findContact(there(motion, time), _b, new ConvexMotion(), _contact);
+            _pair.findContact(there(motion, time), _b, new RelativeMotion(0), _contact);
             return -_contact.depth;
         }
 
         // The distance is a convex function of time.
-        private function leastGap(motion:ConvexMotion):Number
+        private function leastGap(motion:RelativeMotion):Number
         {
             var low:Number = 0;
             var high:Number = 1;

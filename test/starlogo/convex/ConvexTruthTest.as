@@ -140,8 +140,8 @@ package starlogo.convex
             var needle:ConvexShape = new ConvexShape();
             needle.setTriangle(new <Number>[-3.366928442494316e-7, -0.34300726614292376, 0, 3.366928442494316e-7, -0.34300726614292376, 0,
                         1.4118034968611342e-8, 0.34300726614292376, 0], 0);
-            var contact:ConvexContact = new ConvexContact();
-            _pair.findContact(capsule, needle, new ConvexMotion(), contact);
+            var contact:ContactPoint = new ContactPoint();
+            _pair.findContact(capsule, needle, new RelativeMotion(0), contact);
             assertTrue("depth " + contact.depth, Math.abs(contact.depth - 1.382978180131195e-9) < 1e-12);
         }
 
@@ -159,8 +159,8 @@ package starlogo.convex
 
         private function checkContactPoint(a:ConvexShape, b:ConvexShape, allowed:Number):void
         {
-            var contact:ConvexContact = new ConvexContact();
-            _pair.findContact(a, b, new ConvexMotion(), contact);
+            var contact:ContactPoint = new ContactPoint();
+            _pair.findContact(a, b, new RelativeMotion(0), contact);
             var point:Vector3D = new Vector3D(contact.x, contact.y, contact.z);
             var beside:Number = Math.max(_draw.outside(a, point), _draw.outside(b, point));
             _wrong.addIf(!(beside <= allowed), "contact point", point + ", outside by " + beside);
@@ -220,11 +220,11 @@ package starlogo.convex
         // The depth is right, and moving by it along the normal separates the two.
         private function checkContact(pairs:ConvexVectors):Number
         {
-            var contact:ConvexContact = new ConvexContact();
+            var contact:ContactPoint = new ContactPoint();
             var points:ClosestPoints = new ClosestPoints();
-            _pair.findContact(pairs.a, pairs.b, new ConvexMotion(), contact);
-            var swapped:ConvexContact = new ConvexContact();
-            _pair.findContact(pairs.b, pairs.a, new ConvexMotion(), swapped);
+            _pair.findContact(pairs.a, pairs.b, new RelativeMotion(0), contact);
+            var swapped:ContactPoint = new ContactPoint();
+            _pair.findContact(pairs.b, pairs.a, new RelativeMotion(0), swapped);
             var isSame:Boolean = contact.depth == swapped.depth && contact.normalX == -swapped.normalX && contact.normalY == -swapped.normalY
                 && contact.normalZ == -swapped.normalZ;
             // shapes in one place have no side from which they come
@@ -246,9 +246,9 @@ package starlogo.convex
 
         private function checkTime(pairs:ConvexVectors):void
         {
-            var motion:ConvexMotion = pairs.motion;
+            var motion:RelativeMotion = pairs.motion;
             _pair.findTime(pairs.a, pairs.b, motion);
-            var isRight:Boolean = pairs.earliest > 1 ? motion.time == ConvexMotion.NEVER : motion.time >= pairs.earliest && motion.time <= pairs.latest;
+            var isRight:Boolean = pairs.earliest > 1 ? motion.time == RelativeMotion.NEVER : motion.time >= pairs.earliest && motion.time <= pairs.latest;
             _wrong.addIf(!isRight, "time", pairs.what + ": " + motion.time + ", not between " + pairs.earliest + " and " + pairs.latest);
         }
     }

@@ -9,10 +9,10 @@ package starlogo.intersection
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
     import starlogo.convex.ClosestPoints;
-    import starlogo.convex.ConvexMotion;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.intersection.contact.ContactPoint;
     import support.Complaints;
     import support.Effort;
     import support.PlainDistance;
@@ -41,7 +41,7 @@ package starlogo.intersection
             {
                 var structure:BoundingStructure = _structures.ofKind(i % 3, _random.logBetween(0.02, 2), 2);
                 var corners:Vector.<Number> = anyTriangle(i % 4);
-                var motion:ConvexMotion = new ConvexMotion();
+                var motion:RelativeMotion = new RelativeMotion(0);
                 motion.x = _random.between(-4, 4);
                 motion.y = _random.between(-4, 4);
                 motion.z = _random.chance(0.2) ? 0 : _random.between(-4, 4);
@@ -91,7 +91,7 @@ package starlogo.intersection
                 var way:Vector3D = normal.crossProduct(new Vector3D(_random.normal(), _random.normal(), _random.normal()));
                 way.scaleBy(_random.logBetween(0.001, 1));
                 way.decrementBy(new Vector3D(2 * gap * normal.x, 2 * gap * normal.y, 2 * gap * normal.z));
-                var motion:ConvexMotion = new ConvexMotion();
+                var motion:RelativeMotion = new RelativeMotion(0);
                 motion.x = way.x;
                 motion.y = way.y;
                 motion.z = way.z;
@@ -104,7 +104,7 @@ package starlogo.intersection
             assertTrue(hits + " hits", hits > 100);
         }
 
-        private function touchesBefore(structure:BoundingStructure, corners:Vector.<Number>, motion:ConvexMotion, end:Number):Boolean
+        private function touchesBefore(structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion, end:Number):Boolean
         {
             for (var k:int = 1; k <= 16; k++)
             {
@@ -124,7 +124,7 @@ package starlogo.intersection
             {
                 var structure:BoundingStructure = _structures.ofKind(i % 3, _random.logBetween(0.02, 2), 2);
                 var corners:Vector.<Number> = anyTriangle(i % 4);
-                var motion:ConvexMotion = new ConvexMotion();
+                var motion:RelativeMotion = new RelativeMotion(0);
                 motion.x = _random.between(-4, 4);
                 motion.y = _random.between(-4, 4);
                 motion.z = _random.between(-4, 4);
@@ -157,16 +157,16 @@ package starlogo.intersection
                     corners[6 + k] = corners[k] + share * (corners[3 + k] - corners[k]);
                 }
                 triangle.setTriangle(corners, 0);
-                _wrong.addIf(triangle.findBehind(new ConvexMotion(), out), "behind", "triangle " + corners);
+                _wrong.addIf(triangle.findBehind(new RelativeMotion(0), out), "behind", "triangle " + corners);
             }
             _wrong.assertNone();
         }
 
-        private static function timeOf(sweep:ConvexTriangle, structure:BoundingStructure, corners:Vector.<Number>, motion:ConvexMotion):Number
+        private static function timeOf(sweep:ConvexTriangle, structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion):Number
         {
             sweep.begin(structure, new Placement());
             sweep.setTriangle(corners, 0);
-            motion.time = ConvexMotion.NEVER;
+            motion.time = RelativeMotion.NEVER;
             if (!sweep.staysBeside(motion))
             {
                 sweep.findTime(motion);
@@ -174,7 +174,7 @@ package starlogo.intersection
             return motion.time;
         }
 
-        private function assertContact(structure:BoundingStructure, corners:Vector.<Number>, motion:ConvexMotion, sweep:ConvexTriangle, message:String):void
+        private function assertContact(structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion, sweep:ConvexTriangle, message:String):void
         {
             var there:BoundingStructure = moved(structure, motion, motion.time);
             _wrong.addIf(!areTouching(there, corners, NEAR), "no touch", message);
@@ -236,7 +236,7 @@ package starlogo.intersection
             return numbers;
         }
 
-        private static function moved(structure:BoundingStructure, motion:ConvexMotion, time:Number):BoundingStructure
+        private static function moved(structure:BoundingStructure, motion:RelativeMotion, time:Number):BoundingStructure
         {
             return structure.clone().translate(new Vector3D(time * motion.x, time * motion.y, time * motion.z));
         }

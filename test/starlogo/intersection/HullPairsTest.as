@@ -8,12 +8,12 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Hull;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
-    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.findPairContact;
-    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.findClosest;
-    import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findTimeOfImpact;
     import support.Effort;
 
@@ -37,7 +37,7 @@ package starlogo.intersection
             {
                 var box:Box = Box(_structures.ofKind(BoundingStructure.BOX, _random.logBetween(0.2, 2), 1));
                 var other:BoundingStructure = _structures.ofKind(_random.pick(KINDS), _random.logBetween(0.2, 2), 1);
-                var result:DistanceResult = new DistanceResult();
+                var result:ClosestPoints = new ClosestPoints();
                 findClosest(box, other, result);
                 var isTouching:Boolean = intersects(box, other);
                 touching += isTouching ? 1 : 0;
@@ -56,7 +56,7 @@ package starlogo.intersection
 
         private static function compareDistance(name:String, expected:Number, a:BoundingStructure, b:BoundingStructure):void
         {
-            var result:DistanceResult = new DistanceResult();
+            var result:ClosestPoints = new ClosestPoints();
             findClosest(a, b, result);
             assertTrue(name + ": distance " + result.distance + " instead of " + expected, Math.abs(result.distance - expected) < NEAR);
             var between:Number = Vector3D.distance(new Vector3D(result.aX, result.aY, result.aZ), new Vector3D(result.bX, result.bY, result.bZ));

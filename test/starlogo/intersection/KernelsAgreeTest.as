@@ -7,9 +7,9 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
-    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.intersection.contact.findPairContact;
-    import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findTimeOfImpact;
 
     /** The tests of structures that stand still, which are written out for speed, answer as the kernels of the same pairs do. */

@@ -8,11 +8,11 @@ package starlogo.intersection
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Cylinder;
     import starlogo.bounding.Sphere;
-    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.intersection.contact.findPairContact;
-    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.findClosest;
-    import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findTimeOfImpact;
 
     /** A pair that has no test says so, and leaves the results as they were. */
@@ -31,7 +31,7 @@ package starlogo.intersection
 
         private var _motion:RelativeMotion = new RelativeMotion(OLD);
         private var _contact:ContactPoint = new ContactPoint();
-        private var _closest:DistanceResult = new DistanceResult();
+        private var _closest:ClosestPoints = new ClosestPoints();
 
         [Before]
         public function moveTowardsEachOther():void

@@ -5,11 +5,11 @@ package starlogo.intersection
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.intersection.contact.findPairContact;
-    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.distance.findClosest;
-    import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.findTimeOfImpact;
     import support.Complaints;
     import support.MotionVectors;
@@ -39,8 +39,8 @@ package starlogo.intersection
         private static const TIME:Number = 1e-8;
         private static const NORMAL:Number = 1e-5;
 
-        private var _pair:DistanceResult = new DistanceResult();
-        private var _turned:DistanceResult = new DistanceResult();
+        private var _pair:ClosestPoints = new ClosestPoints();
+        private var _turned:ClosestPoints = new ClosestPoints();
         private var _displacement:RelativeMotion = new RelativeMotion(0);
         private var _touch:ContactPoint = new ContactPoint();
         private var _back:ContactPoint = new ContactPoint();

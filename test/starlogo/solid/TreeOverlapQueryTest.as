@@ -9,6 +9,7 @@ package starlogo.solid
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.convex.ClosestPoints;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -18,7 +19,6 @@ package starlogo.solid
     import starlogo.hierarchy.Hierarchy;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.intersection.distance.DistanceResult;
     import starlogo.intersection.intersects;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
@@ -86,7 +86,7 @@ package starlogo.solid
             var cube:SolidHierarchy = hierarchyOf(BuiltInModel.cube());
             var stands:Placement = new Placement();
             var pair:TreePair = new TreePair();
-            var out:DistanceResult = new DistanceResult();
+            var out:ClosestPoints = new ClosestPoints();
             for (var at:int = bear.corners.length - 9; at > cube.corners.length; at -= 900)
             {
                 var sphere:Sphere = new Sphere(new Vector3D(bear.corners[at], bear.corners[at + 1], bear.corners[at + 2]), 1e-6);

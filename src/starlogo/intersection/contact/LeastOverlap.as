@@ -2,8 +2,9 @@ package starlogo.intersection.contact
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     /**
      * Finds the shortest displacement that separates two structures that are sums of segments: two boxes, two axes of capsules, or a capsule's

@@ -5,8 +5,8 @@ package starlogo.intersection.contact
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     /**
      * A structure's core as a sum of segments about a middle: three segments for a box, one for a capsule's axis, none for a sphere's centre. A hull

@@ -1,8 +1,9 @@
 package starlogo.intersection.contact
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.intersection.PairTable;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     /**
      * Finds the contact of two structures: where they touch, or how they overlap.

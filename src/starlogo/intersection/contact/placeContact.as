@@ -1,5 +1,6 @@
 package starlogo.intersection.contact
 {
+    import starlogo.convex.ContactPoint;
     import starlogo.intersection.distance.RoundGap;
 
     /**

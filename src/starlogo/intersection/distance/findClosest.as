@@ -1,6 +1,7 @@
 package starlogo.intersection.distance
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ClosestPoints;
     import starlogo.intersection.PairTable;
 
     /**
@@ -16,7 +17,7 @@ package starlogo.intersection.distance
      * @throws ArgumentError if there is no such test for the pair
      * @private
      */
-    public function findClosest(a:BoundingStructure, b:BoundingStructure, out:DistanceResult):void
+    public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
     {
         PairTable.OF[a.kind].against[b.kind].findClosest(a, b, out);
     }

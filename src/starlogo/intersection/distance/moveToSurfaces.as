@@ -1,5 +1,7 @@
 package starlogo.intersection.distance
 {
+    import starlogo.convex.ClosestPoints;
+
     /**
      * Finds the distance of two structures and their closest points from the gap between their cores. If the structures overlap, both points
      * become one point. It lies on the line through the cores' closest points, in the middle of the part inside of both structures.
@@ -8,7 +10,7 @@ package starlogo.intersection.distance
      * @param out has the first core's closest point in aX, aY, aZ; receives the distance and both points
      * @private
      */
-    public function moveToSurfaces(gap:RoundGap, out:DistanceResult):void
+    public function moveToSurfaces(gap:RoundGap, out:ClosestPoints):void
     {
         var x:Number = gap.x;
         var y:Number = gap.y;

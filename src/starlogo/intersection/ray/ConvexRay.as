@@ -3,10 +3,10 @@ package starlogo.intersection.ray
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
-    import starlogo.convex.ConvexContact;
-    import starlogo.convex.ConvexMotion;
+    import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexPair;
     import starlogo.convex.ConvexShape;
+    import starlogo.convex.RelativeMotion;
 
     /**
      * Narrows rays to the part inside of any convex structure. A point that moves along the ray meets the structure where the ray enters it, and a
@@ -21,8 +21,8 @@ package starlogo.intersection.ray
         private var _place:Sphere = new Sphere(new Vector3D(), 0);
         private var _point:ConvexShape = new ConvexShape();
         private var _shape:ConvexShape = new ConvexShape();
-        private var _motion:ConvexMotion = new ConvexMotion();
-        private var _contact:ConvexContact = new ConvexContact();
+        private var _motion:RelativeMotion = new RelativeMotion();
+        private var _contact:ContactPoint = new ContactPoint();
 
         /**
          * Narrows a ray.

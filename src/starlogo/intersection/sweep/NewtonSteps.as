@@ -1,5 +1,6 @@
 package starlogo.intersection.sweep
 {
+    import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.distance.RoundGap;
 

@@ -2,6 +2,7 @@ package starlogo.intersection.sweep
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
+    import starlogo.convex.RelativeMotion;
     import starlogo.intersection.BoxAxes;
 
     /**

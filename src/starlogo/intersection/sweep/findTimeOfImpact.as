@@ -1,6 +1,7 @@
 package starlogo.intersection.sweep
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.RelativeMotion;
     import starlogo.intersection.PairTable;
 
     /**

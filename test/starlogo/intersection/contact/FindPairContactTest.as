@@ -9,8 +9,9 @@ package starlogo.intersection.contact
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.intersection.intersects;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     /** Contacts part what overlaps, and lie in the middle of it. */
     public class FindPairContactTest

@@ -1,28 +1,26 @@
-package starlogo.intersection.contact
+package starlogo.convex
 {
     import flash.geom.Vector3D;
-    import starlogo.convex.ConvexContact;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     /**
-     * The contact of two structures: the point, the normal and the depth.
+     * How two shapes touch or overlap, as a record: the point, the normal and the depth.
      *
      * @private
      */
     public final class ContactPoint
     {
-        /** The middle of the overlap, in the structures' space. */
+        /** The middle of the overlap, in the shapes' space. */
         public var x:Number = 0;
         public var y:Number = 0;
         public var z:Number = 0;
 
-        /** The direction that separates the first structure from the second: a unit vector. */
+        /** The direction that separates the first shape from the second: a unit vector. */
         public var normalX:Number = 0;
         public var normalY:Number = 0;
         public var normalZ:Number = 1;
 
-        /** The length of the overlap along the normal, at least 0. It is 0 if the structures just touch. */
+        /** The length of the overlap along the normal, at least 0. It is 0 if the shapes just touch. */
         public var depth:Number = 0;
 
         /** The length that the normal had before <code>normalise()</code>. */
@@ -47,23 +45,11 @@ package starlogo.intersection.contact
             depth = other.depth;
         }
 
-        /** Copies a contact of two convex shapes. */
-        public function copyConvex(contact:ConvexContact):void
-        {
-            x = contact.x;
-            y = contact.y;
-            z = contact.z;
-            normalX = contact.normalX;
-            normalY = contact.normalY;
-            normalZ = contact.normalZ;
-            depth = contact.depth;
-        }
-
         /**
-         * Turns this into the contact of the same structures in the other order. In that order the other structure is displaced, in the
+         * Turns this into the contact of the same shapes in the other order. In that order the other shape is displaced, in the
          * opposite direction.
          *
-         * @param motion the other structure's motion; the structure is where it is at the motion's time
+         * @param motion the other shape's motion; the shape is where it is at the motion's time
          */
         public function swapBodies(motion:RelativeMotion):void
         {

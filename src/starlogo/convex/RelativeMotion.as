@@ -1,37 +1,39 @@
-package starlogo.intersection.sweep
+package starlogo.convex
 {
     import starlogo.geometry.Tolerances;
 
     /**
-     * A sweep of one structure against another that stands still: the straight motion from time 0 to time 1, without rotation or growth, and
-     * the time of impact that a test writes. If both move, it is the first structure's motion minus the second's. It has plain fields, which
-     * the pair tests read and write, because V8 would allocate objects for Numbers that are passed or returned.
+     * A sweep of one shape against another that stands still, as a record: the straight motion from time 0 to time 1, without rotation or
+     * growth, and the time of impact that a test writes. If both move, it is the first shape's motion minus the second's.
      *
      * @private
      */
     public final class RelativeMotion
     {
-        /** The time of impact of structures that do not touch. */
+        /** The time of impact of shapes that do not touch. */
         public static const NEVER:Number = Infinity;
 
-        /** The motion of a structure that stands still, at time 0. Nothing writes to it. */
+        /** The motion of a shape that stands still, at time 0. Nothing writes to it. */
         public static const NONE:RelativeMotion = new RelativeMotion(0);
 
-        /** The vector from the structure's stored place to its place at time 0. */
+        /** The vector from the shape's stored place to its place at time 0. */
         public var startX:Number = 0;
         public var startY:Number = 0;
         public var startZ:Number = 0;
 
-        /** The vector from the structure's place at time 0 to its place at time 1. */
+        /** The vector from the shape's place at time 0 to its place at time 1. */
         public var x:Number = 0;
         public var y:Number = 0;
         public var z:Number = 0;
 
         /**
-         * The time of impact: when the structures first touch, from 0 to 1, or NEVER. For contacts it is an input: the time at which they
+         * The time of impact: when the shapes first touch, from 0 to 1, or NEVER. For contacts it is an input: the time at which they
          * touch.
          */
         public var time:Number;
+
+        /** A time before which the shapes certainly do not touch; 0 if none is known. A search that begins there takes fewer steps. */
+        public var earliest:Number = 0;
 
         /** The latest time of impact that counts, from 0 to 1. A test may still find a later one. */
         public var latest:Number = 1;
@@ -44,7 +46,7 @@ package starlogo.intersection.sweep
             this.time = time;
         }
 
-        /** Sets a motion that ends at the structure's stored place, at time 1. */
+        /** Sets a motion that ends at the shape's stored place, at time 1. */
         public function endAfter(x:Number, y:Number, z:Number):void
         {
             this.x = x;
@@ -64,7 +66,7 @@ package starlogo.intersection.sweep
             startZ = motion.startZ + at * motion.z;
         }
 
-        /** Makes this the motion of the other structure while the first one stands still, with the same time. */
+        /** Makes this the motion of the other shape while the first one stands still, with the same time. */
         public function setReversed(motion:RelativeMotion):void
         {
             x = -motion.x;
@@ -74,6 +76,7 @@ package starlogo.intersection.sweep
             startY = -motion.startY;
             startZ = -motion.startZ;
             time = motion.time;
+            earliest = motion.earliest;
             latest = motion.latest;
         }
 

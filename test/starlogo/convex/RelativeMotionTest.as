@@ -1,4 +1,4 @@
-package starlogo.intersection.sweep
+package starlogo.convex
 {
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;

@@ -1,5 +1,6 @@
 package starlogo.search
 {
+    import starlogo.broadphase.BinLevels;
     import starlogo.broadphase.CellLists;
     import starlogo.engine;
 
@@ -22,8 +23,11 @@ package starlogo.search
         private static const OF_ALL:int = 8;
         private static const OF_FAST:int = 20;
 
-        private var _search:CollisionSearch;
         private var _table:AgentTable;
+        private var _tests:CandidateTests;
+        private var _motions:SweptPairs;
+        private var _levels:BinLevels;
+        private var _order:PairOrder;
 
         // The pairs of the last search, and their number. They are kept unless somebody else has written other pairs there, or they are void.
         private var _pairs:FoundPairs = null;
@@ -36,9 +40,9 @@ package starlogo.search
         // The members of the last search.
         private var _cells:CellLists;
 
-        // What the pairs depend on besides the rows: the interests and other settings; the ground and the edges; whether there was a filter.
-        private var _interests:BreedInterests = null;
-        private var _settings:Vector.<int> = new Vector.<int>(4, true);
+        // The conditions of the last search; and whether this one is like it, and few rows have changed. The ground and the edges then.
+        private var _conditions:SearchConditions = new SearchConditions();
+        private var _isLikeLast:Boolean = false;
         private var _fixtures:Vector.<WorldAgent> = new <WorldAgent>[null, null];
         private var _edges:Vector.<Number> = null;
         private var _groundRevision:int = 0;
@@ -48,12 +52,21 @@ package starlogo.search
         private var _changedIn:Vector.<int> = new Vector.<int>();
         private var _changed:NumberList = new NumberList();
 
-        /** @param search makes the tests */
-        public function KeptPairs(search:CollisionSearch)
+        /**
+         * @param table has the rows
+         * @param tests finds the pairs among candidates
+         * @param motions of the rows, if an agent sweeps
+         * @param levels of the bins
+         * @param order sorts pairs
+         */
+        public function KeptPairs(table:AgentTable, tests:CandidateTests, motions:SweptPairs, levels:BinLevels, order:PairOrder)
         {
-            _search = search;
-            _table = search.table;
-            _cells = new CellLists(search.bins.levels);
+            _table = table;
+            _tests = tests;
+            _motions = motions;
+            _levels = levels;
+            _order = order;
+            _cells = new CellLists(levels);
         }
 
         /** The number of rows that take part. */
@@ -69,95 +82,87 @@ package starlogo.search
         }
 
         /**
-         * Begins a search. The table has been read.
+         * Takes the pairs of a search of all rows, if it was like the one before. If it was not, the next one is not likely to be.
          *
-         * @return whether the search is like the last one, and few rows have changed. Then call <code>find()</code>
+         * @param members the rows that take part
          */
-        public function begin(interests:BreedInterests):Boolean
+        public function keep(conditions:SearchConditions, pairs:FoundPairs, members:Vector.<int>, memberCount:int):void
         {
-            var isSame:Boolean = interests === _interests;
-            _interests = interests;
-            var trees:TreePairTests = _search.narrowPhase.trees;
-            isSame = isStill(0, interests.revision) && isSame;
-            isSame = isStill(1, trees == null || trees.exact ? 0 : trees.maxDepth) && isSame;
-            isSame = isStill(2, _search.isSwept ? 1 : 0) && isSame;
-            isSame = isStill(3, _search.takePart == null ? 0 : 1) && isSame;
-            var among:int = _search.areSpheres || !interests.areAll ? OF_FAST : OF_ALL;
-            var changes:int = _table.places.moved.count + _table.list.departed.count;
-            if (_search.isSwept)
+            if (!_isLikeLast)
             {
-                changes += _table.places.movedBefore.count;
+                return;
             }
-            isSame = isSame && among * changes <= _table.list.count;
-            _isValid = _isValid && isSame;
-            return isSame;
-        }
-
-        /** Takes the pairs of a search of all rows. */
-        public function keep(out:FoundPairs, members:Vector.<int>, memberCount:int):void
-        {
-            _cells.begin(_search.extents, members, memberCount, _table.list.agents.length);
-            note(out);
-            hasFixtureChanged(ListedAgents.GROUND);
-            hasFixtureChanged(ListedAgents.EDGES);
+            _cells.begin(conditions.isSwept ? _motions.extents : _table.extents, members, memberCount, _table.list.agents.length);
+            note(pairs);
+            noteFixture(ListedAgents.GROUND);
+            noteFixture(ListedAgents.EDGES);
         }
 
         /**
-         * Finds the pairs.
+         * Finds the pairs of a search, if it is like the last one and few rows have changed. The table has been read.
          *
-         * @param out has the pairs of the last search, and takes those of this one
-         * @return false if the search has to be one of all rows. It is not touched then
+         * @param pairs has the pairs of the last search, and gets those of this one
+         * @return whether it has found them. If not, the search has to be one of all rows
          */
-        public function find(out:FoundPairs):Boolean
+        public function find(conditions:SearchConditions, pairs:FoundPairs):Boolean
         {
-            if (!_isValid || out !== _pairs || out.number != _pairsNumber)
+            _isLikeLast = conditions.isLike(_conditions) && haveFewChanged(conditions);
+            _conditions.copyFrom(conditions);
+            if (!_isValid || !_isLikeLast || pairs !== _pairs || pairs.number != _pairsNumber)
             {
+                _isValid = false;
                 return false;
             }
             // they are not if the search throws
             _isValid = false;
             _number++;
             listChanged();
-            if (_search.isSwept)
+            if (conditions.isSwept)
             {
-                _search.motions.find(_table, _search.bins.levels, _changed.numbers, _changed.count);
+                _motions.find(_table, _levels, _changed.numbers, _changed.count);
             }
             placeChanged();
             if (!_cells.areCellsValid())
             {
                 return false;
             }
-            _search.writeTo(_found);
+            _tests.begin(_found);
             for (var i:int = 0; i < _changed.count; i++)
             {
                 if (_cells.has(_changed.numbers[i]))
                 {
-                    _cells.findNear(_changed.numbers[i], _changedIn, _number, _search);
+                    _cells.findNear(_changed.numbers[i], _changedIn, _number, _tests);
                 }
             }
             findAtFixture(ListedAgents.GROUND);
             findAtFixture(ListedAgents.EDGES);
-            out.drop(_table.list, _changedIn, _number);
-            out.merge(_found, _search.order.sort(_found, _search.isSwept));
-            note(out);
+            pairs.drop(_table.list, _changedIn, _number);
+            pairs.merge(_found, _order.sort(_found, conditions.isSwept));
+            note(pairs);
             return true;
         }
 
-        private function note(out:FoundPairs):void
+        private function haveFewChanged(conditions:SearchConditions):Boolean
         {
-            _pairs = out;
-            _pairsNumber = out.number;
+            var interests:BreedInterests = conditions.interests;
+            var among:int = conditions.areSpheres || interests != null && !interests.areAll ? OF_FAST : OF_ALL;
+            var changes:int = _table.places.moved.count + _table.list.departed.count;
+            if (conditions.isSwept)
+            {
+                changes += _table.places.movedBefore.count;
+            }
+            return among * changes <= _table.list.count;
+        }
+
+        private function note(pairs:FoundPairs):void
+        {
+            _pairs = pairs;
+            _pairsNumber = pairs.number;
             _isValid = true;
         }
 
-        private function isStill(setting:int, value:int):Boolean
-        {
-            var before:int = _settings[setting];
-            _settings[setting] = value;
-            return before == value;
-        }
-
-        private function hasFixtureChanged(row:int):Boolean
+        // Notes the ground, or the edges of the world. Returns whether they have changed since they were noted last.
+        private function noteFixture(row:int):Boolean
         {
             var agent:WorldAgent = _table.list.agents[row] as WorldAgent;
             var isSame:Boolean = agent === _fixtures[row];
@@ -187,11 +192,11 @@ package starlogo.search
             _cells.makeRows(length);
             mark(_table.places.moved);
             mark(_table.list.departed);
-            if (_search.isSwept)
+            if (_conditions.isSwept)
             {
                 mark(_table.places.movedBefore);
             }
-            if (_search.takePart != null)
+            if (_conditions.takePart != null)
             {
                 markFiltered();
             }
@@ -220,7 +225,7 @@ package starlogo.search
             var rows:Vector.<int> = _table.list.rows;
             for (var i:int = 0; i < _table.list.count; i++)
             {
-                if (_search.isMember(rows[i]) != _cells.has(rows[i]))
+                if (_tests.isMember(rows[i]) != _cells.has(rows[i]))
                 {
                     markRow(rows[i]);
                 }
@@ -233,7 +238,7 @@ package starlogo.search
             for (var i:int = 0; i < _changed.count; i++)
             {
                 var row:int = _changed.numbers[i];
-                if (_table.list.agents[row] != null && _search.isMember(row))
+                if (_table.list.agents[row] != null && _tests.isMember(row))
                 {
                     _cells.put(row);
                 }
@@ -247,13 +252,13 @@ package starlogo.search
         // The pairs of changed rows with the ground or the edges; of all rows, if the ground or the edges have changed themselves.
         private function findAtFixture(fixture:int):void
         {
-            var hasChanged:Boolean = hasFixtureChanged(fixture);
+            var hasChanged:Boolean = noteFixture(fixture);
             if (hasChanged)
             {
                 _changedIn[fixture] = _number;
             }
             var rows:Vector.<int> = hasChanged ? _table.list.rows : _changed.numbers;
-            _search.findAtFixture(fixture, rows, hasChanged ? _table.list.count : _changed.count);
+            _tests.findAtFixture(fixture, rows, hasChanged ? _table.list.count : _changed.count);
         }
     }
 }

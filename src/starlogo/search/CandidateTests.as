@@ -1,0 +1,154 @@
+package starlogo.search
+{
+    import starlogo.broadphase.BinLevel;
+    import starlogo.broadphase.PairSink;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+
+    use namespace engine;
+
+    /**
+     * Takes the candidates of the broad phase, and writes those pairs of them that touch and whose breeds are of interest. Agents that sweep are
+     * tested along their motions.
+     */
+    internal final class CandidateTests extends PairSink
+    {
+        /** The number of candidates whose breeds are of interest. */
+        public var candidatePairs:int = 0;
+
+        private var _table:AgentTable;
+        private var _narrowPhase:NarrowPhase;
+        private var _motions:SweptPairs;
+        private var _conditions:SearchConditions;
+
+        // Takes the pairs.
+        private var _out:FoundPairs = null;
+
+        // The rows that are tested with the ground or the edges of the world.
+        private var _atFixture:Vector.<int> = new Vector.<int>();
+
+        /**
+         * @param table has the rows
+         * @param narrowPhase tests which of them touch
+         * @param motions of the rows, if an agent sweeps
+         * @param conditions of the search under way
+         */
+        public function CandidateTests(table:AgentTable, narrowPhase:NarrowPhase, motions:SweptPairs, conditions:SearchConditions)
+        {
+            _table = table;
+            _narrowPhase = narrowPhase;
+            _motions = motions;
+            _conditions = conditions;
+        }
+
+        /** Begins a search, whose pairs go to out. */
+        public function begin(out:FoundPairs):void
+        {
+            candidatePairs = 0;
+            out.begin(_table.list);
+            _out = out;
+        }
+
+        /** Ends the search. */
+        public function end():void
+        {
+            _out = null;
+        }
+
+        /** Whether the agent of a row takes part in the search. */
+        public function isMember(row:int):Boolean
+        {
+            var interests:BreedInterests = _conditions.interests;
+            var takePart:Vector.<Boolean> = _conditions.takePart;
+            return _table.shapes[row] != null && (interests == null || interests.indexOfNumber(_table.breeds[row]) >= 0)
+                && (takePart == null || takePart[_table.list.ranks[row]]);
+        }
+
+        /** @inheritDoc */
+        override public function onCandidates(row:int, others:Vector.<int>, count:int, level:BinLevel):void
+        {
+            var interests:BreedInterests = _conditions.interests;
+            if (interests != null && !interests.areAll)
+            {
+                count = interests.keepOfInterest(_table.breeds, row, others, count);
+            }
+            candidatePairs += count;
+            if (_conditions.isSwept)
+            {
+                count = keepTouchingMotions(row, others, count, level);
+            }
+            else if (_conditions.areSpheres)
+            {
+                _narrowPhase.spheres.writeTouching(_table, level.slack, row, others, count, _out);
+                return;
+            }
+            else
+            {
+                count = _narrowPhase.keepTouching(_table, level.slack, row, others, count);
+            }
+            _out.addPairs(row, others, count);
+        }
+
+        /**
+         * Finds the pairs of rows with the ground, or with the edges of the world, if these take part. It tests only members whose breeds are of
+         * interest together with the fixture's breed.
+         *
+         * @param fixture the row of the ground or of the edges
+         * @param rows the rows
+         * @param length their number
+         */
+        public function findAtFixture(fixture:int, rows:Vector.<int>, length:int):void
+        {
+            if (_table.list.agents[fixture] == null || !_conditions.interests.isEntered(fixture))
+            {
+                return;
+            }
+            var others:Vector.<int> = _atFixture;
+            var count:int = 0;
+            for (var i:int = 0; i < length; i++)
+            {
+                if (isMember(rows[i]))
+                {
+                    others[count] = rows[i];
+                    count++;
+                }
+            }
+            count = _conditions.interests.keepOfInterest(_table.breeds, fixture, others, count);
+            if (_conditions.isSwept)
+            {
+                count = keepTouchingMotions(fixture, others, count, null);
+            }
+            else
+            {
+                var body:Body = _table.bodyOf(fixture);
+                count = _narrowPhase.testsOf(body, body).keepRows(_table, others, count, body);
+            }
+            _out.addPairs(fixture, others, count);
+        }
+
+        // Keeps the rows that touch a row on their motions, and writes the times. There is no level for the ground and the edges, whose extents say
+        // nothing.
+        private function keepTouchingMotions(row:int, others:Vector.<int>, count:int, level:BinLevel):int
+        {
+            var at:int = _out.count;
+            var ranks:Vector.<int> = _table.list.ranks;
+            var rank:int = ranks[row];
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                // the time belongs to the motion of the agent that comes first in the list, relative to the other
+                var isFirst:Boolean = rank < ranks[other];
+                _motions.findTime(_table, level, isFirst ? row : other, isFirst ? other : row, null);
+                var time:Number = _motions.foundTime;
+                if (time != RelativeMotion.NEVER)
+                {
+                    others[kept] = other;
+                    _out.times[int(at + kept)] = time;
+                    kept++;
+                }
+            }
+            return kept;
+        }
+    }
+}

@@ -4,9 +4,8 @@ package starlogo.search
     import starlogo.agents.Breeds;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
-    import starlogo.broadphase.Bins;
-    import starlogo.broadphase.Extents;
     import starlogo.convex.ContactPoint;
+    import starlogo.engine;
 
     use namespace engine;
 

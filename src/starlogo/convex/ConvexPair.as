@@ -71,7 +71,8 @@ package starlogo.convex
         /**
          * Finds when a moving shape first touches another one. The distance is a convex function of the time. So Newton's method from the left never
          * steps over its first zero (van den Bergen, "Ray casting against general convex objects with application to continuous collision
-         * detection", 2004). A step ends when no gap is left along the line between the closest points.
+         * detection", 2004). A step ends when no gap is left along the line between the closest points. Should rounding need more than 80 steps,
+         * the time is that of the last step: the shapes do not touch before, and their gap is at most rounding.
          *
          * @param motion the motion of a, and the earliest and the latest time that count; receives the time: 0 if they touch at the beginning, or
          *     RelativeMotion.NEVER
@@ -105,7 +106,10 @@ package starlogo.convex
                     return;
                 }
             }
-            motion.time = _touch;
+            if (!(motion.time <= motion.latest))
+            {
+                motion.time = _touch;
+            }
         }
 
         /**

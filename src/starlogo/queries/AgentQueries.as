@@ -445,8 +445,9 @@ package starlogo.queries
          * list. Nothing moves.
          *
          * <p>An agent stops the structure if it would stop an agent of this shape in <code>moveUntilTouch()</code>: the structure would go
-         * into it. The structure may touch an agent at the beginning. That agent does not stop it if the way leaves the agent or runs along
-         * it. In exact mode the triangles of the agents decide.</p>
+         * into it. An agent that the structure only grazes does not stop it, as when the end of a segment passes along an edge. The structure
+         * may touch an agent at the beginning. That agent does not stop it if the way leaves the agent or runs along it. A frame reports all
+         * of these touches. In exact mode the triangles of the agents decide.</p>
          *
          * @param structure a Sphere, Box or Capsule in the world, where the way begins
          * @param dx how far along x, in patches

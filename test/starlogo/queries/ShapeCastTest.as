@@ -50,6 +50,26 @@ package starlogo.queries
 
         private static const SAME:Number = 1e-9;
 
+        // What only grazes is not stopped, as in moveUntilTouch(); a frame of sweeps reports it.
+        [Test]
+        public function theEndOfASegmentGrazesAnEdge():void
+        {
+            sGreatLand.addModel(new Model("edge", new <Number>[-1, 1, -1, -1, 1, 1], new <uint>[0, 1, 1], Model.AS_GIVEN));
+            sGreatLand.addModel(new Model("rod", new <Number>[-1, -1, 0, 1, -1, 0], new <uint>[0, 1, 1], Model.AS_GIVEN));
+            var collider:Collider = EachCollider.make("triangles", sGreatLand);
+            var edge:Agent = new Agent("edge");
+            var queries:AgentQueries = new AgentQueries(collider);
+            queries.update(new <Agent>[edge]);
+            assertNull("grazes", queries.castShape(new Capsule(new Vector3D(-1, -1), new Vector3D(1, -1), 0), 0, 4, 0));
+            var hit:ShapeHit = queries.castShape(new Capsule(new Vector3D(-1.0001, -1), new Vector3D(1, -1), 0), 0, 4, 0);
+            assertTrue("meets at " + hit.time, Math.abs(hit.time - 0.5) < SAME);
+            var rod:Agent = new Agent("rod");
+            rod.sweeps = true;
+            collider.findCollisions(new <Agent>[edge, rod]);
+            rod.y = 4;
+            assertEquals("a frame", 2, collider.findCollisions(new <Agent>[edge, rod]).length);
+        }
+
         [Test]
         public function aTriangleWithoutAreaIsMetOnIt():void
         {

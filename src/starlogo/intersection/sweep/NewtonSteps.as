@@ -8,8 +8,9 @@ package starlogo.intersection.sweep
      * Applies Newton's method to the distance of two cores, one of which moves: finds when they are as far apart as the sum of the radii.
      * The caller measures the gap at the time in <code>way.time</code>, and takes the next step as long as a method returns true.
      *
-     * <p>The distance is a convex function of time, so the method never steps over the first zero when it starts to the left of it. It takes
-     * at most 80 steps, because each step shrinks the product of the gap and its slope to a quarter, and both are numbers of 53 bits.</p>
+     * <p>The distance is a convex function of time, so the method never steps over the first zero when it starts to the left of it. Each step
+     * shrinks the product of the gap and its slope to a quarter, and both are numbers of 53 bits. So 80 steps are enough. Should rounding need
+     * more, the time of the last step is the time of impact: the structures do not touch before, and their gap is at most rounding.</p>
      *
      * <p>If the cores are very close, rounding hides the direction of the gap, and with it the slope. Then a chord takes the place of the
      * tangent: it goes through this distance and that of the step before, and does not step over the first zero either. A step that went too
@@ -132,9 +133,9 @@ package starlogo.intersection.sweep
             }
             _lastTime = time;
             _lastDistance = distance;
-            var isNeeded:Boolean = nextTime <= way.latest && _count < MOST_STEPS;
-            way.time = isNeeded ? nextTime : RelativeMotion.NEVER;
-            return isNeeded;
+            var isInTime:Boolean = nextTime <= way.latest;
+            way.time = isInTime ? nextTime : RelativeMotion.NEVER;
+            return isInTime && _count < MOST_STEPS;
         }
     }
 }

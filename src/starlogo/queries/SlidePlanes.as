@@ -1,8 +1,9 @@
 package starlogo.queries
 {
     import flash.geom.Vector3D;
-    import starlogo.convex.ContactPoint;
-    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.HalfSpaceSolver;
+    import starlogo.geometry.WayOut;
+    import starlogo.intersection.contact.ContactPoint;
 
     /**
      * Keeps the rest of a motion, and the planes of the contacts that it has met. It projects the rest on these planes (Fauerby, "Improved
@@ -50,9 +51,10 @@ package starlogo.queries
         // How far a fall has to go down for each patch on the ground plane; less than 0 for a motion that is no fall.
         private var _fallSlope:Number = -1;
 
-        // The rest of the motion when the corner began, and a projection that is tried.
+        // The rest of the motion when the corner began, and the way out of the planes from its end.
         private var _whole:Vector3D = new Vector3D();
-        private var _tried:Vector3D = new Vector3D();
+        private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
+        private var _wayOut:WayOut = new WayOut();
 
         /**
          * Begins a motion, without planes.
@@ -157,22 +159,25 @@ package starlogo.queries
          */
         public function project(without:int = -1):Boolean
         {
-            motion.setTo(0, 0, 0);
+            _halfSpaces.begin();
+            for (var i:int = 0; i < count; i++)
+            {
+                if (i != without)
+                {
+                    _halfSpaces.add(planes[i].normalX, planes[i].normalY, planes[i].normalZ, -planes[i].along(_whole));
+                }
+            }
+            var whole:Number = Math.sqrt(_whole.x * _whole.x + _whole.y * _whole.y + _whole.z * _whole.z);
             length = 0;
-            _tried.copyFrom(_whole);
-            tryMotion(without);
-            var isFree:Boolean = length > 0;
-            for (var i:int = 0; !isFree && i < count; i++)
+            motion.setTo(0, 0, 0);
+            // at a point of three planes no motion is left
+            if (_halfSpaces.solve(2, PARALLEL_SINE * whole, _wayOut))
             {
-                _tried.copyFrom(_whole);
-                planes[i].push(_tried, -planes[i].along(_whole));
-                tryMotion(without);
+                motion.copyFrom(_whole);
+                motion.incrementBy(_wayOut.way);
+                length = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
             }
-            for (i = 0; length == 0 && i < count; i++)
-            {
-                tryCreases(i, without);
-            }
-            return keepWithinWidest() && length > STUCK * _whole.length;
+            return keepWithinWidest() && length > STUCK * whole;
         }
 
         private static function isSame(a:ContactPoint, b:ContactPoint):Boolean
@@ -195,43 +200,6 @@ package starlogo.queries
                 length *= share;
             }
             return true;
-        }
-
-        // Tries the lines where one plane meets the planes after it.
-        private function tryCreases(first:int, without:int):void
-        {
-            var a:ContactPoint = planes[first];
-            for (var i:int = first + 1; i < count; i++)
-            {
-                var b:ContactPoint = planes[i];
-                _tried.setTo(a.normalY * b.normalZ - a.normalZ * b.normalY, a.normalZ * b.normalX - a.normalX * b.normalZ,
-                        a.normalX * b.normalY - a.normalY * b.normalX);
-                if (_tried.lengthSquared > Tolerances.NEARLY_PARALLEL)
-                {
-                    _tried.scaleBy(_tried.dotProduct(_whole) / _tried.lengthSquared);
-                    tryMotion(without);
-                }
-            }
-        }
-
-        // Takes a projection if it crosses no plane that counts, and is longer than the best one so far.
-        private function tryMotion(without:int):void
-        {
-            var long:Number = Math.sqrt(_tried.x * _tried.x + _tried.y * _tried.y + _tried.z * _tried.z);
-            if (!(long > length))
-            {
-                return;
-            }
-            var least:Number = -PARALLEL_SINE * long;
-            for (var i:int = 0; i < count; i++)
-            {
-                if (i != without && planes[i].along(_tried) < least)
-                {
-                    return;
-                }
-            }
-            motion.copyFrom(_tried);
-            length = long;
         }
     }
 }

@@ -5,7 +5,12 @@ package starlogo.search
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
+    import starlogo.geometry.HalfSpaceSolver;
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.WayOut;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.distance.DistanceResult;
+    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 
@@ -39,6 +44,8 @@ package starlogo.search
 
         private var _farthest:SupportPoint = new SupportPoint();
         private var _touch:ContactPoint = new ContactPoint();
+        private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
+        private var _wayBack:WayOut = new WayOut();
 
         /** @param narrowPhase knows how deep trees are visited */
         public function EdgePairTests(narrowPhase:NarrowPhase)
@@ -100,21 +107,20 @@ package starlogo.search
             out.x = _farthest.point.x - left * motion.x;
             out.y = _farthest.point.y - left * motion.y;
             out.z = _farthest.point.z - left * motion.z;
-            out.setNormal(0, 0, 0);
-            var touched:int = 0;
+            _halfSpaces.begin();
             for (edge = 0; edge < 6; edge += 2)
             {
                 // of two opposite edges, the one with the larger value counts
                 var one:int = _penetration[edge] >= _penetration[int(edge + 1)] ? edge : edge + 1;
                 if (_penetration[one] >= -_margin || one == _nearest)
                 {
-                    leadBack(one, out);
-                    touched++;
+                    addWayBack(one, out);
                 }
             }
-            out.normalise();
+            _halfSpaces.solve(3, 0, _wayBack);
+            out.setNormal(_wayBack.way.x / _wayBack.length, _wayBack.way.y / _wayBack.length, _wayBack.way.z / _wayBack.length);
             var deepest:Number = Math.max(0, _penetration[_nearest]);
-            out.depth = touched > 1 && deepest > 0 ? out.length : deepest;
+            out.depth = _halfSpaces.count > 1 && deepest > 0 ? _wayBack.length : deepest;
         }
 
         /** @inheritDoc */
@@ -167,10 +173,10 @@ package starlogo.search
             return x * _outwards[edge].x + y * _outwards[edge].y + z * _outwards[edge].z;
         }
 
-        // Adds the way back from an edge to the normal, and moves the point into the middle of the overlap. For edges other than the nearest, the
+        // Adds the half-space before an edge, and moves the point into the middle of the overlap. For edges other than the nearest, the
         // way is longer by a tenth of the tolerance of a contact's depth, so that it leads away from each of the edges. For the nearest one it
         // is at least as long as that. A point has no extent; the patch counts in its place.
-        private function leadBack(edge:int, out:ContactPoint):void
+        private function addWayBack(edge:int, out:ContactPoint):void
         {
             var outwards:Vector3D = _outwards[edge];
             // the extents of a tree are larger than its shape
@@ -182,7 +188,7 @@ package starlogo.search
             var least:Number = Tolerances.SEPARATION / 5 * extent;
             var by:Number = Math.max(0, _penetration[edge]);
             by = edge == _nearest ? Math.max(by, least) : by + least;
-            out.setNormal(out.normalX - by * outwards.x, out.normalY - by * outwards.y, out.normalZ - by * outwards.z);
+            _halfSpaces.add(-outwards.x, -outwards.y, -outwards.z, by);
             var place:Number = _places[edge] + _penetration[edge] / 2 - along(edge, out.x, out.y, out.z);
             if (isFinite(place))
             {

@@ -1,7 +1,9 @@
 package starlogo.search
 {
     import flash.geom.Vector3D;
-    import starlogo.convex.ContactPoint;
+    import starlogo.geometry.HalfSpaceSolver;
+    import starlogo.geometry.WayOut;
+    import starlogo.intersection.contact.ContactPoint;
 
     /**
      * Finds the shortest push that leads out of several contacts. A contact requires a push of at least its depth along its normal.
@@ -20,13 +22,6 @@ package starlogo.search
         private static const FIRST:int = 4;
         private static const STRIDE:int = 16;
 
-        // Two planes are parallel if the squared sine of their angle is less than this. Three have no common point if the
-        // squared volume of their normals is.
-        private static const PARALLEL:Number = 1e-6;
-
-        // How much shorter than required a push may be along a normal, as a fraction of its length, because of rounding.
-        private static const ROUNDING:Number = 1e-12;
-
         /** The current push. */
         public var push:Vector3D = new Vector3D();
 
@@ -42,18 +37,11 @@ package starlogo.search
         private var _count:int = 0;
         private var _current:int = -1;
 
-        // The new contact and those that decide about the current push: the normals, and how far a push has to go along them.
-        private var _xs:Vector.<Number> = new Vector.<Number>(4, true);
-        private var _ys:Vector.<Number> = new Vector.<Number>(4, true);
-        private var _zs:Vector.<Number> = new Vector.<Number>(4, true);
-        private var _depths:Vector.<Number> = new Vector.<Number>(4, true);
-
-        // The push that is tried; the shortest one so far, its length, and which of the contacts decide about it.
-        private var _tried:Vector3D = new Vector3D();
-        private var _shortest:Vector3D = new Vector3D();
-        private var _best:Number = 0;
-        private var _second:int = 0;
-        private var _third:int = 0;
+        // The new contact and those that decide about the current push, as half-spaces; how far a push has to go along their normals, by number;
+        // and the shortest way out of them.
+        private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
+        private var _contacts:Vector.<Number> = new Vector.<Number>(16, true);
+        private var _shortest:WayOut = new WayOut();
 
         /** Begins again, with a push of length 0. */
         public function begin():void
@@ -94,40 +82,30 @@ package starlogo.search
          */
         public function add(contact:ContactPoint, slack:Number):void
         {
-            _xs[0] = contact.normalX;
-            _ys[0] = contact.normalY;
-            _zs[0] = contact.normalZ;
-            for (var i:int = 1; i <= deciding; i++)
+            _halfSpaces.begin();
+            for (var i:int = 0; i < deciding; i++)
             {
-                var at:int = STRIDE * _current + 4 * i;
-                _xs[i] = _pushes[at];
-                _ys[i] = _pushes[int(at + 1)];
-                _zs[i] = _pushes[int(at + 2)];
-                _depths[i] = _pushes[int(at + 3)];
+                var at:int = STRIDE * _current + FIRST + 4 * i;
+                addHalfSpace(_pushes[at], _pushes[int(at + 1)], _pushes[int(at + 2)], _pushes[int(at + 3)]);
                 slack *= 2;
             }
-            _depths[0] = contact.depth + slack + contact.normalX * push.x + contact.normalY * push.y + contact.normalZ * push.z;
-            findShortest();
-            if (_best < Infinity && _count < MOST && isNew(slack))
+            var along:Number = contact.normalX * push.x + contact.normalY * push.y + contact.normalZ * push.z;
+            addHalfSpace(contact.normalX, contact.normalY, contact.normalZ, contact.depth + slack + along);
+            // if the new contact does not decide, the current push is out of it, and leads nowhere
+            if (_count < MOST && _halfSpaces.solve(3, 0, _shortest) && _shortest.last == deciding && isNew(slack))
             {
                 keep();
             }
         }
 
-        // Finds the shortest push. The current one does not lead out of the new contact, so the push lies in its plane.
-        private function findShortest():void
+        private function addHalfSpace(x:Number, y:Number, z:Number, depth:Number):void
         {
-            _best = Infinity;
-            _tried.setTo(_depths[0] * _xs[0], _depths[0] * _ys[0], _depths[0] * _zs[0]);
-            keepShorter(0, 0);
-            for (var i:int = 1; i <= deciding; i++)
-            {
-                meetTwo(0, i);
-                for (var j:int = 1; j < i; j++)
-                {
-                    meetThree(0, j, i);
-                }
-            }
+            var at:int = 4 * _halfSpaces.count;
+            _contacts[at] = x;
+            _contacts[int(at + 1)] = y;
+            _contacts[int(at + 2)] = z;
+            _contacts[int(at + 3)] = depth;
+            _halfSpaces.add(x, y, z, depth);
         }
 
         // Whether the shortest push differs from all others, except the current one, by more than the slack.
@@ -136,7 +114,8 @@ package starlogo.search
             for (var i:int = 0; i < _count; i++)
             {
                 var at:int = STRIDE * i;
-                var off:Number = Math.abs(_pushes[at] - _shortest.x) + Math.abs(_pushes[int(at + 1)] - _shortest.y) + Math.abs(_pushes[int(at + 2)] - _shortest.z);
+                var off:Number = Math.abs(_pushes[at] - _shortest.way.x) + Math.abs(_pushes[int(at + 1)] - _shortest.way.y)
+                    + Math.abs(_pushes[int(at + 2)] - _shortest.way.z);
                 if (off <= slack && i != _current)
                 {
                     return false;
@@ -154,77 +133,22 @@ package starlogo.search
                 _pushes.length = STRIDE * _deciding.length;
             }
             var at:int = STRIDE * _count;
-            _pushes[at] = _shortest.x;
-            _pushes[int(at + 1)] = _shortest.y;
-            _pushes[int(at + 2)] = _shortest.z;
-            _pushes[int(at + LENGTH)] = _best;
-            _deciding[_count] = _third > 0 ? 3 : _second > 0 ? 2 : 1;
-            keepContact(at + FIRST, 0);
-            keepContact(at + FIRST + 4, _second);
-            keepContact(at + FIRST + 8, _third);
+            _pushes[at] = _shortest.way.x;
+            _pushes[int(at + 1)] = _shortest.way.y;
+            _pushes[int(at + 2)] = _shortest.way.z;
+            _pushes[int(at + LENGTH)] = _shortest.length;
+            _deciding[_count] = _shortest.deciding;
+            keepContact(at + FIRST, _shortest.last);
+            keepContact(at + FIRST + 4, _shortest.second);
+            keepContact(at + FIRST + 8, _shortest.third);
             _count++;
         }
 
         private function keepContact(at:int, contact:int):void
         {
-            _pushes[at] = _xs[contact];
-            _pushes[int(at + 1)] = _ys[contact];
-            _pushes[int(at + 2)] = _zs[contact];
-            _pushes[int(at + 3)] = _depths[contact];
-        }
-
-        // Tries the point of two planes that is nearest to the origin.
-        private function meetTwo(i:int, j:int):void
-        {
-            var cosine:Number = _xs[i] * _xs[j] + _ys[i] * _ys[j] + _zs[i] * _zs[j];
-            var squaredSine:Number = 1 - cosine * cosine;
-            if (squaredSine > PARALLEL)
+            for (var i:int = 0; i < 4; i++)
             {
-                var first:Number = (_depths[i] - cosine * _depths[j]) / squaredSine;
-                var second:Number = (_depths[j] - cosine * _depths[i]) / squaredSine;
-                _tried.setTo(first * _xs[i] + second * _xs[j], first * _ys[i] + second * _ys[j], first * _zs[i] + second * _zs[j]);
-                keepShorter(j, 0);
-            }
-        }
-
-        // Tries the point of three planes.
-        private function meetThree(i:int, j:int, k:int):void
-        {
-            var volume:Number = _xs[i] * (_ys[j] * _zs[k] - _zs[j] * _ys[k]) + _ys[i] * (_zs[j] * _xs[k] - _xs[j] * _zs[k])
-                + _zs[i] * (_xs[j] * _ys[k] - _ys[j] * _xs[k]);
-            if (volume * volume > PARALLEL)
-            {
-                _tried.setTo(0, 0, 0);
-                addCross(_depths[i] / volume, j, k);
-                addCross(_depths[j] / volume, k, i);
-                addCross(_depths[k] / volume, i, j);
-                keepShorter(j, k);
-            }
-        }
-
-        // Adds a multiple of the cross product of two normals.
-        private function addCross(factor:Number, i:int, j:int):void
-        {
-            _tried.x += factor * (_ys[i] * _zs[j] - _zs[i] * _ys[j]);
-            _tried.y += factor * (_zs[i] * _xs[j] - _xs[i] * _zs[j]);
-            _tried.z += factor * (_xs[i] * _ys[j] - _ys[i] * _xs[j]);
-        }
-
-        // Keeps the push that is tried if it is shorter and leads out of all contacts.
-        private function keepShorter(second:int, third:int):void
-        {
-            var tried:Number = Math.sqrt(_tried.x * _tried.x + _tried.y * _tried.y + _tried.z * _tried.z);
-            var isOut:Boolean = tried < _best;
-            for (var i:int = 0; i <= deciding && isOut; i++)
-            {
-                isOut = _tried.x * _xs[i] + _tried.y * _ys[i] + _tried.z * _zs[i] >= _depths[i] - ROUNDING * tried;
-            }
-            if (isOut)
-            {
-                _shortest.copyFrom(_tried);
-                _best = tried;
-                _second = second;
-                _third = third;
+                _pushes[int(at + i)] = _contacts[int(4 * contact + i)];
             }
         }
     }

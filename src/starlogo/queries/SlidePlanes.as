@@ -1,9 +1,9 @@
 package starlogo.queries
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
     import starlogo.geometry.HalfSpaceSolver;
     import starlogo.geometry.WayOut;
-    import starlogo.intersection.contact.ContactPoint;
 
     /**
      * Keeps the rest of a motion, and the planes of the contacts that it has met. It projects the rest on these planes (Fauerby, "Improved

@@ -8,9 +8,6 @@ package starlogo.search
     import starlogo.geometry.HalfSpaceSolver;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.WayOut;
-    import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.distance.DistanceResult;
-    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 

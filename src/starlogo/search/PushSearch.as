@@ -1,9 +1,9 @@
 package starlogo.search
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
     import starlogo.geometry.HalfSpaceSolver;
     import starlogo.geometry.WayOut;
-    import starlogo.intersection.contact.ContactPoint;
 
     /**
      * Finds the shortest push that leads out of several contacts. A contact requires a push of at least its depth along its normal.

@@ -7,6 +7,7 @@ package starlogo.collision
     import starlogo.search.AgentShapes;
     import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;
+    import starlogo.search.FoundContact;
     import starlogo.search.FoundPairs;
     import starlogo.search.NarrowPhase;
 
@@ -50,7 +51,7 @@ package starlogo.collision
 
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _found:FoundPairs = new FoundPairs();
-        private var _contactPoint:ContactPoint = new ContactPoint();
+        private var _foundContact:FoundContact = new FoundContact();
 
         /**
          * Creates a collider.
@@ -131,12 +132,14 @@ package starlogo.collision
         {
             requireTwo(collider, collidee);
             var contact:Contact = out || new Contact();
-            var contactPoint:ContactPoint = _contactPoint;
-            contact.time = _seen.findContact(collider, collidee, contactPoint);
-            contact.depth = contactPoint.depth;
-            contact.approachSpeed = _seen.approachSpeed;
-            contact.normal.setTo(contactPoint.normalX, contactPoint.normalY, contactPoint.normalZ);
-            contact.point.setTo(contactPoint.x, contactPoint.y, contactPoint.z);
+            var found:FoundContact = _foundContact;
+            var point:ContactPoint = found.point;
+            _seen.findContact(collider, collidee, found);
+            contact.time = found.time;
+            contact.depth = point.depth;
+            contact.approachSpeed = found.approachSpeed;
+            contact.normal.setTo(point.normalX, point.normalY, point.normalZ);
+            contact.point.setTo(point.x, point.y, point.z);
             return contact;
         }
 

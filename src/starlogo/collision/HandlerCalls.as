@@ -36,7 +36,7 @@ package starlogo.collision
         private var _places:Vector.<int> = new Vector.<int>();
 
         // The pairs whose handlers are called, by their indices; null for all pairs. Whether each pair has got its touch, with calls both ways.
-        private var _turns:NumberList;
+        private var _chosen:NumberList;
         private var _areTouchesComplete:Boolean;
 
         // What is being called: a negative number for an ended touch, from 0 on a pair's turn. Its handlers, and the index of the next one. After
@@ -62,7 +62,7 @@ package starlogo.collision
             _agents = agents;
             _areInPlace = true;
             _step = _next = count = 0;
-            _turns = null;
+            _chosen = null;
             _areTouchesComplete = true;
             _contacts.begin(system);
             var areKept:Boolean = tracker.areKept(pairs);
@@ -80,9 +80,9 @@ package starlogo.collision
                 _step = -tracker.endedCount;
                 callUpTo(0, errors);
                 tracker.forgetEnded();
-                _turns = areKept && (table.kinds & EACH_FRAME) == 0 ? pairs.added : null;
+                _chosen = areKept && (table.kinds & EACH_FRAME) == 0 ? pairs.added : null;
             }
-            callUpTo(_turns == null ? pairs.count : _turns.count, errors);
+            callUpTo(_chosen == null ? pairs.count : _chosen.count, errors);
             if (tracksTouches && _areTouchesComplete)
             {
                 tracker.complete(pairs);
@@ -145,7 +145,7 @@ package starlogo.collision
                 }
                 else
                 {
-                    takePair(_turns == null ? _step : _turns.numbers[_step]);
+                    takePair(_chosen == null ? _step : _chosen.numbers[_step]);
                 }
                 _next = 0;
             }

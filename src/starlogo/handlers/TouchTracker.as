@@ -33,9 +33,9 @@ package starlogo.handlers
         /** The number of entries of <code>ended</code> that count. The others are left over from earlier frames. */
         public var endedCount:int = 0;
 
-        // The number of pairs; and the number of their FoundPairs if all their touches are complete, or else 0.
+        // The number of pairs; and their revision if all their touches are complete, or else 0.
         private var _pairCount:int = 0;
-        private var _pairs:int = 0;
+        private var _pairsRevision:int = 0;
 
         // The touches that end unless they are renewed. Some entries may be null.
         private var _open:Vector.<Touch> = new Vector.<Touch>();
@@ -52,13 +52,13 @@ package starlogo.handlers
         private var _begun:Number = 0;
 
         private var _sort:KeySort = new KeySort();
-        private var _turns:Vector.<int> = new Vector.<int>();
+        private var _indices:Vector.<int> = new Vector.<int>();
         private var _keys:Vector.<Number> = new Vector.<Number>();
 
         /** Whether the touches of all pairs but the added ones go on. Otherwise no pair has a touch when the frame begins. */
         public function areKept(pairs:FoundPairs):Boolean
         {
-            return pairs.origin == _pairs;
+            return pairs.basis == _pairsRevision;
         }
 
         /** Begins a frame. The touches of dropped pairs, or of all, end unless they are renewed. */
@@ -66,7 +66,7 @@ package starlogo.handlers
         {
             var hasKept:Boolean = areKept(pairs);
             frame++;
-            _pairs = 0;
+            _pairsRevision = 0;
             if (hasKept)
             {
                 drop(pairs);
@@ -162,7 +162,7 @@ package starlogo.handlers
         /** Ends a frame in which each pair with handlers for starts or ends has got its touch, both ways. */
         public function complete(pairs:FoundPairs):void
         {
-            _pairs = pairs.number;
+            _pairsRevision = pairs.revision;
         }
 
         /** Returns all touches, in the order in which they began. */
@@ -243,13 +243,13 @@ package starlogo.handlers
         {
             for (var i:int = 0; i < length; i++)
             {
-                _turns[i] = i;
+                _indices[i] = i;
                 _keys[i] = from[i].order;
             }
-            _sort.sort(_turns, _keys, length);
+            _sort.sort(_indices, _keys, length);
             for (i = 0; i < length; i++)
             {
-                out[i] = from[_turns[i]];
+                out[i] = from[_indices[i]];
             }
         }
 

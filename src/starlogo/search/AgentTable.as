@@ -159,7 +159,7 @@ package starlogo.search
             made.readAgent(agent, _modelShapes.shapeOf(agent));
             if (row >= 0)
             {
-                made.order = list.ranks[row];
+                made.rank = list.ranks[row];
             }
             return made;
         }
@@ -258,7 +258,7 @@ package starlogo.search
                 var body:Body = _bodies[list.rows[i]];
                 if (body != null)
                 {
-                    body.order = i;
+                    body.rank = i;
                 }
             }
         }
@@ -406,7 +406,7 @@ package starlogo.search
                 body = _bodies[row] = new Body();
             }
             body.readShape(agent, shape);
-            body.order = list.ranks[row];
+            body.rank = list.ranks[row];
             _rowExtents.setLengths(row, body);
             if (shape.form == BoundingStructure.BOX && boxes[row] == null)
             {

@@ -38,7 +38,7 @@ package starlogo.search
         public var placement:Placement = new Placement();
 
         /** The agent's index in the list. Agents that are not listed follow, the older ones first. It is 0 if the body belongs to no agent. */
-        public var order:int = 0;
+        public var rank:int = 0;
 
         /** The agent's own limit for the levels of its tree, or 0. */
         public var depth:int = 0;
@@ -88,7 +88,7 @@ package starlogo.search
                 // the structures of the ground and of the edges are not scaled
                 size = 1;
             }
-            order = UNLISTED + agent.number;
+            rank = UNLISTED + agent.number;
             depth = agent.depthLimit;
             if (shape.isUpright && shape === this.shape && size == placement.size)
             {
@@ -163,7 +163,7 @@ package starlogo.search
             placement.y = found[1];
             placement.z = found[2];
             takeShape(own);
-            order = depth = 0;
+            rank = depth = 0;
             own.structure.rotatedExtentsInto(placement, found);
             takeExtents();
             settle();
@@ -180,7 +180,7 @@ package starlogo.search
         {
             var factor:Number = 1 - share;
             takeShape(whole.shape);
-            order = whole.order;
+            rank = whole.rank;
             depth = whole.depth;
             placement.copyFrom(whole.placement);
             placement.size *= factor;

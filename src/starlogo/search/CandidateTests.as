@@ -18,11 +18,14 @@ package starlogo.search
 
         private var _table:AgentTable;
         private var _narrowPhase:NarrowPhase;
-        private var _motions:SweptPairs;
+        private var _motions:RowMotions;
         private var _conditions:SearchConditions;
 
         // Takes the pairs.
         private var _out:FoundPairs = null;
+
+        // The motion of a pair that is tested.
+        private var _motion:RelativeMotion = new RelativeMotion();
 
         // The rows that are tested with the ground or the edges of the world.
         private var _atFixture:Vector.<int> = new Vector.<int>();
@@ -33,7 +36,7 @@ package starlogo.search
          * @param motions of the rows, if an agent sweeps
          * @param conditions of the search under way
          */
-        public function CandidateTests(table:AgentTable, narrowPhase:NarrowPhase, motions:SweptPairs, conditions:SearchConditions)
+        public function CandidateTests(table:AgentTable, narrowPhase:NarrowPhase, motions:RowMotions, conditions:SearchConditions)
         {
             _table = table;
             _narrowPhase = narrowPhase;
@@ -139,12 +142,11 @@ package starlogo.search
                 var other:int = others[i];
                 // the time belongs to the motion of the agent that comes first in the list, relative to the other
                 var isFirst:Boolean = rank < ranks[other];
-                _motions.findTime(_table, level, isFirst ? row : other, isFirst ? other : row, null);
-                var time:Number = _motions.foundTime;
-                if (time != RelativeMotion.NEVER)
+                _motions.findTime(_table, level, isFirst ? row : other, isFirst ? other : row, _motion);
+                if (_motion.time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;
-                    _out.times[int(at + kept)] = time;
+                    _out.times[int(at + kept)] = _motion.time;
                     kept++;
                 }
             }

@@ -27,7 +27,7 @@ package starlogo.search
         private var _shapes:ModelShapes;
         private var _bins:Bins = new Bins();
         private var _conditions:SearchConditions = new SearchConditions();
-        private var _motions:SweptPairs;
+        private var _motions:RowMotions;
         private var _tests:CandidateTests;
         private var _order:PairOrder = new PairOrder();
 
@@ -52,7 +52,7 @@ package starlogo.search
             _narrowPhase = narrowPhase;
             _shapes = new ModelShapes(choice);
             table = new AgentTable(_shapes, _bins.levels);
-            _motions = new SweptPairs(narrowPhase);
+            _motions = new RowMotions(narrowPhase);
             _tests = new CandidateTests(table, narrowPhase, _motions, _conditions);
             _kept = new KeptPairs(table, _tests, _motions, _bins.levels, _order);
         }
@@ -115,7 +115,7 @@ package starlogo.search
             _conditions.interestsRevision = interests == null ? 0 : interests.revision;
             _conditions.takePart = takePart;
             _conditions.areSpheres = _shapes.areSpheres;
-            _conditions.isSwept = Agent.haveSwept && SweptPairs.anySweeping(agents);
+            _conditions.isSwept = Agent.haveSwept && RowMotions.anySweeping(agents);
             _conditions.maxDepth = trees == null || trees.exact ? 0 : trees.maxDepth;
         }
 
@@ -137,12 +137,6 @@ package starlogo.search
             _order.sort(out, _conditions.isSwept);
         }
 
-        /** The speed at which the two agents of the last findContact came together, in patches a frame. */
-        public function get approachSpeed():Number
-        {
-            return _motions.approachSpeed;
-        }
-
         /** The table was read without a search: the next search is one of all rows. */
         public function forgetSearch():void
         {
@@ -154,11 +148,10 @@ package starlogo.search
          * Finds the contact of two agents that touch. It takes them where the last search saw them, or where they are now if the last search did
          * not see both. The ground and the edges of the world count as they are now, or as they were when they were held.
          *
-         * @param out receives the contact. Its normal points from b to a
-         * @return the time of the contact in their motions, from 0 to 1
+         * @param out receives the contact
          * @throws ArgumentError if a model is unknown or still loading, or if both stand for the ground or the edges of the world
          */
-        public function findContact(a:Agent, b:Agent, out:ContactPoint):Number
+        public function findContact(a:Agent, b:Agent, out:FoundContact):void
         {
             if (Breeds.isReserved(a.breedNumber) && Breeds.isReserved(b.breedNumber))
             {
@@ -167,15 +160,17 @@ package starlogo.search
             if (comesAfter(a, b))
             {
                 // as in the pairs of a search, so rounding is the same in either order
-                var time:Number = findContact(b, a, out);
-                out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
-                return time;
+                findContact(b, a, out);
+                var point:ContactPoint = out.point;
+                point.setNormal(-point.normalX, -point.normalY, -point.normalZ);
+                return;
             }
             var rowA:int = table.list.rowOf(a);
             var rowB:int = table.list.rowOf(b);
             if (rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null)
             {
-                return _motions.findContact(table, rowA, rowB, _conditions.isSwept, out);
+                _motions.findContact(table, rowA, rowB, _conditions.isSwept, out);
+                return;
             }
             var bodyA:Body = table.bodyOfNow(a, _bodyA);
             var bodyB:Body = table.bodyOfNow(b, _bodyB);
@@ -184,7 +179,7 @@ package starlogo.search
                 var loading:Agent = bodyA.shape == null ? a : b;
                 throw new ArgumentError(loading + ": its model is still loading");
             }
-            return _motions.findStaticContact(bodyA, bodyB, out);
+            _motions.findStaticContact(bodyA, bodyB, out);
         }
 
         // Whether the second of two agents comes first in a pair. The ground and the edges of the world come last.

@@ -36,14 +36,14 @@ package starlogo.search
         /** The number of agents in the list. */
         public var agentCount:int = 0;
 
-        /** The number of these pairs, from 1 on. Other pairs get another number. */
-        public var number:int = 0;
+        /** Other pairs have another revision. */
+        public var revision:int = 0;
 
         /**
-         * If these pairs are earlier pairs without <code>dropped</code> and with <code>added</code>: the number of the earlier pairs. Otherwise
+         * If these pairs are earlier pairs without <code>dropped</code> and with <code>added</code>: the revision of the earlier pairs. Otherwise
          * NONE.
          */
-        public var origin:int = NONE;
+        public var basis:int = NONE;
 
         /** The indices of the dropped pairs among the earlier ones, in ascending order. */
         public var dropped:NumberList = new NumberList();
@@ -61,7 +61,7 @@ package starlogo.search
         {
             refer(list.agents, list.ranks, list.count);
             count = 0;
-            origin = NONE;
+            basis = NONE;
         }
 
         /** Adds the pairs of a row. */
@@ -80,9 +80,9 @@ package starlogo.search
         /** Begins to change the pairs to those of the next frame: drops the pairs of rows with a mark. */
         internal function drop(list:ListedAgents, marks:Vector.<int>, mark:int):void
         {
-            var before:int = number;
+            var before:int = revision;
             refer(list.agents, list.ranks, list.count);
-            origin = before;
+            basis = before;
             dropped.count = added.count = 0;
             var all:Vector.<int> = rows;
             var end:int = 2 * count;
@@ -147,7 +147,7 @@ package starlogo.search
         {
             readList(list);
             count = 0;
-            origin = NONE;
+            basis = NONE;
             for (var i:int = 0; i + 1 < pairs.length; i += 2)
             {
                 rows[2 * count] = _byId.valueOf(pairs[i].id);
@@ -176,7 +176,7 @@ package starlogo.search
             this.agents = agents;
             this.ranks = ranks;
             this.agentCount = agentCount;
-            number++;
+            revision++;
         }
 
         // Gives the agents of a list rows in their order.

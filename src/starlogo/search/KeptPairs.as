@@ -25,13 +25,13 @@ package starlogo.search
 
         private var _table:AgentTable;
         private var _tests:CandidateTests;
-        private var _motions:SweptPairs;
+        private var _motions:RowMotions;
         private var _levels:BinLevels;
         private var _order:PairOrder;
 
         // The pairs of the last search, and their number. They are kept unless somebody else has written other pairs there, or they are void.
         private var _pairs:FoundPairs = null;
-        private var _pairsNumber:int = 0;
+        private var _pairsRevision:int = 0;
         private var _isValid:Boolean = false;
 
         // The pairs that this search finds.
@@ -48,7 +48,7 @@ package starlogo.search
         private var _groundRevision:int = 0;
 
         // The number of the search. By row: the last search that found the row changed. The rows that this one has found changed.
-        private var _number:int = 0;
+        private var _searchNumber:int = 0;
         private var _changedIn:Vector.<int> = new Vector.<int>();
         private var _changed:NumberList = new NumberList();
 
@@ -59,7 +59,7 @@ package starlogo.search
          * @param levels of the bins
          * @param order sorts pairs
          */
-        public function KeptPairs(table:AgentTable, tests:CandidateTests, motions:SweptPairs, levels:BinLevels, order:PairOrder)
+        public function KeptPairs(table:AgentTable, tests:CandidateTests, motions:RowMotions, levels:BinLevels, order:PairOrder)
         {
             _table = table;
             _tests = tests;
@@ -108,14 +108,14 @@ package starlogo.search
         {
             _isLikeLast = conditions.isLike(_conditions) && haveFewChanged(conditions);
             _conditions.copyFrom(conditions);
-            if (!_isValid || !_isLikeLast || pairs !== _pairs || pairs.number != _pairsNumber)
+            if (!_isValid || !_isLikeLast || pairs !== _pairs || pairs.revision != _pairsRevision)
             {
                 _isValid = false;
                 return false;
             }
             // they are not if the search throws
             _isValid = false;
-            _number++;
+            _searchNumber++;
             listChanged();
             if (conditions.isSwept)
             {
@@ -131,12 +131,12 @@ package starlogo.search
             {
                 if (_cells.has(_changed.numbers[i]))
                 {
-                    _cells.findNear(_changed.numbers[i], _changedIn, _number, _tests);
+                    _cells.findNear(_changed.numbers[i], _changedIn, _searchNumber, _tests);
                 }
             }
             findAtFixture(ListedAgents.GROUND);
             findAtFixture(ListedAgents.EDGES);
-            pairs.drop(_table.list, _changedIn, _number);
+            pairs.drop(_table.list, _changedIn, _searchNumber);
             pairs.merge(_found, _order.sort(_found, conditions.isSwept));
             note(pairs);
             return true;
@@ -157,7 +157,7 @@ package starlogo.search
         private function note(pairs:FoundPairs):void
         {
             _pairs = pairs;
-            _pairsNumber = pairs.number;
+            _pairsRevision = pairs.revision;
             _isValid = true;
         }
 
@@ -212,9 +212,9 @@ package starlogo.search
 
         private function markRow(row:int):void
         {
-            if (_changedIn[row] != _number)
+            if (_changedIn[row] != _searchNumber)
             {
-                _changedIn[row] = _number;
+                _changedIn[row] = _searchNumber;
                 _changed.add(row);
             }
         }
@@ -255,7 +255,7 @@ package starlogo.search
             var hasChanged:Boolean = noteFixture(fixture);
             if (hasChanged)
             {
-                _changedIn[fixture] = _number;
+                _changedIn[fixture] = _searchNumber;
             }
             var rows:Vector.<int> = hasChanged ? _table.list.rows : _changed.numbers;
             _tests.findAtFixture(fixture, rows, hasChanged ? _table.list.count : _changed.count);

@@ -115,7 +115,7 @@ package starlogo.search
             {
                 return !isTree;
             }
-            return a.order > b.order;
+            return a.rank > b.rank;
         }
 
         /**

@@ -91,11 +91,11 @@ package starlogo.handlers
             var pairs:Array = [];
             var numbers:Array = [];
             var begun:Array = [];
-            _found.number = 1;
+            _found.revision = 1;
             for (var frame:int = 1; frame <= FRAMES; frame++)
             {
-                _found.origin = _found.number;
-                _found.number++;
+                _found.basis = _found.revision;
+                _found.revision++;
                 var dropped:Array = [];
                 var left:Array = [];
                 for (var i:int = 0; i < pairs.length; i++)
@@ -179,9 +179,9 @@ package starlogo.handlers
                 numbers = pairs.concat();
             }
             assertTrue("some remained", begun.length > 5);
-            _found.origin = _found.number;
+            _found.basis = _found.revision;
             _tracker.begin(_found);
-            _found.origin = _found.number;
+            _found.basis = _found.revision;
             assertFalse("the frame before was not completed", _tracker.begin(_found));
         }
 

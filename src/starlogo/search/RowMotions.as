@@ -17,7 +17,7 @@ package starlogo.search
      * Finds the motions of a table's rows between the last two searches, and when and how two moving rows touch. The motions are found only if
      * an agent sweeps.
      */
-    internal final class SweptPairs
+    internal final class RowMotions
     {
         // By row: the motion, which is 0 if there is none; whether the agent sweeps and has a motion; and the extents of the whole motion. The
         // ground and the edges of the world do not move.
@@ -25,19 +25,16 @@ package starlogo.search
         private var _isSweeping:Vector.<Boolean> = new Vector.<Boolean>();
         internal var extents:Extents = new Extents();
 
-        // How far the first body moved against the normal, in the last pair whose contact was found.
-        internal var approachSpeed:Number = 0;
-
         private var _narrowPhase:NarrowPhase;
 
-        // The motion of the first row of a pair, relative to the second.
+        // The motion of the first row of the pair whose contact is found, relative to the second.
         private var _motion:RelativeMotion = new RelativeMotion();
 
         // When the extents of a pair overlap.
         private var _times:ContactInterval = new ContactInterval();
 
         /** @param narrowPhase tests which rows touch */
-        public function SweptPairs(narrowPhase:NarrowPhase)
+        public function RowMotions(narrowPhase:NarrowPhase)
         {
             _narrowPhase = narrowPhase;
         }
@@ -103,15 +100,14 @@ package starlogo.search
         }
 
         /**
-         * Finds the time at which two rows first touch, and writes it to <code>foundTime</code>. If neither of the two sweeps, they are tested
-         * where they are now.
+         * Finds the time at which two rows first touch. If neither of the two sweeps, they are tested where they are now.
          *
          * @param level has the slack of the two rows' extents; null to make the exact test for all pairs
+         * @param motion receives the motion of the first relative to the second, with the time, from 0 to 1, or RelativeMotion.NEVER
          * @param out receives the contact if they touch, where b is now; null if only the time is needed
          */
-        public function findTime(table:AgentTable, level:BinLevel, a:int, b:int, out:ContactPoint):void
+        public function findTime(table:AgentTable, level:BinLevel, a:int, b:int, motion:RelativeMotion, out:ContactPoint = null):void
         {
-            var motion:RelativeMotion = _motion;
             var way:Points = _motions;
             motion.endAfter(way.x[a] - way.x[b], way.y[a] - way.y[b], way.z[a] - way.z[b]);
             motion.time = RelativeMotion.NEVER;
@@ -145,54 +141,48 @@ package starlogo.search
             }
         }
 
-        /** The time that findTime found, from 0 to 1, or RelativeMotion.NEVER. */
-        public function get foundTime():Number
-        {
-            return _motion.time;
-        }
-
         /**
          * Finds the contact of two rows.
          *
          * @param b may be the ground or the edges of the world
          * @param isSwept whether the motions are those of the table
-         * @param out receives the contact. Its normal points from b to a
-         * @return the time of the contact in their motions; 1 if neither row sweeps
+         * @param out receives the contact
          */
-        public function findContact(table:AgentTable, a:int, b:int, isSwept:Boolean, out:ContactPoint):Number
+        public function findContact(table:AgentTable, a:int, b:int, isSwept:Boolean, out:FoundContact):void
         {
             if (isSwept && (_isSweeping[a] || _isSweeping[b]))
             {
-                findTime(table, null, a, b, out);
-                var time:Number = _motion.time;
-                if (time != RelativeMotion.NEVER)
+                findTime(table, null, a, b, _motion, out.point);
+                if (_motion.time != RelativeMotion.NEVER)
                 {
                     separate(table.bodyOf(a), table.bodyOf(b), out);
                     // the motion was relative to b at its present place, so the point is moved back to where b was at that time
-                    out.x -= (1 - time) * _motions.x[b];
-                    out.y -= (1 - time) * _motions.y[b];
-                    out.z -= (1 - time) * _motions.z[b];
-                    return time;
+                    out.point.x -= (1 - out.time) * _motions.x[b];
+                    out.point.y -= (1 - out.time) * _motions.y[b];
+                    out.point.z -= (1 - out.time) * _motions.z[b];
+                    return;
                 }
             }
-            return findStaticContact(table.bodyOf(a), table.bodyOf(b), out);
+            findStaticContact(table.bodyOf(a), table.bodyOf(b), out);
         }
 
-        /** Finds the contact of two bodies where they are. The parameters are those of <code>findContact()</code>. */
-        public function findStaticContact(a:Body, b:Body, out:ContactPoint):Number
+        /** Finds the contact of two bodies where they are. */
+        public function findStaticContact(a:Body, b:Body, out:FoundContact):void
         {
             _motion.endAfter(0, 0, 0);
             _motion.time = 1;
-            _narrowPhase.testsOf(a, b).findContact(a, b, _motion, out);
+            _narrowPhase.testsOf(a, b).findContact(a, b, _motion, out.point);
             separate(a, b, out);
-            return 1;
         }
 
-        private function separate(a:Body, b:Body, out:ContactPoint):void
+        // Makes a contact at the motion's time separate the two.
+        private function separate(a:Body, b:Body, out:FoundContact):void
         {
             var motion:RelativeMotion = _motion;
-            _narrowPhase.testsOf(a, b).separate(a, b, motion, out);
-            approachSpeed = Math.max(0, -(motion.x * out.normalX + motion.y * out.normalY + motion.z * out.normalZ));
+            var point:ContactPoint = out.point;
+            _narrowPhase.testsOf(a, b).separate(a, b, motion, point);
+            out.time = motion.time;
+            out.approachSpeed = Math.max(0, -(motion.x * point.normalX + motion.y * point.normalY + motion.z * point.normalZ));
         }
 
         // Whether the extents of two rows overlap in all directions at the same time, on their motions.

@@ -106,6 +106,8 @@ import {
 	Wireframes,
 	ZAlignedBoxFitter,
 	WorldBounds,
+	ContactBlocks,
+	WalkBlocks,
 	Footing,
 	WalkOptions,
 } from "starlogo-collision";
@@ -235,6 +237,12 @@ function useBlocks(greatLand: GreatLand, agents: Agent[]): void {
 	const groundBlocks = new TerrainBlocks(collisions, new DetectionBlocks(collisions));
 	groundBlocks.buildMound(agents[0], 3, 1);
 	const onMound: boolean = groundBlocks.isTouchingGround(agents[0]) && !groundBlocks.isTouchingEdge(agents[0]) && groundBlocks.terrainHeight(agents[0]) > 0;
+	const walking = new WalkBlocks(new DetectionBlocks(collisions));
+	walking.setSolid("bears", true);
+	const speed: number = walking.jump(agents[0], 1, walking.fall(agents[0], 0));
+	const below: Agent | null = walking.standsOn(agents[0]);
+	log.push(`solid: ${walking.solidBreeds}, ${speed >= 0}, ${below?.breed ?? "in the air"}, ${new ContactBlocks(collisions).sideHit(agents[0], agents[1])}`);
+	walking.setSolid("bears", false);
 	log.push(`on a mound: ${onMound}, of ${Wireframes.ofTerrain(ground, -2, -2, 2, 2).length / 6} lines`);
 	const surface = new TerrainSurface(ground, -2, -2);
 	log.push(`${surface.update()}, ${surface.vertices.length / 3} vertices, ${surface.normals.length / 3} normals, ${surface.triangles.length / 3} triangles`);

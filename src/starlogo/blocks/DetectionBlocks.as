@@ -5,10 +5,11 @@ package starlogo.blocks
     import starlogo.geometry.requireGiven;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
+    import starlogo.queries.ShapeHit;
 
     /**
      * The blocks that ask about other agents: "count within", "count with", "nearest within", "nearest with", "touching?", "can see?",
-     * "distance to". An answer never contains the agent that asks. That agent counts at its present place. The others count where they were
+     * "distance to", "ahead", "distance ahead". An answer never contains the agent that asks. That agent counts at its present place. The others count where they were
      * when the frame began, or at the last call of <code>moved()</code>.
      */
     public class DetectionBlocks
@@ -16,6 +17,7 @@ package starlogo.blocks
         private var _collisions:CollisionBlocks;
         private var _queries:AgentQueries;
         private var _updatedIn:int = -1;
+        private var _ahead:ShapeHit = new ShapeHit();
 
         /**
          * Creates blocks for the agents of a game.
@@ -165,6 +167,49 @@ package starlogo.blocks
         {
             checkBoth("distance to", agent, other);
             return queries.distance(agent, other);
+        }
+
+        /**
+         * The block "ahead": the agent of a breed that the agent would touch first, if it went forward by its heading. Agents that it touches
+         * already count only if it would go into them.
+         *
+         * @param agent the agent that asks
+         * @param breed as in countWithin; also Collision.TERRAIN, for the ground
+         * @param distance how far it looks, in patches, 0 or more
+         * @return null if there is none
+         * @throws BlockError if something is missing, or the distance is negative or infinite
+         */
+        public function ahead(agent:Agent, breed:String, distance:Number):Agent
+        {
+            var hit:ShapeHit = hitAhead("ahead", agent, breed, distance);
+            return hit == null ? null : hit.agent;
+        }
+
+        /**
+         * The block "distance ahead": how far the agent can go forward, until it touches an agent of a breed.
+         *
+         * @param agent as in ahead
+         * @param breed as in ahead
+         * @param distance as in ahead
+         * @return patches; Infinity if there is none within the distance
+         * @throws BlockError as in ahead
+         */
+        public function distanceAhead(agent:Agent, breed:String, distance:Number):Number
+        {
+            var hit:ShapeHit = hitAhead("distance ahead", agent, breed, distance);
+            return hit == null ? Infinity : hit.time * distance;
+        }
+
+        private function hitAhead(block:String, agent:Agent, breed:String, distance:Number):ShapeHit
+        {
+            check(block, agent, breed);
+            checkDistance(block, distance);
+            if (distance == Infinity)
+            {
+                throw new BlockError(block, "needs a finite distance.");
+            }
+            var angle:Number = agent.heading * Math.PI / 180;
+            return queries.castAgent(agent, distance * Math.cos(angle), distance * Math.sin(angle), 0, filterFor(breed), _ahead);
         }
 
         private static function filterFor(breed:String, accepts:Function = null):AgentFilter

@@ -2,16 +2,37 @@ package starlogo.blocks
 {
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
+    import starlogo.collision.Contact;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
 
     /**
      * The blocks for the ground and the edges of the world: "build wall", "build mound", "terrain height", "reset terrain", "touching ground?",
-     * "touching edge?". The ground is <code>collision.terrain</code> of the collision blocks, and the edges are <code>collision.bounds</code>. The
-     * client gives both to the game.
+     * "touching edge?", "edge I touch", "stop at the edge", "bounce off the edge", "wrap at the edge". The ground is <code>collision.terrain</code> of the collision blocks, and the edges are <code>collision.bounds</code>. The
+     * client gives both to the game. "when touching starts" with <code>Collision.EDGE</code> is the event of the edges.
      */
     public class TerrainBlocks
     {
+        /** The edge of the greatest x. */
+        public static const EAST:String = "east";
+
+        /** The edge of the least x. */
+        public static const WEST:String = "west";
+
+        /** The edge of the greatest y. */
+        public static const NORTH:String = "north";
+
+        /** The edge of the least y. */
+        public static const SOUTH:String = "south";
+
+        /** The edge of the greatest z. */
+        public static const TOP:String = "top";
+
+        /** The edge of the least z. */
+        public static const BOTTOM:String = "bottom";
+
+        private static const EDGES:Array = [EAST, WEST, NORTH, SOUTH, TOP, BOTTOM];
+
         private var _collisions:CollisionBlocks;
         private var _detection:DetectionBlocks;
 
@@ -30,6 +51,12 @@ package starlogo.blocks
             }
             _collisions = collisions;
             _detection = detection;
+        }
+
+        /** The names of the world's edges. */
+        public static function get edgeNames():Array
+        {
+            return EDGES.concat();
         }
 
         /**
@@ -118,6 +145,106 @@ package starlogo.blocks
             BlockSubject.checkAgent("touching edge?", agent);
             var bounds:WorldBounds = _collisions.collision.bounds;
             return bounds != null && _detection.queries.touchesEdge(agent, bounds);
+        }
+
+        /**
+         * The block "edge I touch": the edge of the world that the agent touches or is beyond. In a corner it is the edge that it is further
+         * beyond.
+         *
+         * @param agent the agent that asks
+         * @return one of edgeNames; null if it touches none
+         * @throws BlockError if there is no agent
+         */
+        public function edgeTouched(agent:Agent):String
+        {
+            var contact:Contact = edgeContact("edge I touch", agent);
+            if (contact == null)
+            {
+                return null;
+            }
+            // the normal points into the world
+            var parts:Array = [-contact.normal.x, contact.normal.x, -contact.normal.y, contact.normal.y, -contact.normal.z, contact.normal.z];
+            return EDGES[parts.indexOf(Math.max.apply(null, parts))];
+        }
+
+        /**
+         * The block "stop at the edge": moves the agent back into the world, so that it only touches the edge.
+         *
+         * @param agent the agent that stops
+         * @throws BlockError if there is no agent
+         */
+        public function stopAtEdge(agent:Agent):void
+        {
+            var contact:Contact = edgeContact("stop at the edge", agent);
+            if (contact != null)
+            {
+                _collisions.moveOut(agent, contact);
+            }
+        }
+
+        /**
+         * The block "bounce off the edge": moves the agent back into the world, and turns it as a mirror reflects light, if it is headed out of the
+         * world.
+         *
+         * @param agent the agent that bounces
+         * @throws BlockError if there is no agent
+         */
+        public function bounceOffEdge(agent:Agent):void
+        {
+            var contact:Contact = edgeContact("bounce off the edge", agent);
+            if (contact == null)
+            {
+                return;
+            }
+            _collisions.moveOut(agent, contact);
+            var angle:Number = agent.heading * Math.PI / 180;
+            var x:Number = Math.cos(angle);
+            var y:Number = Math.sin(angle);
+            var into:Number = x * contact.normal.x + y * contact.normal.y;
+            if (into < 0)
+            {
+                agent.heading = Math.atan2(y - 2 * into * contact.normal.y, x - 2 * into * contact.normal.x) * 180 / Math.PI;
+            }
+        }
+
+        /**
+         * The block "wrap at the edge": an agent whose place is beyond an edge comes in at the opposite edge. It has no motion in this frame.
+         *
+         * @param agent the agent that wraps
+         * @throws BlockError if there is no agent
+         */
+        public function wrapAtEdge(agent:Agent):void
+        {
+            BlockSubject.checkAgent("wrap at the edge", agent);
+            var edges:WorldBounds = _collisions.collision.bounds;
+            if (edges == null)
+            {
+                return;
+            }
+            var x:Number = wrapped(agent.x, edges.minX, edges.maxX);
+            var y:Number = wrapped(agent.y, edges.minY, edges.maxY);
+            var z:Number = wrapped(agent.z, edges.minZ, edges.maxZ);
+            if (x != agent.x || y != agent.y || z != agent.z)
+            {
+                agent.jumpTo(x, y, z);
+            }
+        }
+
+        private static function wrapped(at:Number, least:Number, greatest:Number):Number
+        {
+            var width:Number = greatest - least;
+            if (width == Infinity || width == 0 || at >= least && at <= greatest)
+            {
+                return at;
+            }
+            return least + ((at - least) % width + width) % width;
+        }
+
+        // The contact with the edges; null if the agent touches none.
+        private function edgeContact(block:String, agent:Agent):Contact
+        {
+            BlockSubject.checkAgent(block, agent);
+            return isTouchingEdge(agent) ? _collisions.systemNow.contactOf(agent, _collisions.collision.bounds.agent) : null;
         }
 
         // Calls a function that raises the ground at an agent's place.

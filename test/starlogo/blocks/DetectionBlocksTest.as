@@ -9,6 +9,7 @@ package starlogo.blocks
     import starlogo.collision.Collision;
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
+    import support.assertClose;
     import support.assertThrows;
     import support.create;
     import support.landOf;
@@ -46,6 +47,26 @@ package starlogo.blocks
             assertNull(_blocks.nearestWithin(_turtle, "wolves", 1));
             assertEquals(_agents[3], _blocks.nearestWith(_turtle, "wolves", "color", 10));
             assertNull(_blocks.nearestWith(_turtle, "wolves", "color", 11));
+        }
+
+        [Test]
+        public function looksAhead():void
+        {
+            assertEquals(_agents[2], _blocks.ahead(_turtle, "wolves", 4));
+            assertClose(2, _blocks.distanceAhead(_turtle, "wolves", 4), 1e-9);
+            assertNull("it is farther", _blocks.ahead(_turtle, "wolves", 1.9));
+            assertEquals(Infinity, _blocks.distanceAhead(_turtle, "wolves", 1.9));
+            assertEquals("it would go into this one at once", _agents[1], _blocks.ahead(_turtle, Collision.ANY_BREED, 1));
+            assertEquals(0, _blocks.distanceAhead(_turtle, Collision.ANY_BREED, 1));
+            _turtle.heading = 180;
+            assertEquals(_agents[4], _blocks.ahead(_turtle, Collision.ANY_BREED, 10));
+            _turtle.heading = 90;
+            assertNull(_blocks.ahead(_turtle, Collision.ANY_BREED, 100));
+            _turtle.heading = 0;
+            assertThrows(BlockError, /"ahead" needs an agent/, _blocks.ahead, null, "wolves", 1);
+            assertThrows(BlockError, /"ahead" needs the name of a breed/, _blocks.ahead, _turtle, "", 1);
+            assertThrows(BlockError, /"distance ahead" needs a distance of 0 or more, but got -1/, _blocks.distanceAhead, _turtle, "wolves", -1);
+            assertThrows(BlockError, /"ahead" needs a finite distance/, _blocks.ahead, _turtle, "wolves", Infinity);
         }
 
         [Test]

@@ -2,12 +2,14 @@ package starlogo.blocks
 {
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
+    import support.assertClose;
     import support.assertThrows;
     import support.create;
     import support.landOf;
@@ -114,6 +116,38 @@ package starlogo.blocks
         }
 
         [Test]
+        public function stopsBouncesAndWrapsAtTheEdges():void
+        {
+            _detection.update();
+            assertNull("there are none", _blocks.edgeTouched(_turtle));
+            _blocks.wrapAtEdge(_turtle);
+            _collisions.collision.bounds = new WorldBounds(-5, -5, -1, 5, 5, 9);
+            assertNull(_blocks.edgeTouched(_turtle));
+            var places:Array = [[4.8, 0, 1], [-4.8, 0, 1], [0, 4.8, 1], [0, -4.8, 1], [0, 0, 8.5], [0, 0, -1.2]];
+            for (var i:int = 0; i < 6; i++)
+            {
+                _turtle.moveTo(places[i][0], places[i][1], places[i][2]);
+                assertEquals(TerrainBlocks.edgeNames[i], _blocks.edgeTouched(_turtle));
+            }
+            _turtle.moveTo(4.8, -7, 1);
+            _blocks.stopAtEdge(_turtle);
+            assertClose(4.5, _turtle.x, 1e-9);
+            assertClose(-4.5, _turtle.y, 1e-9);
+            _turtle.moveTo(4.8, 0, 1);
+            _turtle.heading = 30;
+            _blocks.bounceOffEdge(_turtle);
+            assertClose(150, _turtle.heading, 1e-9);
+            _blocks.bounceOffEdge(_turtle);
+            assertClose(150, _turtle.heading, 1e-9, "it is headed into the world");
+            _turtle.heading = 0;
+            _turtle.moveTo(5.5, -5.25, 1);
+            _blocks.wrapAtEdge(_turtle);
+            assertClose(-4.5, _turtle.x, 1e-9);
+            assertClose(4.75, _turtle.y, 1e-9);
+            assertEquals(1, _turtle.z);
+        }
+
+        [Test]
         public function aGameMayHaveNoGround():void
         {
             _detection.update();
@@ -134,6 +168,10 @@ package starlogo.blocks
             assertThrows(BlockError, /"build mound" needs an agent/, _blocks.buildMound, null, 1, 1);
             assertThrows(BlockError, /"terrain height" needs an agent/, _blocks.terrainHeight, null);
             assertThrows(BlockError, /"touching ground\?" needs an agent/, _blocks.isTouchingGround, null);
+            assertThrows(BlockError, /"edge I touch" needs an agent/, _blocks.edgeTouched, null);
+            assertThrows(BlockError, /"stop at the edge" needs an agent/, _blocks.stopAtEdge, null);
+            assertThrows(BlockError, /"bounce off the edge" needs an agent/, _blocks.bounceOffEdge, null);
+            assertThrows(BlockError, /"wrap at the edge" needs an agent/, _blocks.wrapAtEdge, null);
             assertThrows(BlockError, /"touching edge\?" needs an agent/, _blocks.isTouchingEdge, null);
             assertThrows(BlockError, /"build wall" needs a number for the height, but got NaN/, _blocks.buildWall, _turtle, NaN);
             assertThrows(BlockError, /"build mound" needs a number for the height, but got Infinity/, _blocks.buildMound, _turtle, 1, Infinity);

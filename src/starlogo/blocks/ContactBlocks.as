@@ -1,0 +1,147 @@
+package starlogo.blocks
+{
+    import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
+    import starlogo.collision.Contact;
+    import starlogo.geometry.requireGiven;
+
+    /**
+     * The blocks that tell how two agents touch: "side that was hit", "touch point", "touch speed", "push away from". In a collision block they are about
+     * the touch of this frame.
+     */
+    public class ContactBlocks
+    {
+        /** The side towards which the agent is headed. */
+        public static const FRONT:String = "front";
+
+        /** The side against the heading. */
+        public static const BACK:String = "back";
+
+        /** The side on the left of the heading. */
+        public static const LEFT:String = "left";
+
+        /** The side on the right of the heading. */
+        public static const RIGHT:String = "right";
+
+        /** The upper side. */
+        public static const TOP:String = "top";
+
+        /** The lower side. */
+        public static const BOTTOM:String = "bottom";
+
+        private static const SIDES:Array = [FRONT, BACK, LEFT, RIGHT, TOP, BOTTOM];
+
+        private var _collisions:CollisionBlocks;
+
+        /**
+         * Creates blocks for the contacts of a game.
+         *
+         * @param collisions has the collision system in use
+         * @throws ArgumentError if it is null
+         */
+        public function ContactBlocks(collisions:CollisionBlocks)
+        {
+            requireGiven("collisions", collisions);
+            _collisions = collisions;
+        }
+
+        /** The sides of an agent. */
+        public static function get sideNames():Array
+        {
+            return SIDES.concat();
+        }
+
+        /**
+         * The block "side that was hit": the side of the agent that the other one touches. The contact's normal decides.
+         *
+         * @param agent the agent whose side it is
+         * @param other the agent that touches it
+         * @return one of sideNames. Of two sides that are equally near, the first in this list
+         * @throws BlockError if one is missing, or both are the same
+         */
+        public function sideHit(agent:Agent, other:Agent):String
+        {
+            var normal:Vector3D = contactOf("side that was hit", agent, other).normal;
+            var angle:Number = agent.heading * Math.PI / 180;
+            // the normal points away from the other agent
+            var front:Number = -normal.x * Math.cos(angle) - normal.y * Math.sin(angle);
+            var left:Number = normal.x * Math.sin(angle) - normal.y * Math.cos(angle);
+            var parts:Array = [front, -front, left, -left, -normal.z, normal.z];
+            var most:int = 0;
+            for (var i:int = 1; i < 6; i++)
+            {
+                // the sine of a right angle's multiple is not exactly 0
+                if (parts[i] > parts[most] + 1e-9)
+                {
+                    most = i;
+                }
+            }
+            return SIDES[most];
+        }
+
+        /**
+         * The block "touch point": where two agents touch.
+         *
+         * @param agent one of them
+         * @param other the other
+         * @param out receives the point; null for a new one
+         * @return out, or the new point
+         * @throws BlockError if one is missing, or both are the same
+         */
+        public function touchPoint(agent:Agent, other:Agent, out:Vector3D = null):Vector3D
+        {
+            if (out == null)
+            {
+                out = new Vector3D();
+            }
+            out.copyFrom(contactOf("touch point", agent, other).point);
+            return out;
+        }
+
+        /**
+         * The block "touch speed": how fast two agents came together, in patches a frame.
+         *
+         * @param agent one of them
+         * @param other the other
+         * @return 0 if neither collides along its way (<code>sweeps</code>), or if they part
+         * @throws BlockError if one is missing, or both are the same
+         */
+        public function touchSpeed(agent:Agent, other:Agent):Number
+        {
+            return contactOf("touch speed", agent, other).approachSpeed;
+        }
+
+        /**
+         * The block "push away from": moves the agent out of the other one by the shortest way. Both count at their present places. It moves through
+         * whatever is there.
+         *
+         * @param agent the agent that moves
+         * @param other the agent that stays. If the two do not touch, nothing moves
+         * @throws BlockError if one is missing, or both are the same
+         */
+        public function pushAway(agent:Agent, other:Agent):void
+        {
+            check("push away from", agent, other);
+            if (_collisions.systemNow.areColliding(agent, other))
+            {
+                _collisions.moveOut(agent, _collisions.systemNow.contactOf(agent, other));
+            }
+        }
+
+        private function contactOf(block:String, agent:Agent, other:Agent):Contact
+        {
+            check(block, agent, other);
+            return _collisions.system.contactOf(agent, other);
+        }
+
+        private static function check(block:String, agent:Agent, other:Agent):void
+        {
+            BlockSubject.checkAgent(block, agent);
+            BlockSubject.checkAgent(block, other);
+            if (other === agent)
+            {
+                throw new BlockError(block, "needs another agent, but got the same.");
+            }
+        }
+    }
+}

@@ -1,0 +1,210 @@
+package starlogo.blocks
+{
+    import starlogo.agents.Agent;
+    import starlogo.collision.Collision;
+    import starlogo.queries.AgentFilter;
+    import starlogo.queries.Footing;
+    import starlogo.queries.ShapeHit;
+    import starlogo.queries.WalkOptions;
+
+    /**
+     * The blocks that move agents over floors and along walls: "solid", "forward", "walk", "fall", "jump", "standing?", "what I stand on". Floors and walls
+     * are the ground and the agents of solid breeds. An agent that stands on a moving agent is carried by it.
+     *
+     * <p>The upward speed of an agent is a number that the client keeps for each agent, 0 at the beginning. "fall" and "jump" get it and return
+     * the new one. A program calls "fall" in every frame.</p>
+     */
+    public class WalkBlocks
+    {
+        // what an agent stands on is no farther below it, in parts of its size. It ends a walk 1e-10 of its extent above
+        private static const CLOSE:Number = 1e-4;
+
+        private var _detection:DetectionBlocks;
+        private var _gravity:Number = 0.01;
+        private var _solid:AgentFilter = AgentFilter.ofBreeds();
+        private var _obstacles:AgentFilter = AgentFilter.ofBreeds(Collision.TERRAIN);
+        private var _options:WalkOptions = new WalkOptions();
+        private var _footing:Footing = new Footing();
+        private var _below:ShapeHit = new ShapeHit();
+
+        /**
+         * Creates blocks without solid breeds.
+         *
+         * @param detection finds what is in an agent's way. Agents are in the way where its <code>update()</code> has seen them
+         * @throws ArgumentError if it is null
+         */
+        public function WalkBlocks(detection:DetectionBlocks)
+        {
+            if (detection == null)
+            {
+                throw new ArgumentError("detection blocks are needed, not null");
+            }
+            _detection = detection;
+            _options.filter = _obstacles;
+        }
+
+        /** By how much falling gets faster in each frame, in patches a frame; 0.01. @throws RangeError if it is not more than 0 and finite */
+        public function get gravity():Number
+        {
+            return _gravity;
+        }
+
+        public function set gravity(value:Number):void
+        {
+            if (!(value > 0 && value < Infinity))
+            {
+                throw new RangeError("gravity must be more than 0 and finite: " + value);
+            }
+            _gravity = value;
+        }
+
+        /** The names of the solid breeds. The list that is read is a copy, and so is the list that is kept. */
+        public function get solidBreeds():Array
+        {
+            var names:Array = [];
+            for each (var name:String in _solid.breeds)
+            {
+                names.push(name);
+            }
+            return names;
+        }
+
+        public function set solidBreeds(names:Array):void
+        {
+            _solid.breeds = Vector.<String>(names);
+            _obstacles.breeds = _solid.breeds.concat();
+            _obstacles.breeds.push(Collision.TERRAIN);
+        }
+
+        /**
+         * The block "solid": a switch. Nobody walks, falls or jumps through the agents of a solid breed.
+         *
+         * @param breed the name of a breed
+         * @param isOn whether it is solid from now on
+         * @throws BlockError if there is no breed
+         */
+        public function setSolid(breed:String, isOn:Boolean):void
+        {
+            BlockSubject.checkBreed("solid", breed);
+            var names:Array = solidBreeds;
+            var at:int = names.indexOf(breed);
+            if (isOn && at < 0)
+            {
+                names.push(breed);
+            }
+            else if (!isOn && at >= 0)
+            {
+                names.splice(at, 1);
+            }
+            solidBreeds = names;
+        }
+
+        /**
+         * The block "forward", in a game with solid breeds: moves the agent by its heading, at its height. It slides along solid agents. The ground is
+         * not in its way.
+         *
+         * @param agent the agent that moves
+         * @param steps how far, in patches; a negative number moves it back
+         * @throws BlockError if there is no agent, or steps is not a number
+         */
+        public function forward(agent:Agent, steps:Number):void
+        {
+            check("forward", agent, steps, "steps");
+            var angle:Number = agent.heading * Math.PI / 180;
+            var height:Number = agent.z;
+            _detection.queries.slide(agent, steps * Math.cos(angle), steps * Math.sin(angle), 0, _solid);
+            agent.z = height;
+        }
+
+        /**
+         * The block "walk": moves the agent by its heading, as a game character goes. It climbs low steps and gentle slopes, stays on the ground
+         * when the way leads down, slides along walls, and is carried by what it stands on. It does not fall: "fall" does that.
+         *
+         * @param agent the agent that walks
+         * @param steps how far, in patches; a negative number moves it back
+         * @throws BlockError if there is no agent, or steps is not a number
+         */
+        public function walk(agent:Agent, steps:Number):void
+        {
+            check("walk", agent, steps, "steps");
+            var angle:Number = agent.heading * Math.PI / 180;
+            _options.fall = 0;
+            _detection.queries.walk(agent, steps * Math.cos(angle), steps * Math.sin(angle), _options, _footing);
+        }
+
+        /**
+         * The block "fall": one frame of a jump or a fall. The agent lands on floors, and bumps its head.
+         *
+         * @param agent the agent that falls, or rises
+         * @param speed its upward speed, in patches a frame
+         * @return its new speed; 0 if it stands, or has bumped its head
+         * @throws BlockError if there is no agent, or the speed is not a number
+         */
+        public function fall(agent:Agent, speed:Number):Number
+        {
+            check("fall", agent, speed, "a speed");
+            if (speed > 0)
+            {
+                return _detection.queries.moveUntilTouch(agent, 0, 0, speed, _obstacles) < 1 ? 0 : speed - _gravity;
+            }
+            _options.fall = _gravity - speed;
+            _detection.queries.walk(agent, 0, 0, _options, _footing);
+            return _footing.stands ? 0 : speed - _gravity;
+        }
+
+        /**
+         * The block "jump": the speed with which an agent that stands jumps. If it does not stand, its speed stays.
+         *
+         * @param agent the agent that jumps
+         * @param height how high, in patches, 0 or more
+         * @param speed its upward speed, in patches a frame
+         * @return its new speed
+         * @throws BlockError if there is no agent, or the height is negative or not a number
+         */
+        public function jump(agent:Agent, height:Number, speed:Number):Number
+        {
+            check("jump", agent, height, "a height");
+            if (height < 0)
+            {
+                throw new BlockError("jump", "needs a height of 0 or more, but got " + height + ".");
+            }
+            // The heights of the frames of a rise with the speed v add up to v (v + g) / 2g.
+            return standsOn(agent) == null ? speed : (Math.sqrt(_gravity * (_gravity + 8 * height)) - _gravity) / 2;
+        }
+
+        /**
+         * The block "standing?": whether the agent stands on a floor.
+         *
+         * @param agent the agent that asks
+         * @throws BlockError if there is no agent
+         */
+        public function isStanding(agent:Agent):Boolean
+        {
+            BlockSubject.checkAgent("standing?", agent);
+            return standsOn(agent) != null;
+        }
+
+        /**
+         * The block "what I stand on": the agent below the agent.
+         *
+         * @param agent the agent that asks
+         * @return null if it does not stand; for the ground the agent of the terrain
+         * @throws BlockError if there is no agent
+         */
+        public function standsOn(agent:Agent):Agent
+        {
+            BlockSubject.checkAgent("what I stand on", agent);
+            var hit:ShapeHit = _detection.queries.castAgent(agent, 0, 0, -CLOSE * agent.size, _obstacles, _below);
+            return hit != null && hit.normal.z >= Math.cos(_options.slopeDegrees * Math.PI / 180) ? hit.agent : null;
+        }
+
+        private static function check(block:String, agent:Agent, value:Number, what:String):void
+        {
+            BlockSubject.checkAgent(block, agent);
+            if (!isFinite(value))
+            {
+                throw new BlockError(block, "needs a number for " + what + ", but got " + value + ".");
+            }
+        }
+    }
+}

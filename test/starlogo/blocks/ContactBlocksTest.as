@@ -1,0 +1,91 @@
+package starlogo.blocks
+{
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import starlogo.agents.Agent;
+    import starlogo.collision.Contact;
+    import starlogo.models.BuiltInModel;
+    import support.assertClose;
+    import support.assertThrows;
+    import support.create;
+    import support.landOf;
+
+    public class ContactBlocksTest
+    {
+        private var _agents:Vector.<Agent> = new <Agent>[];
+        private var _collisions:CollisionBlocks;
+        private var _blocks:ContactBlocks;
+        private var _bear:Agent = new Agent("cube", "bears");
+        private var _wall:Agent = new Agent("cube", "walls");
+
+        [Before]
+        public function begin():void
+        {
+            _collisions = new CollisionBlocks(landOf(BuiltInModel.cube()), _agents);
+            _blocks = new ContactBlocks(_collisions);
+            _agents.push(_bear, _wall);
+        }
+
+        [Test]
+        public function tellsTheSideFromTheHeading():void
+        {
+            var places:Array = [[0.9, 0, 0], [-0.9, 0, 0], [0, 0.9, 0], [0, -0.9, 0], [0, 0, 0.9], [0, 0, -0.9]];
+            var expected:Array = ["front", "back", "left", "right", "top", "bottom"];
+            for (var i:int = 0; i < 6; i++)
+            {
+                _wall.moveTo(places[i][0], places[i][1], places[i][2]);
+                _collisions.collision.update(_agents);
+                assertEquals(expected[i], _blocks.sideHit(_bear, _wall));
+            }
+            _bear.heading = 90;
+            _wall.moveTo(0.9, 0, 0);
+            _collisions.collision.update(_agents);
+            assertEquals("right", _blocks.sideHit(_bear, _wall));
+            assertEquals("back", _blocks.sideHit(_wall, _bear));
+            assertEquals(expected.toString(), ContactBlocks.sideNames.toString());
+        }
+
+        [Test]
+        public function tellsPointAndSpeed():void
+        {
+            _bear.sweeps = true;
+            _wall.moveTo(3, 0, 0);
+            var speeds:Vector.<Number> = new <Number>[];
+            _collisions.onCollision("bears", "walls", function(bear:Agent, wall:Agent, contact:Contact):void
+                {
+                    speeds.push(_blocks.touchSpeed(bear, wall), _blocks.touchPoint(bear, wall, new Vector3D()).x);
+                });
+            _collisions.collision.update(_agents);
+            _bear.moveTo(2.5, 0, 0);
+            _collisions.collision.update(_agents);
+            assertEquals(2, speeds.length);
+            assertClose(2.5, speeds[0], 1e-9);
+            assertClose(2.5, speeds[1], 1e-6);
+            assertClose(0, _blocks.touchPoint(_bear, _wall).y, 1e-6);
+        }
+
+        [Test]
+        public function pushesOutByTheShortestWay():void
+        {
+            _wall.moveTo(0.7, 0.1, 0);
+            _collisions.collision.update(_agents);
+            _bear.moveTo(0, 0.9, 0);
+            _blocks.pushAway(_bear, _wall);
+            assertClose(0, _bear.x, 1e-9);
+            assertClose(1.1, _bear.y, 1e-9, "where it is now, not where the frame saw it");
+            _bear.moveTo(-5, 0, 0);
+            _blocks.pushAway(_bear, _wall);
+            assertEquals(-5, _bear.x);
+        }
+
+        [Test]
+        public function tellsStudentsWhatIsWrong():void
+        {
+            assertThrows(BlockError, /"side that was hit" needs an agent, but got nothing\. Remember: "collidee"/, _blocks.sideHit, _bear, null);
+            assertThrows(BlockError, /"touch point" needs an agent/, _blocks.touchPoint, null, _bear);
+            assertThrows(BlockError, /"touch speed" needs another agent, but got the same/, _blocks.touchSpeed, _bear, _bear);
+            assertThrows(BlockError, /"push away from" needs an agent/, _blocks.pushAway, _bear, null);
+            assertThrows(ArgumentError, "collisions", create, ContactBlocks, null);
+        }
+    }
+}

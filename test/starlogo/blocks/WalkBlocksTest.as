@@ -1,0 +1,187 @@
+package starlogo.blocks
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
+    import starlogo.terrain.Terrain;
+    import support.assertClose;
+    import support.assertThrows;
+    import support.create;
+    import support.landOf;
+
+    public class WalkBlocksTest
+    {
+        private var _terrain:Terrain = new Terrain(21, 21, 1, -10, -10);
+        private var _agents:Vector.<Agent> = new <Agent>[];
+        private var _collisions:CollisionBlocks;
+        private var _detection:DetectionBlocks;
+        private var _blocks:WalkBlocks;
+        private var _hero:Agent = new Agent("cube", "heroes");
+        private var _platform:Agent = new Agent("slab", "platforms");
+
+        [Before]
+        public function begin():void
+        {
+            _collisions = new CollisionBlocks(landOf(BuiltInModel.cube(), BuiltInModel.box(4, 4, 0.5, "slab")), _agents);
+            _collisions.collision.terrain = _terrain;
+            _detection = new DetectionBlocks(_collisions);
+            _blocks = new WalkBlocks(_detection);
+            _platform.moveTo(0, 0, 2);
+            _agents.push(_hero, _platform);
+            _detection.update();
+        }
+
+        [Test]
+        public function fallsOntoTheGround():void
+        {
+            _hero.moveTo(6, 0, 2);
+            var speed:Number = 0;
+            for (var frame:int = 0; frame < 100; frame++)
+            {
+                speed = _blocks.fall(_hero, speed);
+            }
+            assertEquals(0, speed);
+            assertClose(0, _hero.z, 1e-8);
+            assertTrue(_blocks.isStanding(_hero));
+            assertTrue(_blocks.standsOn(_hero) === _terrain.agent);
+        }
+
+        [Test]
+        public function jumpsAsHighAsTheBlockSays():void
+        {
+            _hero.moveTo(6, 0, 0);
+            for each (var height:Number in [0.5, 1, 3])
+            {
+                var speed:Number = _blocks.jump(_hero, height, _blocks.fall(_hero, 0));
+                var most:Number = 0;
+                for (var frame:int = 0; frame < 200; frame++)
+                {
+                    speed = _blocks.fall(_hero, speed);
+                    most = Math.max(most, _hero.z);
+                    if (frame == 1)
+                    {
+                        assertFalse(_blocks.isStanding(_hero));
+                        assertEquals("no second jump in the air", speed, _blocks.jump(_hero, height, speed));
+                    }
+                }
+                assertClose(height, most, 0.01);
+                assertClose(0, _hero.z, 1e-8);
+            }
+        }
+
+        [Test]
+        public function aSolidBreedIsASwitch():void
+        {
+            _hero.moveTo(0, 0, 0);
+            // through the platform
+            assertClose(2.4, jumpedTo(2.4), 0.02);
+            _blocks.setSolid("platforms", true);
+            _blocks.setSolid("platforms", true);
+            assertEquals(["platforms"].toString(), _blocks.solidBreeds.toString());
+            assertClose(1, jumpedTo(2.4), 1e-6, "it bumps its head");
+            _hero.moveTo(0, 0, 4);
+            settle();
+            assertClose(2.5, _hero.z, 1e-6, "it lands on the platform");
+            assertTrue(_blocks.standsOn(_hero) === _platform);
+            _blocks.setSolid("platforms", false);
+            settle();
+            assertClose(0, _hero.z, 1e-6);
+            assertEquals(0, _blocks.solidBreeds.length);
+        }
+
+        [Test]
+        public function goesForwardAlongSolidAgents():void
+        {
+            _platform.moveTo(3, 0, 0);
+            _detection.update();
+            _blocks.forward(_hero, 1);
+            assertClose(1, _hero.x, 1e-12);
+            _blocks.setSolid("platforms", true);
+            _hero.moveTo(0, 0, 0);
+            _blocks.forward(_hero, 3);
+            assertClose(0.5, _hero.x, 1e-6);
+            _hero.heading = 60;
+            _blocks.forward(_hero, 1);
+            assertClose(0.5, _hero.x, 1e-6);
+            assertClose(Math.sqrt(3) / 2, _hero.y, 1e-6);
+            assertEquals(0, _hero.z);
+        }
+
+        [Test]
+        public function walksUpLowStepsAndIsCarried():void
+        {
+            _blocks.setSolid("platforms", true);
+            _platform.moveTo(3, 0, -0.3);
+            _detection.update();
+            for (var i:int = 0; i < 20; i++)
+            {
+                _blocks.walk(_hero, 0.1);
+            }
+            assertClose(2, _hero.x, 1e-6);
+            assertClose(0.2, _hero.z, 1e-6);
+            for (i = 0; i < 10; i++)
+            {
+                _platform.moveTo(_platform.x, _platform.y + 0.1, _platform.z);
+                _detection.update();
+                _blocks.walk(_hero, 0);
+            }
+            assertClose(1, _hero.y, 1e-6, "carried");
+            _blocks.walk(_hero, -1.6);
+            assertClose(0, _hero.z, 1e-6, "down the step");
+        }
+
+        [Test]
+        public function walkingDoesNotFall():void
+        {
+            _hero.moveTo(6, 0, 3);
+            _blocks.walk(_hero, 0.5);
+            assertClose(6.5, _hero.x, 1e-9);
+            assertEquals(3, _hero.z);
+            assertNull(_blocks.standsOn(_hero));
+        }
+
+        [Test]
+        public function tellsStudentsWhatIsWrong():void
+        {
+            assertThrows(BlockError, /"walk" needs an agent, but got nothing/, _blocks.walk, null, 1);
+            assertThrows(BlockError, /"walk" needs a number for steps, but got NaN/, _blocks.walk, _hero, NaN);
+            assertThrows(BlockError, /"forward" needs a number for steps/, _blocks.forward, _hero, Infinity);
+            assertThrows(BlockError, /"fall" needs a number for a speed/, _blocks.fall, _hero, NaN);
+            assertThrows(BlockError, /"jump" needs a height of 0 or more, but got -1/, _blocks.jump, _hero, -1, 0);
+            assertThrows(BlockError, /"standing\?" needs an agent/, _blocks.isStanding, null);
+            assertThrows(BlockError, /"what I stand on" needs an agent/, _blocks.standsOn, null);
+            assertThrows(BlockError, /"solid" needs the name of a breed/, _blocks.setSolid, "", true);
+            assertThrows(ArgumentError, /detection blocks are needed/, create, WalkBlocks, null);
+            assertThrows(RangeError, /gravity must be more than 0 and finite: 0/, function():void
+                {
+                    _blocks.gravity = 0;
+                });
+        }
+
+        private function settle():void
+        {
+            var speed:Number = 0;
+            for (var frame:int = 0; frame < 120; frame++)
+            {
+                speed = _blocks.fall(_hero, speed);
+            }
+        }
+
+        private function jumpedTo(height:Number):Number
+        {
+            settle();
+            var speed:Number = _blocks.jump(_hero, height, 0);
+            var most:Number = 0;
+            while (speed > 0)
+            {
+                speed = _blocks.fall(_hero, speed);
+                most = Math.max(most, _hero.z);
+            }
+            settle();
+            return most;
+        }
+    }
+}

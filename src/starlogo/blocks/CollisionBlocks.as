@@ -1,14 +1,11 @@
 package starlogo.blocks
 {
-    import flash.geom.Vector3D;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.BinCollider;
-    import starlogo.collision.Collider;
     import starlogo.collision.Collision;
     import starlogo.collision.CollisionSystem;
     import starlogo.collision.CombinationCollider;
-    import starlogo.collision.Contact;
     import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
 
@@ -43,9 +40,6 @@ package starlogo.blocks
         private var _systems:Object = {};
         private var _systemName:String = TIGHTEST_FITS;
         private var _collision:Collision;
-
-        // Its systems never search, so they give contacts of the agents' present places.
-        private var _now:CollisionBlocks;
 
         /**
          * Creates blocks without scripts. The collision system is "tightest fits".
@@ -178,29 +172,6 @@ package starlogo.blocks
         {
             _collision.reset();
             runs++;
-        }
-
-        /** The collision system in use. It gives the contacts of the last frame. */
-        internal function get system():Collider
-        {
-            return _systems[_systemName];
-        }
-
-        /** The same system for the agents' present places: one that has never searched gives the contacts of now. */
-        internal function get systemNow():Collider
-        {
-            if (_now == null)
-            {
-                _now = new CollisionBlocks(_greatLand, new <Agent>[]);
-            }
-            return _now._systems[_systemName];
-        }
-
-        /** Moves an agent out of what it touches. */
-        internal function moveOut(agent:Agent, contact:Contact):void
-        {
-            var way:Vector3D = contact.normal;
-            agent.moveTo(agent.x + contact.depth * way.x, agent.y + contact.depth * way.y, agent.z + contact.depth * way.z);
         }
 
         private static function check(block:String, breed:String, otherBreed:String, script:Function):void

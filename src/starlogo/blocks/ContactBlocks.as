@@ -31,7 +31,7 @@ package starlogo.blocks
 
         private static const SIDES:Array = [FRONT, BACK, LEFT, RIGHT, TOP, BOTTOM];
 
-        private var _collisions:CollisionBlocks;
+        private var _contacts:BlockContacts;
 
         /**
          * Creates blocks for the contacts of a game.
@@ -42,7 +42,7 @@ package starlogo.blocks
         public function ContactBlocks(collisions:CollisionBlocks)
         {
             requireGiven("collisions", collisions);
-            _collisions = collisions;
+            _contacts = new BlockContacts(collisions);
         }
 
         /** The sides of an agent. */
@@ -122,16 +122,13 @@ package starlogo.blocks
         public function pushAway(agent:Agent, other:Agent):void
         {
             check("push away from", agent, other);
-            if (_collisions.systemNow.areColliding(agent, other))
-            {
-                _collisions.moveOut(agent, _collisions.systemNow.contactOf(agent, other));
-            }
+            _contacts.pushOut(agent, other);
         }
 
         private function contactOf(block:String, agent:Agent, other:Agent):Contact
         {
             check(block, agent, other);
-            return _collisions.system.contactOf(agent, other);
+            return _contacts.ofFrame(agent, other);
         }
 
         private static function check(block:String, agent:Agent, other:Agent):void

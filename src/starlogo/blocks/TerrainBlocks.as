@@ -35,6 +35,7 @@ package starlogo.blocks
 
         private var _collisions:CollisionBlocks;
         private var _detection:DetectionBlocks;
+        private var _contacts:BlockContacts;
 
         /**
          * Creates blocks for the ground and the edges of a game.
@@ -51,6 +52,7 @@ package starlogo.blocks
             }
             _collisions = collisions;
             _detection = detection;
+            _contacts = new BlockContacts(collisions);
         }
 
         /** The names of the world's edges. */
@@ -157,7 +159,9 @@ package starlogo.blocks
          */
         public function edgeTouched(agent:Agent):String
         {
-            var contact:Contact = edgeContact("edge I touch", agent);
+            BlockSubject.checkAgent("edge I touch", agent);
+            var edges:WorldBounds = _collisions.collision.bounds;
+            var contact:Contact = edges == null ? null : _contacts.now(agent, edges.agent);
             if (contact == null)
             {
                 return null;
@@ -175,11 +179,7 @@ package starlogo.blocks
          */
         public function stopAtEdge(agent:Agent):void
         {
-            var contact:Contact = edgeContact("stop at the edge", agent);
-            if (contact != null)
-            {
-                _collisions.moveOut(agent, contact);
-            }
+            moveInside("stop at the edge", agent);
         }
 
         /**
@@ -191,12 +191,11 @@ package starlogo.blocks
          */
         public function bounceOffEdge(agent:Agent):void
         {
-            var contact:Contact = edgeContact("bounce off the edge", agent);
+            var contact:Contact = moveInside("bounce off the edge", agent);
             if (contact == null)
             {
                 return;
             }
-            _collisions.moveOut(agent, contact);
             var angle:Number = agent.heading * Math.PI / 180;
             var x:Number = Math.cos(angle);
             var y:Number = Math.sin(angle);
@@ -240,11 +239,12 @@ package starlogo.blocks
             return least + ((at - least) % width + width) % width;
         }
 
-        // The contact with the edges; null if the agent touches none.
-        private function edgeContact(block:String, agent:Agent):Contact
+        // Moves the agent into the world. Returns its contact with the edges before; null if it touched none.
+        private function moveInside(block:String, agent:Agent):Contact
         {
             BlockSubject.checkAgent(block, agent);
-            return isTouchingEdge(agent) ? _collisions.systemNow.contactOf(agent, _collisions.collision.bounds.agent) : null;
+            var edges:WorldBounds = _collisions.collision.bounds;
+            return edges == null ? null : _contacts.pushOut(agent, edges.agent);
         }
 
         // Calls a function that raises the ground at an agent's place.

@@ -3,6 +3,7 @@ package starlogo.blocks
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.collision.Contact;
+    import starlogo.geometry.Trigonometry;
     import starlogo.geometry.requireGiven;
 
     /**
@@ -62,15 +63,16 @@ package starlogo.blocks
         public function sideHit(agent:Agent, other:Agent):String
         {
             var normal:Vector3D = contactOf("side that was hit", agent, other).normal;
-            var angle:Number = agent.heading * Math.PI / 180;
             // the normal points away from the other agent
-            var front:Number = -normal.x * Math.cos(angle) - normal.y * Math.sin(angle);
-            var left:Number = normal.x * Math.sin(angle) - normal.y * Math.cos(angle);
+            var cos:Number = Trigonometry.cosine(agent.heading);
+            var sin:Number = Trigonometry.sine(agent.heading);
+            var front:Number = -normal.x * cos - normal.y * sin;
+            var left:Number = normal.x * sin - normal.y * cos;
             var parts:Array = [front, -front, left, -left, -normal.z, normal.z];
             var most:int = 0;
             for (var i:int = 1; i < 6; i++)
             {
-                // the sine of a right angle's multiple is not exactly 0
+                // a rounding does not decide between two sides
                 if (parts[i] > parts[most] + 1e-9)
                 {
                     most = i;

@@ -2,6 +2,7 @@ package starlogo.blocks
 {
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
+    import starlogo.geometry.Trigonometry;
     import starlogo.geometry.requireGiven;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
@@ -208,8 +209,7 @@ package starlogo.blocks
             {
                 throw new BlockError(block, "needs a finite distance.");
             }
-            var angle:Number = agent.heading * Math.PI / 180;
-            return queries.castAgent(agent, distance * Math.cos(angle), distance * Math.sin(angle), 0, filterFor(breed), _ahead);
+            return queries.castAgent(agent, distance * Trigonometry.cosine(agent.heading), distance * Trigonometry.sine(agent.heading), 0, filterFor(breed), _ahead);
         }
 
         private static function filterFor(breed:String, accepts:Function = null):AgentFilter

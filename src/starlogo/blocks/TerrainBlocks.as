@@ -3,6 +3,7 @@ package starlogo.blocks
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
     import starlogo.collision.Contact;
+    import starlogo.geometry.Trigonometry;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
 
@@ -196,13 +197,12 @@ package starlogo.blocks
             {
                 return;
             }
-            var angle:Number = agent.heading * Math.PI / 180;
-            var x:Number = Math.cos(angle);
-            var y:Number = Math.sin(angle);
+            var x:Number = Trigonometry.cosine(agent.heading);
+            var y:Number = Trigonometry.sine(agent.heading);
             var into:Number = x * contact.normal.x + y * contact.normal.y;
             if (into < 0)
             {
-                agent.heading = Math.atan2(y - 2 * into * contact.normal.y, x - 2 * into * contact.normal.x) * 180 / Math.PI;
+                agent.heading = Trigonometry.arctangent(y - 2 * into * contact.normal.y, x - 2 * into * contact.normal.x);
             }
         }
 

@@ -2,6 +2,7 @@ package starlogo.blocks
 {
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
+    import starlogo.geometry.Trigonometry;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.Footing;
     import starlogo.queries.ShapeHit;
@@ -110,9 +111,8 @@ package starlogo.blocks
         public function forward(agent:Agent, steps:Number):void
         {
             check("forward", agent, steps, "steps");
-            var angle:Number = agent.heading * Math.PI / 180;
             var height:Number = agent.z;
-            _detection.queries.slide(agent, steps * Math.cos(angle), steps * Math.sin(angle), 0, _solid);
+            _detection.queries.slide(agent, steps * Trigonometry.cosine(agent.heading), steps * Trigonometry.sine(agent.heading), 0, _solid);
             agent.z = height;
         }
 
@@ -127,9 +127,8 @@ package starlogo.blocks
         public function walk(agent:Agent, steps:Number):void
         {
             check("walk", agent, steps, "steps");
-            var angle:Number = agent.heading * Math.PI / 180;
             _options.fall = 0;
-            _detection.queries.walk(agent, steps * Math.cos(angle), steps * Math.sin(angle), _options, _footing);
+            _detection.queries.walk(agent, steps * Trigonometry.cosine(agent.heading), steps * Trigonometry.sine(agent.heading), _options, _footing);
         }
 
         /**
@@ -195,7 +194,7 @@ package starlogo.blocks
         {
             BlockSubject.checkAgent("what I stand on", agent);
             var hit:ShapeHit = _detection.queries.castAgent(agent, 0, 0, -CLOSE * agent.size, _obstacles, _below);
-            return hit != null && hit.normal.z >= Math.cos(_options.slopeDegrees * Math.PI / 180) ? hit.agent : null;
+            return hit != null && hit.normal.z >= Trigonometry.cosine(_options.slopeDegrees) ? hit.agent : null;
         }
 
         private static function check(block:String, agent:Agent, value:Number, what:String):void

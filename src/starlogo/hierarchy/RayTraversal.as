@@ -50,23 +50,31 @@ package starlogo.hierarchy
         /** @inheritDoc */
         override protected function estimate(a:HierarchyNode, b:HierarchyNode):void
         {
+            // For each axis, as Ray.cutAlong(). A call for each would take most of the time.
             var ray:Ray = _ray;
             var enter:Number = bound;
             var leave:Number = ray.to;
-            var reach:Number;
-            var place:Number;
             var offset:Number = ray.x - a.x;
-            var speed:Number = ray.directionX;
-            var half:Number = a.halfX;
-            include "../intersection/ray/cut.inc";
+            var speed:Number = ray.directionX == 0 ? 0 : ray.directionX;
+            var reach:Number = speed < 0 ? -a.halfX : a.halfX;
+            var place:Number = (reach - offset) / speed;
+            leave = place < leave ? place : leave;
+            place = (-reach - offset) / speed;
+            enter = place > enter ? place : enter;
             offset = ray.y - a.y;
-            speed = ray.directionY;
-            half = a.halfY;
-            include "../intersection/ray/cut.inc";
+            speed = ray.directionY == 0 ? 0 : ray.directionY;
+            reach = speed < 0 ? -a.halfY : a.halfY;
+            place = (reach - offset) / speed;
+            leave = place < leave ? place : leave;
+            place = (-reach - offset) / speed;
+            enter = place > enter ? place : enter;
             offset = ray.z - a.z;
-            speed = ray.directionZ;
-            half = a.halfZ;
-            include "../intersection/ray/cut.inc";
+            speed = ray.directionZ == 0 ? 0 : ray.directionZ;
+            reach = speed < 0 ? -a.halfZ : a.halfZ;
+            place = (reach - offset) / speed;
+            leave = place < leave ? place : leave;
+            place = (-reach - offset) / speed;
+            enter = place > enter ? place : enter;
             bound = enter <= leave ? enter : Infinity;
         }
     }

@@ -6,7 +6,7 @@ package starlogo.intersection
     use namespace engine;
 
     /**
-     * Finds the kernel of a pair of structures by their two kinds: <code>OF[a.kind].against[b.kind]</code>. The convex core tests every pair
+     * Finds the kernel of a pair of structures by their two kinds. The convex core tests every pair
      * with a kind from HULL on.
      *
      * <p>The package intersection says how two structures meet: whether they touch (<code>intersects()</code>), when they first do
@@ -18,20 +18,24 @@ package starlogo.intersection
      */
     public final class PairTable
     {
-        /** The kernels, by the first structure's kind. */
-        public static const OF:Vector.<KindKernels> = makeKernels();
+        private static const KINDS:int = BoundingStructure.OTHER + 1;
 
-        private static function makeKernels():Vector.<KindKernels>
+        // For each pair of kinds its kernel: one row after the other, a row for each kind of the first structure.
+        private static const KERNELS:Vector.<PairKernel> = makeKernels();
+
+        /** The kernel of two structures. */
+        public static function kernelOf(a:BoundingStructure, b:BoundingStructure):PairKernel
         {
-            var kernels:Vector.<KindKernels> = new Vector.<KindKernels>();
+            return KERNELS[int(KINDS * a.kind + b.kind)];
+        }
+
+        private static function makeKernels():Vector.<PairKernel>
+        {
+            var kernels:Vector.<PairKernel> = new Vector.<PairKernel>(KINDS * KINDS, true);
             var missing:PairKernel = new PairKernel();
-            for (var a:int = 0; a <= BoundingStructure.OTHER; a++)
+            for (var i:int = 0; i < kernels.length; i++)
             {
-                kernels[a] = new KindKernels();
-                for (var b:int = 0; b <= BoundingStructure.OTHER; b++)
-                {
-                    kernels[a].against[b] = missing;
-                }
+                kernels[i] = missing;
             }
             addPair(kernels, BoundingStructure.SPHERE, BoundingStructure.SPHERE, new SphereSphereKernel());
             addPair(kernels, BoundingStructure.SPHERE, BoundingStructure.CAPSULE, new SphereCapsuleKernel());
@@ -39,9 +43,9 @@ package starlogo.intersection
             addPair(kernels, BoundingStructure.CAPSULE, BoundingStructure.CAPSULE, new CapsuleCapsuleKernel());
             addPair(kernels, BoundingStructure.CAPSULE, BoundingStructure.BOX, new CapsuleBoxKernel());
             addPair(kernels, BoundingStructure.BOX, BoundingStructure.BOX, new BoxBoxKernel());
-            for (b = BoundingStructure.HULL; b < BoundingStructure.KIND_COUNT; b++)
+            for (var b:int = BoundingStructure.HULL; b < BoundingStructure.KIND_COUNT; b++)
             {
-                for (a = 0; a <= b; a++)
+                for (var a:int = 0; a <= b; a++)
                 {
                     addPair(kernels, a, b, new ConvexKernel());
                 }
@@ -49,10 +53,10 @@ package starlogo.intersection
             return kernels;
         }
 
-        private static function addPair(kernels:Vector.<KindKernels>, a:int, b:int, kernel:PairKernel):void
+        private static function addPair(kernels:Vector.<PairKernel>, a:int, b:int, kernel:PairKernel):void
         {
-            kernels[b].against[a] = new SwappedKernel(kernel);
-            kernels[a].against[b] = kernel;
+            kernels[KINDS * b + a] = new SwappedKernel(kernel);
+            kernels[KINDS * a + b] = kernel;
         }
     }
 }

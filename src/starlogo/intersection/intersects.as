@@ -53,6 +53,6 @@ package starlogo.intersection
                     return boxBox(a as Box, b as Box);
                 }
         }
-        return PairTable.OF[a.kind].against[b.kind].areTouching(a, b);
+        return PairTable.kernelOf(a, b).areTouching(a, b);
     }
 }

@@ -1,5 +1,6 @@
 package starlogo.solid
 {
+    import starlogo.intersection.writeTriangleExtents;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
@@ -67,9 +68,7 @@ package starlogo.solid
             }
             for (var i:int = 0; i < count; i++)
             {
-                var from:int = 9 * i;
-                var to:int = 6 * i;
-                include "../intersection/triangleExtents.inc";
+                writeTriangleExtents(corners, 9 * i, spans, 6 * i);
             }
         }
     }

@@ -1,5 +1,6 @@
 package starlogo.solid
 {
+    import starlogo.intersection.writeTriangleExtents;
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.engine;
@@ -122,9 +123,7 @@ package starlogo.solid
                 var spans:Vector.<Number> = _extents = new Vector.<Number>(6 * count, true);
                 for (var i:int = 0; i < count; i++)
                 {
-                    var from:int = 9 * i;
-                    var to:int = 6 * i;
-                    include "../intersection/triangleExtents.inc";
+                    writeTriangleExtents(corners, 9 * i, spans, 6 * i);
                 }
             }
             return _extents;

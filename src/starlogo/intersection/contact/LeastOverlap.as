@@ -2,6 +2,7 @@ package starlogo.intersection.contact
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ContactFeature;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
@@ -42,9 +43,9 @@ package starlogo.intersection.contact
             _featureA.findCommonPoint(_featureB, out);
             // halfway between the two surfaces
             var radius:Number = _a.radius;
-            out.x = _featureA.x - radius / 2 * out.normalX;
-            out.y = _featureA.y - radius / 2 * out.normalY;
-            out.z = _featureA.z - radius / 2 * out.normalZ;
+            out.x -= radius / 2 * out.normalX;
+            out.y -= radius / 2 * out.normalY;
+            out.z -= radius / 2 * out.normalZ;
             var depth:Number = _depth + radius;
             out.depth = depth > 0 ? depth : 0;
         }

@@ -5,6 +5,7 @@ package starlogo.intersection.contact
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.convex.ContactFeature;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
 
@@ -35,6 +36,7 @@ package starlogo.intersection.contact
 
         private var _halves:Vector.<Number> = new Vector.<Number>(3, true);
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _step:Vector3D = new Vector3D();
 
         /**
          * Sets the sum to a structure.
@@ -126,8 +128,8 @@ package starlogo.intersection.contact
         public function supportInto(feature:ContactFeature, direction:Vector3D):void
         {
             feature.clear();
-            feature.setVector(x, y, z);
-            feature.add();
+            _step.setTo(x, y, z);
+            feature.add(_step);
             for (var at:int = 0; at < end; at += 3)
             {
                 var dx:Number = directions[at];
@@ -136,14 +138,14 @@ package starlogo.intersection.contact
                 var half:Number = _halves[int(at / 3)];
                 var along:Number = dx * direction.x + dy * direction.y + dz * direction.z;
                 half = along < -Tolerances.DIRECTION ? -half : half;
-                feature.setVector(half * dx, half * dy, half * dz);
+                _step.setTo(half * dx, half * dy, half * dz);
                 if (along > Tolerances.DIRECTION || along < -Tolerances.DIRECTION)
                 {
-                    feature.move();
+                    feature.move(_step);
                 }
                 else if (half > 0)
                 {
-                    feature.widen();
+                    feature.widen(_step);
                 }
             }
         }

@@ -30,6 +30,6 @@ package starlogo.intersection.contact
      */
     public function findPairContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
     {
-        PairTable.OF[a.kind].against[b.kind].findContact(a, b, displacement, out);
+        PairTable.kernelOf(a, b).findContact(a, b, displacement, out);
     }
 }

@@ -19,6 +19,6 @@ package starlogo.intersection.distance
      */
     public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
     {
-        PairTable.OF[a.kind].against[b.kind].findClosest(a, b, out);
+        PairTable.kernelOf(a, b).findClosest(a, b, out);
     }
 }

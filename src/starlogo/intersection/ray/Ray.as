@@ -136,15 +136,15 @@ package starlogo.intersection.ray
         {
             var offset:Number = axis.x * (x - middle.x) + axis.y * (y - middle.y) + axis.z * (z - middle.z);
             var speed:Number = axis.x * directionX + axis.y * directionY + axis.z * directionZ;
-            var enter:Number = near;
-            var leave:Number = far;
-            var reach:Number;
-            var place:Number;
-            include "cut.inc";
-            far = leave;
-            if (enter != near)
+            // a line within the planes crosses them at an infinite distance, if its speed is not -0
+            speed = speed == 0 ? 0 : speed;
+            var reach:Number = speed < 0 ? -half : half;
+            var place:Number = (reach - offset) / speed;
+            far = place < far ? place : far;
+            place = (-reach - offset) / speed;
+            if (place > near)
             {
-                near = enter;
+                near = place;
                 entered = axis;
             }
         }

@@ -22,6 +22,6 @@ package starlogo.intersection.sweep
      */
     public function findTimeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
     {
-        PairTable.OF[a.kind].against[b.kind].findTime(a, b, motion);
+        PairTable.kernelOf(a, b).findTime(a, b, motion);
     }
 }

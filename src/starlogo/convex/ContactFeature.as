@@ -1,6 +1,6 @@
-package starlogo.intersection.contact
+package starlogo.convex
 {
-    import starlogo.convex.ContactPoint;
+    import flash.geom.Vector3D;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -11,22 +11,18 @@ package starlogo.intersection.contact
      */
     public final class ContactFeature
     {
-        // Room for four corners, one more corner for each of four clips, and a spare one.
-        private static const MOST_NUMBERS:int = 3 * 9;
-
-        /** The common point. */
-        public var x:Number;
-        public var y:Number;
-        public var z:Number;
-
-        // Arguments of the next call. Fields, because V8 would allocate objects for Numbers that are passed.
-        private var _stepX:Number = 0;
-        private var _stepY:Number = 0;
-        private var _stepZ:Number = 0;
-
-        private var _points:Vector.<Number> = new Vector.<Number>(MOST_NUMBERS, true);
+        // The corners in order, and how many numbers they are; and the polygon that a clip makes.
+        private var _points:Vector.<Number> = new Vector.<Number>();
         private var _end:int = 0;
-        private var _clipped:Vector.<Number> = new Vector.<Number>(MOST_NUMBERS, true);
+        private var _clipped:Vector.<Number> = new Vector.<Number>();
+
+        private var _middle:Vector3D = new Vector3D();
+
+        /** Whether the feature is a point. */
+        public function get isPoint():Boolean
+        {
+            return _end == 3;
+        }
 
         /** Removes all points. */
         public function clear():void
@@ -34,127 +30,119 @@ package starlogo.intersection.contact
             _end = 0;
         }
 
-        /** Sets the vector that the next calls use. */
-        public function setVector(x:Number, y:Number, z:Number):void
+        /** Adds a corner after the others. */
+        public function add(corner:Vector3D):void
         {
-            _stepX = x;
-            _stepY = y;
-            _stepZ = z;
-        }
-
-        /** Adds the vector's end as a corner after the others. */
-        public function add():void
-        {
-            _points[_end] = _stepX;
-            _points[int(_end + 1)] = _stepY;
-            _points[int(_end + 2)] = _stepZ;
+            _points[_end] = corner.x;
+            _points[int(_end + 1)] = corner.y;
+            _points[int(_end + 2)] = corner.z;
             _end += 3;
         }
 
-        /** Moves all points by the vector. */
-        public function move():void
+        /** Moves all points by a vector. */
+        public function move(by:Vector3D):void
         {
             for (var at:int = 0; at < _end; at += 3)
             {
-                _points[at] += _stepX;
-                _points[int(at + 1)] += _stepY;
-                _points[int(at + 2)] += _stepZ;
+                _points[at] += by.x;
+                _points[int(at + 1)] += by.y;
+                _points[int(at + 2)] += by.z;
             }
         }
 
-        /** Extends the polygon by the vector to both sides: a point becomes a segment, and a segment becomes a parallelogram. */
-        public function widen():void
+        /** Extends the polygon by a vector to both sides: a point becomes a segment, and a segment becomes a parallelogram. */
+        public function widen(by:Vector3D):void
         {
             var points:Vector.<Number> = _points;
             for (var at:int = _end - 3; at >= 0; at -= 3)
             {
-                points[at] -= _stepX;
-                points[int(at + 1)] -= _stepY;
-                points[int(at + 2)] -= _stepZ;
-                points[_end] = points[at] + 2 * _stepX;
-                points[int(_end + 1)] = points[int(at + 1)] + 2 * _stepY;
-                points[int(_end + 2)] = points[int(at + 2)] + 2 * _stepZ;
+                points[at] -= by.x;
+                points[int(at + 1)] -= by.y;
+                points[int(at + 2)] -= by.z;
+                points[_end] = points[at] + 2 * by.x;
+                points[int(_end + 1)] = points[int(at + 1)] + 2 * by.y;
+                points[int(_end + 2)] = points[int(at + 2)] + 2 * by.z;
                 _end += 3;
             }
         }
 
         /**
-         * Finds the middle of the area that two polygons share when seen along a normal. The point is halfway between the two polygons.
+         * Finds the middle of the area that two features share when seen along a normal. The point is halfway between the two.
          *
          * @param other in the same plane, or in a parallel one
-         * @param contact has the normal
+         * @param out has the normal; receives the point
          */
-        public function findCommonPoint(other:ContactFeature, contact:ContactPoint):void
+        public function findCommonPoint(other:ContactFeature, out:ContactPoint):void
         {
-            var normalX:Number = contact.normalX;
-            var normalY:Number = contact.normalY;
-            var normalZ:Number = contact.normalZ;
             var a:Vector.<Number> = _points;
             var b:Vector.<Number> = other._points;
-            var heights:Number = a[0] * normalX + a[1] * normalY + a[2] * normalZ + (b[0] * normalX + b[1] * normalY + b[2] * normalZ);
-            var found:ContactFeature = this;
+            var heights:Number = a[0] * out.normalX + a[1] * out.normalY + a[2] * out.normalZ + (b[0] * out.normalX + b[1] * out.normalY + b[2] * out.normalZ);
             if (_end == 3)
             {
-                setMiddle();
+                writeMiddle(out);
             }
             else if (other._end == 3)
             {
-                found = other;
-                other.setMiddle();
+                other.writeMiddle(out);
             }
             else if (other._end > 6)
             {
-                setMiddleWithin(other, contact);
+                writeMiddleWithin(other, out);
             }
             else if (_end > 6)
             {
-                found = other;
-                other.setMiddleWithin(this, contact);
+                other.writeMiddleWithin(this, out);
             }
             else
             {
-                setCrossing(a, b);
+                writeCrossing(a, b, out);
             }
-            var height:Number = heights / 2 - (normalX * found.x + normalY * found.y + normalZ * found.z);
-            x = found.x + height * normalX;
-            y = found.y + height * normalY;
-            z = found.z + height * normalZ;
+            var height:Number = heights / 2 - (out.normalX * out.x + out.normalY * out.y + out.normalZ * out.z);
+            out.x += height * out.normalX;
+            out.y += height * out.normalY;
+            out.z += height * out.normalZ;
+        }
+
+        /** Writes the middle of the corners. */
+        public function writeMiddle(out:ContactPoint):void
+        {
+            setMiddle();
+            out.x = _middle.x;
+            out.y = _middle.y;
+            out.z = _middle.z;
         }
 
         private function setMiddle():void
         {
-            x = y = z = 0;
+            var x:Number = 0;
+            var y:Number = 0;
+            var z:Number = 0;
             for (var at:int = 0; at < _end; at += 3)
             {
                 x += _points[at];
                 y += _points[int(at + 1)];
                 z += _points[int(at + 2)];
             }
-            x *= 3 / _end;
-            y *= 3 / _end;
-            z *= 3 / _end;
+            _middle.x = x * (3 / _end);
+            _middle.y = y * (3 / _end);
+            _middle.z = z * (3 / _end);
         }
 
-        // Sets the point to the middle of this segment or polygon after clipping it to another polygon (Sutherland and Hodgman, "Reentrant
-        // polygon clipping", 1974).
-        private function setMiddleWithin(outer:ContactFeature, contact:ContactPoint):void
+        // Writes the middle of this segment or polygon after clipping it to another polygon (Sutherland and Hodgman, "Reentrant polygon
+        // clipping", 1974). If the two do not overlap, it is the other's middle.
+        private function writeMiddleWithin(outer:ContactFeature, out:ContactPoint):void
         {
-            outer.setMiddle();
+            outer.writeMiddle(out);
             var last:int = outer._end - 3;
             for (var at:int = 0; at < outer._end && _end > 0; at += 3)
             {
-                cut(outer, last, at, contact);
+                cut(outer, last, at, out);
                 last = at;
             }
             if (_end > 0)
             {
-                setMiddle();
-                return;
+                writeMiddle(out);
             }
-            // The polygons do not overlap.
-            x = outer.x;
-            y = outer.y;
-            z = outer.z;
         }
 
         // Keeps the part on the inner side of an edge of the outer polygon, whose middle has been set.
@@ -163,9 +151,9 @@ package starlogo.intersection.contact
             var points:Vector.<Number> = _points;
             var kept:Vector.<Number> = _clipped;
             var edges:Vector.<Number> = outer._points;
-            var slack:Number = Tolerances.DIRECTION * (Math.abs(edges[0] - outer.x) + Math.abs(edges[1] - outer.y)
-                    + Math.abs(edges[2] - outer.z) + Math.abs(edges[3] - outer.x) + Math.abs(edges[4] - outer.y)
-                    + Math.abs(edges[5] - outer.z));
+            var slack:Number = Tolerances.DIRECTION * (Math.abs(edges[0] - outer._middle.x) + Math.abs(edges[1] - outer._middle.y)
+                    + Math.abs(edges[2] - outer._middle.z) + Math.abs(edges[3] - outer._middle.x) + Math.abs(edges[4] - outer._middle.y)
+                    + Math.abs(edges[5] - outer._middle.z));
             var edgeX:Number = edges[edgeTo] - edges[edgeFrom];
             var edgeY:Number = edges[int(edgeTo + 1)] - edges[int(edgeFrom + 1)];
             var edgeZ:Number = edges[int(edgeTo + 2)] - edges[int(edgeFrom + 2)];
@@ -174,7 +162,7 @@ package starlogo.intersection.contact
             var inY:Number = edgeZ * contact.normalX - edgeX * contact.normalZ;
             var inZ:Number = edgeX * contact.normalY - edgeY * contact.normalX;
             var from:Number = inX * edges[edgeTo] + inY * edges[int(edgeTo + 1)] + inZ * edges[int(edgeTo + 2)];
-            if (inX * outer.x + inY * outer.y + inZ * outer.z < from)
+            if (inX * outer._middle.x + inY * outer._middle.y + inZ * outer._middle.z < from)
             {
                 inX = -inX;
                 inY = -inY;
@@ -213,8 +201,9 @@ package starlogo.intersection.contact
             _end = count;
         }
 
-        // Sets the point to where two segments cross. If they are parallel, sets it to the middle of the part that they share.
-        private function setCrossing(a:Vector.<Number>, b:Vector.<Number>):void
+        // Writes where two segments cross, seen along the normal, or the point of the first one that is nearest to the other's end. If they are
+        // parallel, writes the middle of the part that they share.
+        private static function writeCrossing(a:Vector.<Number>, b:Vector.<Number>, out:ContactPoint):void
         {
             var ux:Number = a[3] - a[0];
             var uy:Number = a[4] - a[1];
@@ -231,24 +220,26 @@ package starlogo.intersection.contact
             var crossY:Number = uz * vx - ux * vz;
             var crossZ:Number = ux * vy - uy * vx;
             var squared:Number = crossX * crossX + crossY * crossY + crossZ * crossZ;
-            var share:Number;
+            var one:Number;
+            var other:Number;
             if (squared > Tolerances.DIRECTION * Tolerances.DIRECTION * uu * vv)
             {
-                share = (gapY * vz - gapZ * vy) * crossX + (gapZ * vx - gapX * vz) * crossY + (gapX * vy - gapY * vx) * crossZ;
-                share /= squared;
-                share = share > 0 ? (share < 1 ? share : 1) : 0;
+                var onB:Number = ((gapY * uz - gapZ * uy) * crossX + (gapZ * ux - gapX * uz) * crossY + (gapX * uy - gapY * ux) * crossZ) / squared;
+                onB = onB > 0 ? (onB < 1 ? onB : 1) : 0;
+                one = ((gapX + onB * vx) * ux + (gapY + onB * vy) * uy + (gapZ + onB * vz) * uz) / uu;
+                other = one;
             }
             else
             {
-                var one:Number = (gapX * ux + gapY * uy + gapZ * uz) / uu;
-                var other:Number = one + (vx * ux + vy * uy + vz * uz) / uu;
-                one = one > 0 ? (one < 1 ? one : 1) : 0;
-                other = other > 0 ? (other < 1 ? other : 1) : 0;
-                share = (one + other) / 2;
+                one = (gapX * ux + gapY * uy + gapZ * uz) / uu;
+                other = one + (vx * ux + vy * uy + vz * uz) / uu;
             }
-            x = a[0] + share * ux;
-            y = a[1] + share * uy;
-            z = a[2] + share * uz;
+            one = one > 0 ? (one < 1 ? one : 1) : 0;
+            other = other > 0 ? (other < 1 ? other : 1) : 0;
+            var share:Number = (one + other) / 2;
+            out.x = a[0] + share * ux;
+            out.y = a[1] + share * uy;
+            out.z = a[2] + share * uz;
         }
     }
 }

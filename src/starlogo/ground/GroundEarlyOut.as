@@ -30,6 +30,10 @@ package starlogo.ground
         private var _slope:Number = 0;
         private var _gap:Number = 0;
 
+        // The place under the agent's middle, and the heights around it.
+        private var _under:GroundPoint = new GroundPoint();
+        private var _around:HeightRange = new HeightRange();
+
         /** Begins with the ground as it is now. */
         public function begin(grid:HeightGrid):void
         {
@@ -51,7 +55,10 @@ package starlogo.ground
         public function lookAt(extents:Extents, form:int, row:int):int
         {
             var isSphere:Boolean = form == BoundingStructure.SPHERE;
-            var above:Number = extents.z[row] - _grid.heightAt(extents.x[row], extents.y[row]);
+            _under.x = extents.x[row];
+            _under.y = extents.y[row];
+            _grid.findHeight(_under);
+            var above:Number = extents.z[row] - _under.height;
             var inner:Number = isSphere ? extents.halfX[row] : 0;
             // Nodes of a tree may extend beyond the tree's extents.
             if (form > BoundingStructure.HULL || !(above <= inner || above > inner))
@@ -79,13 +86,13 @@ package starlogo.ground
             var halfX:Number = extents.halfX[row] * Tolerances.OUTER + _gap;
             var halfY:Number = extents.halfY[row] * Tolerances.OUTER + _gap;
             var halfZ:Number = extents.halfZ[row] * Tolerances.OUTER + _gap;
-            grid.findAround(extents.x[row], extents.y[row], halfX, halfY);
-            if (extents.z[row] - halfZ > grid.greatest)
+            grid.findAround(_under.x, _under.y, halfX, halfY, _around);
+            if (extents.z[row] - halfZ > _around.greatest)
             {
                 return true;
             }
-            var riseX:Number = grid.stepX * halfX / width;
-            var riseY:Number = grid.stepY * halfY / width;
+            var riseX:Number = _around.stepX * halfX / width;
+            var riseY:Number = _around.stepY * halfY / width;
             var reach:Number = isSphere ? Math.sqrt(halfZ * halfZ + riseX * riseX + riseY * riseY) : halfZ + riseX + riseY;
             return !grid.isBlocky && above > reach;
         }
@@ -95,9 +102,12 @@ package starlogo.ground
         {
             var grid:HeightGrid = _grid;
             var width:Number = grid.cellWidth;
-            grid.findFall();
-            var step:Number = extents.halfX[row] / Math.sqrt(grid.fallX * grid.fallX + grid.fallY * grid.fallY + width * width);
-            return grid.heightAt(extents.x[row] - step * grid.fallX, extents.y[row] - step * grid.fallY) >= extents.z[row] - step * width;
+            grid.findFall(_under);
+            var step:Number = extents.halfX[row] / Math.sqrt(_under.fallX * _under.fallX + _under.fallY * _under.fallY + width * width);
+            _under.x -= step * _under.fallX;
+            _under.y -= step * _under.fallY;
+            grid.findHeight(_under);
+            return _under.height >= extents.z[row] - step * width;
         }
     }
 }

@@ -19,13 +19,14 @@ package starlogo.ground
         // Longer than any way between two places of the world.
         private static const FARTHEST:Number = 4 * Agent.LARGEST_COORDINATE;
 
-        private var _faces:GroundTriangles = new GroundTriangles();
-        private var _triangles:RayTriangleTest = new RayTriangleTest();
+        private var _box:GroundBox = new GroundBox();
+        private var _triangles:GroundTriangles = new GroundTriangles();
+        private var _test:RayTriangleTest = new RayTriangleTest();
         private var _outside:ContactPoint = new ContactPoint();
 
         public function GroundRay()
         {
-            _faces.way = new RelativeMotion();
+            _box.way = new RelativeMotion();
         }
 
         /**
@@ -41,32 +42,32 @@ package starlogo.ground
                 ray.faceBack();
                 return true;
             }
-            _faces.middle.setTo(ray.x, ray.y, ray.z);
-            _faces.half.setTo(0, 0, 0);
-            _faces.way.x = ray.directionX;
-            _faces.way.y = ray.directionY;
-            _faces.way.z = ray.directionZ;
-            _faces.limit = FARTHEST;
-            _faces.grid = grid;
-            _faces.begin();
+            _box.x = ray.x;
+            _box.y = ray.y;
+            _box.z = ray.z;
+            _box.way.x = ray.directionX;
+            _box.way.y = ray.directionY;
+            _box.way.z = ray.directionZ;
+            _box.limit = FARTHEST;
+            _triangles.begin(grid, _box);
             // only now, so that the distance does not depend on where the ray ends
-            _faces.limit = Math.min(ray.to, FARTHEST);
+            _box.limit = Math.min(ray.to, FARTHEST);
             var isHit:Boolean = false;
-            _triangles.begin(ray, _faces.corners, grid.cellWidth);
-            while (_faces.next())
+            _test.begin(ray, _triangles.corners, grid.cellWidth);
+            while (_triangles.next())
             {
-                var before:Number = _triangles.least;
-                _triangles.look(0, 1);
-                if (_triangles.least < before || _triangles.triangle == 0 && !isHit)
+                var before:Number = _test.least;
+                _test.look(0, 1);
+                if (_test.least < before || _test.triangle == 0 && !isHit)
                 {
                     isHit = true;
-                    _faces.limit = _triangles.least;
-                    _outside.setTriangleNormal(_faces.corners, 0);
+                    _box.limit = _test.least;
+                    _outside.setTriangleNormal(_triangles.corners, 0);
                 }
             }
             if (isHit)
             {
-                ray.from = _triangles.least;
+                ray.from = _test.least;
                 ray.setNormal(_outside.normalX, _outside.normalY, _outside.normalZ);
             }
             return isHit;

@@ -1,10 +1,8 @@
 package starlogo.ground
 {
     import flash.geom.Vector3D;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
     import starlogo.intersection.GapToBox;
@@ -12,8 +10,8 @@ package starlogo.ground
     use namespace engine;
 
     /**
-     * Finds the triangles of the ground's surface that a box may meet, one after the other. If the box moves, they come nearly in the order of
-     * its way.
+     * Finds the triangles of the ground's surface that a box may meet, one after the other: the source of triangles for all tests of the
+     * ground, and for drawing it. If the box moves, they come nearly in the order of its way.
      *
      * <p>The surface consists of the cells' tops and of upright walls. A wall stands where a column is higher than its neighbour. At the
      * terrain's borders, walls reach down to below the box.</p>
@@ -35,44 +33,19 @@ package starlogo.ground
         private static const TO_COLUMN:Vector.<int> = new <int>[0, 1, 0, -1];
         private static const TO_ROW:Vector.<int> = new <int>[-1, 0, 1, 0];
 
-        /** The ground. It must be set before <code>begin()</code>. */
-        public var grid:HeightGrid;
-
-        /** The middle of the box, where its way begins. The box must be set before <code>begin()</code>. */
-        public var middle:Vector3D = new Vector3D();
-
-        /** Half the box's lengths. */
-        public var half:Vector3D = new Vector3D();
-
-        /** The box's way; RelativeMotion.NONE if it stands. Only x, y and z count. */
-        public var way:RelativeMotion = RelativeMotion.NONE;
-
-        /** How far from the standing box a triangle still counts. It may be reduced during a walk, as the limit may. */
-        public var reach:Number = 0;
-
-        /**
-         * How much of the motion is searched, as a multiple of its vector. It may be reduced during a walk. The triangles that are still found do
-         * not depend on that.
-         */
-        public var limit:Number = 0;
-
-        /** The corners of the triangle, nine numbers; counter-clockwise as seen from outside of the ground. */
+        /** The corners of the triangle, nine numbers; counter-clockwise as seen from outside of the ground. Read only. */
         public var corners:Vector.<Number> = new Vector.<Number>(9, true);
 
-        /** The largest gap across which the triangle and another shape still touch. It depends on the size of the triangle. */
+        /** The largest gap across which the triangle and another shape still touch. It depends on the size of the triangle. Read only. */
         public var gap:Number = 0;
 
-        /** The place to which the box and the corners are relative. Its rotation does not count. */
-        public var origin:Placement = new Placement();
+        private var _grid:HeightGrid;
+        private var _box:GroundBox;
 
-        /** Only triangles count that are clearly higher than this above the bottom of the box. It may be increased during a walk. */
-        public var above:Number = -Infinity;
-
-        /** The structure that is tested, if it is in the box; null for none. Squares that it clearly does not come near are left out. */
-        public var structure:BoundingStructure = null;
-
-        /** The height down to which walls reach at the terrain's borders; -Infinity: below the box. */
-        public var floor:Number = -Infinity;
+        // Half the box's lengths, with a margin for rounding.
+        private var _halfX:Number = 0;
+        private var _halfY:Number = 0;
+        private var _halfZ:Number = 0;
 
         private var _lastColumn:int;
         private var _lastRow:int;
@@ -117,26 +90,30 @@ package starlogo.ground
         private var _first:int = 0;
         private var _last:int = 0;
 
-        /** Begins with the box. The box becomes a little wider, because of rounding. */
-        public function begin():void
+        /** Begins a search. The two objects are kept until it ends. */
+        public function begin(grid:HeightGrid, box:GroundBox):void
         {
+            var way:RelativeMotion = box.way;
+            var limit:Number = box.limit;
             var width:Number = grid.cellWidth;
             var border:Number = grid.isBlocky ? width / 2 : 0;
             var fewer:int = grid.isBlocky ? 1 : 2;
+            _grid = grid;
+            _box = box;
             _lastColumn = grid.columns - fewer;
             _lastRow = grid.rows - fewer;
-            _corner.setTo(grid.x - origin.x - border, grid.y - origin.y - border, -origin.z);
+            _corner.setTo(grid.x - box.origin.x - border, grid.y - box.origin.y - border, -box.origin.z);
             stop();
             _from = 0;
             _to = _whole = limit;
             var wayX:Number = limit * Math.abs(way.x);
             var wayY:Number = limit * Math.abs(way.y);
-            var rounding:Number = Tolerances.ROUNDING * (Math.abs(middle.x) + Math.abs(_corner.x) + Math.abs(middle.y) + Math.abs(_corner.y) + Math.abs(middle.z)
+            var rounding:Number = Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(_corner.x) + Math.abs(box.y) + Math.abs(_corner.y) + Math.abs(box.z)
                     + Math.abs(_corner.z) + width + wayX + wayY + limit * Math.abs(way.z));
-            half.x += rounding;
-            half.y += rounding;
-            half.z += rounding;
-            var length:Number = Math.max(2 * half.x + wayX, 2 * half.y + wayY) + 2 * reach;
+            _halfX = box.halfX + rounding;
+            _halfY = box.halfY + rounding;
+            _halfZ = box.halfZ + rounding;
+            var length:Number = Math.max(2 * _halfX + wayX, 2 * _halfY + wayY) + 2 * box.reach;
             var level:int = 0;
             while (level < grid.levels && length > FIRST_SQUARES * width * (1 << (level * HeightGrid.SHIFT)))
             {
@@ -174,18 +151,18 @@ package starlogo.ground
         private function addSquares(level:int, first:int, firstRow:int, most:int):void
         {
             var shift:int = level * HeightGrid.SHIFT;
-            _width = grid.cellWidth * (1 << shift);
-            findRange(middle.x - _corner.x, half.x + reach, way.x, first, Math.min(first + most - 1, _lastColumn >> shift));
+            _width = _grid.cellWidth * (1 << shift);
+            findRange(_box.x - _corner.x, _halfX + _box.reach, _box.way.x, first, Math.min(first + most - 1, _lastColumn >> shift));
             first = _first;
             var last:int = _last;
-            findRange(middle.y - _corner.y, half.y + reach, way.y, firstRow, Math.min(firstRow + most - 1, _lastRow >> shift));
+            findRange(_box.y - _corner.y, _halfY + _box.reach, _box.way.y, firstRow, Math.min(firstRow + most - 1, _lastRow >> shift));
             for (var row:int = _first; row <= _last; row++)
             {
                 for (var column:int = first; column <= last; column++)
                 {
                     _squares[_top] = level;
-                    _squares[int(_top + 1)] = way.x < 0 ? column : first + last - column;
-                    _squares[int(_top + 2)] = way.y < 0 ? row : _first + _last - row;
+                    _squares[int(_top + 1)] = _box.way.x < 0 ? column : first + last - column;
+                    _squares[int(_top + 2)] = _box.way.y < 0 ? row : _first + _last - row;
                     _top += 3;
                 }
             }
@@ -199,7 +176,7 @@ package starlogo.ground
             var shift:int = level * HeightGrid.SHIFT;
             _column = _squares[int(_top + 1)];
             _row = _squares[int(_top + 2)];
-            _width = grid.cellWidth * (1 << shift);
+            _width = _grid.cellWidth * (1 << shift);
             if (!isOver())
             {
                 return;
@@ -207,23 +184,23 @@ package starlogo.ground
             var hasWalls:Boolean = _column == 0 || _row == 0 || _column == _lastColumn >> shift || _row == _lastRow >> shift;
             if (level == 0)
             {
-                visitCell(hasWalls || grid.isBlocky);
+                visitCell(hasWalls || _grid.isBlocky);
                 return;
             }
-            var bounds:int = grid.begins[level] + 3 * (_row * HeightGrid.countSquares(grid.columns, level) + _column);
-            var least:Number = grid.bounds[bounds] + _corner.z;
-            var greatest:Number = grid.bounds[int(bounds + 1)] + _corner.z;
+            var bounds:int = _grid.begins[level] + 3 * (_row * HeightGrid.countSquares(_grid.columns, level) + _column);
+            var least:Number = _grid.bounds[bounds] + _corner.z;
+            var greatest:Number = _grid.bounds[int(bounds + 1)] + _corner.z;
             if (hasWalls)
             {
                 least = Math.min(least, _low);
             }
             if (_low <= greatest && _high >= least && !isBeyond(least, greatest))
             {
-                if (way.z != 0)
+                if (_box.way.z != 0)
                 {
                     // only the part of the way that is between the heights
-                    var low:Number = (least - (middle.z + half.z)) / way.z;
-                    var high:Number = (greatest - (middle.z - half.z)) / way.z;
+                    var low:Number = (least - (_box.z + _halfZ)) / _box.way.z;
+                    var high:Number = (greatest - (_box.z - _halfZ)) / _box.way.z;
                     _from = Math.max(_from, Math.min(low, high));
                     _to = Math.min(_to, Math.max(low, high));
                 }
@@ -234,11 +211,11 @@ package starlogo.ground
         // Reads the heights of the current square, which is a cell, and begins with its triangles if the box comes to them.
         private function visitCell(hasWalls:Boolean):void
         {
-            var heights:Vector.<Number> = grid.heights;
-            var at:int = _row * grid.columns + _column;
+            var heights:Vector.<Number> = _grid.heights;
+            var at:int = _row * _grid.columns + _column;
             // all corners of a column have one height
-            var next:int = grid.isBlocky ? 0 : 1;
-            var far:int = next * grid.columns;
+            var next:int = _grid.isBlocky ? 0 : 1;
+            var far:int = next * _grid.columns;
             _tops[0] = heights[at] + _corner.z;
             _tops[1] = heights[int(at + next)] + _corner.z;
             _tops[2] = heights[int(at + next + far)] + _corner.z;
@@ -260,7 +237,7 @@ package starlogo.ground
         // Whether the box passes over the current square, within the limit. Also finds the heights between which the box is there.
         private function isOver():Boolean
         {
-            _to = limit;
+            _to = _box.limit;
             passOver();
             _low = _passLow;
             _high = _passHigh;
@@ -271,22 +248,22 @@ package starlogo.ground
         private function passOver():void
         {
             _from = 0;
-            _squared = reach * reach;
-            cut(middle.x, half.x, way.x, _corner.x, _column);
-            cut(middle.y, half.y, way.y, _corner.y, _row);
-            var start:Number = middle.z + _from * way.z;
-            var end:Number = middle.z + _to * way.z;
+            _squared = _box.reach * _box.reach;
+            cut(_box.x, _halfX, _box.way.x, _corner.x, _column);
+            cut(_box.y, _halfY, _box.way.y, _corner.y, _row);
+            var start:Number = _box.z + _from * _box.way.z;
+            var end:Number = _box.z + _to * _box.way.z;
             // a triangle beside the box must be nearer in height to be within reach
             var up:Number = Math.sqrt(Math.max(0, _squared));
-            var bottom:Number = Math.min(start, end) - half.z;
-            _passLow = Math.max(bottom - up, bottom + above + 2 * _slack);
-            _passHigh = Math.max(start, end) + half.z + up;
+            var bottom:Number = Math.min(start, end) - _halfZ;
+            _passLow = Math.max(bottom - up, bottom + _box.above + 2 * _slack);
+            _passHigh = Math.max(start, end) + _halfZ + up;
         }
 
         // Whether the structure on its way stays farther away from the current square than a triangle may be. The square is between two heights.
         private function isBeyond(least:Number, greatest:Number):Boolean
         {
-            if (structure == null)
+            if (_box.structure == null)
             {
                 return false;
             }
@@ -294,9 +271,9 @@ package starlogo.ground
             var y:Number = _corner.y + _row * _width;
             _gap.low.setTo(x, y, least);
             _gap.high.setTo(x + _width, y + _width, greatest);
-            _gap.find(structure);
-            var come:Number = limit * (_gap.along.x * way.x + _gap.along.y * way.y + _gap.along.z * way.z);
-            return _gap.gap + Math.min(0, come) > reach + _slack;
+            _gap.find(_box.structure);
+            var come:Number = _box.limit * (_gap.along.x * _box.way.x + _gap.along.y * _box.way.y + _gap.along.z * _box.way.z);
+            return _gap.gap + Math.min(0, come) > _box.reach + _slack;
         }
 
         // Writes the triangle with a number: two on top, then two on each side. Returns false if the cell has no such triangle, or if the
@@ -328,16 +305,16 @@ package starlogo.ground
             var row:int = _row + TO_ROW[side];
             var top:Number = _tops[side];
             var endTop:Number = _tops[end];
-            var low:Number = floor;
+            var low:Number = _box.floor;
             if (column >= 0 && row >= 0 && column <= _lastColumn && row <= _lastRow)
             {
-                low = grid.isBlocky ? grid.heights[int(row * grid.columns + column)] + _corner.z : Infinity;
+                low = _grid.isBlocky ? _grid.heights[int(row * _grid.columns + column)] + _corner.z : Infinity;
             }
             if (low >= top && low >= endTop || low > _high)
             {
                 return false;
             }
-            low = floor > -Infinity ? low : Math.min(_passLow, Math.min(top, endTop)) - _width;
+            low = _box.floor > -Infinity ? low : Math.min(_passLow, Math.min(top, endTop)) - _width;
             if (Math.min(top, endTop) > _passHigh + _width)
             {
                 top = endTop = _passHigh + _width;
@@ -366,7 +343,7 @@ package starlogo.ground
             {
                 var off:Number = Math.max(0, Math.abs(at - begin - (square + 0.5) * _width) - _width / 2 - extent);
                 _squared -= off * off;
-                if (off > reach)
+                if (off > _box.reach)
                 {
                     _to = -1;
                 }

@@ -1,8 +1,11 @@
 package starlogo.ground
 {
     /**
-     * The heights of a terrain, with bounds for squares of cells. Tests skip the squares that are far above or below. It has plain fields,
-     * because all tests of the ground read them, and V8 allocates an object for each Number that is passed.
+     * The heights of a terrain, with bounds for squares of cells: how high the ground is at a place, and between which heights it is around
+     * one. GroundTriangles makes its triangles, which GroundPair tests with bodies and GroundRay with rays; GroundEarlyOut answers before
+     * that from a few heights. Read this class first, then GroundTriangles.
+     *
+     * <p>Questions write to records, because V8 allocates an object for each Number that is passed or returned.</p>
      *
      * @private
      */
@@ -52,36 +55,8 @@ package starlogo.ground
         /** How often the surface has changed. */
         public var revision:int = 0;
 
-        /** How far sloping ground at the place of <code>findFall()</code> falls from a height to the next one along x. */
-        public var fallX:Number = 0;
-
-        /** How far it falls along y. */
-        public var fallY:Number = 0;
-
-        /** The greatest height that <code>findRange()</code> has found. */
-        public var greatest:Number = 0;
-
-        /** The least height that it has found. */
-        public var least:Number = 0;
-
-        /** The greatest difference of two neighbours along x that <code>findRange()</code> has found. */
-        public var stepX:Number = 0;
-
-        /** The greatest along y. */
-        public var stepY:Number = 0;
-
-        /** The place along x of <code>findHeight()</code>. */
-        public var atX:Number = NaN;
-
-        /** The place along y. */
-        public var atY:Number = NaN;
-
-        /** The height that it has found; NaN outside. */
-        public var height:Number = NaN;
-
-        // The triangle of the last place of heightAt(): the corner of the cell with the least x and y, and the corner beside the diagonal.
-        private var _corner:int = 0;
-        private var _side:int = 0;
+        private var _range:HeightRange = new HeightRange();
+        private var _point:GroundPoint = new GroundPoint();
 
         public function HeightGrid(columns:int, rows:int, cellWidth:Number, x:Number, y:Number)
         {
@@ -152,30 +127,30 @@ package starlogo.ground
         /** The height at a place; NaN outside. Where columns meet, it is the height of the highest. */
         public function heightAt(atX:Number, atY:Number):Number
         {
-            this.atX = atX;
-            this.atY = atY;
-            findHeight();
-            return height;
+            _point.x = atX;
+            _point.y = atY;
+            findHeight(_point);
+            return _point.height;
         }
 
-        /** Finds the height at the place of <code>atX</code> and <code>atY</code>. V8 makes objects for Numbers that are passed or returned. */
-        public function findHeight():void
+        /** Finds the height at a point's x and y, and its triangle. */
+        public function findHeight(at:GroundPoint):void
         {
             // Slopes are between heights. Columns begin half a cell before their heights.
-            if (!isWithin(atX, atY, isBlocky ? cellWidth / 2 : 0))
+            if (!isWithin(at.x, at.y, isBlocky ? cellWidth / 2 : 0))
             {
-                height = NaN;
+                at.height = NaN;
                 return;
             }
-            var toX:Number = (atX - x) / cellWidth;
-            var toY:Number = (atY - y) / cellWidth;
+            var toX:Number = (at.x - x) / cellWidth;
+            var toY:Number = (at.y - y) / cellWidth;
             if (isBlocky)
             {
                 // rounding can lead beyond the last column
                 toX = Math.min(toX + 0.5, columns);
                 toY = Math.min(toY + 0.5, rows);
-                findRange(0, Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, columns - 1), Math.min(toY, rows - 1));
-                height = greatest;
+                findRange(0, Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, columns - 1), Math.min(toY, rows - 1), _range);
+                at.height = _range.greatest;
                 return;
             }
             // The conversion to int rounds down, because the numbers are not negative.
@@ -183,22 +158,53 @@ package starlogo.ground
             var row:int = Math.min(toY, rows - 2);
             toX -= column;
             toY -= row;
-            _corner = row * columns + column;
-            _side = toX >= toY ? _corner + 1 : _corner + columns;
+            var corner:int = row * columns + column;
+            at.corner = corner;
+            at.side = toX >= toY ? corner + 1 : corner + columns;
             var more:Number = toX >= toY ? toX : toY;
             var less:Number = toX >= toY ? toY : toX;
-            height = (1 - more) * heights[_corner] + (more - less) * heights[_side] + less * heights[int(_corner + columns + 1)];
+            at.height = (1 - more) * heights[corner] + (more - less) * heights[at.side] + less * heights[int(corner + columns + 1)];
         }
 
-        /** Finds the fall of sloping ground at the last place of <code>heightAt()</code>. */
-        public function findFall():void
+        /** Finds the fall of sloping ground at a point whose triangle is known. */
+        public function findFall(at:GroundPoint):void
         {
-            var near:Number = heights[_corner];
-            var side:Number = heights[_side];
-            var far:Number = heights[int(_corner + columns + 1)];
-            var isRight:Boolean = _side == _corner + 1;
-            fallX = isRight ? near - side : side - far;
-            fallY = isRight ? side - far : near - side;
+            var near:Number = heights[at.corner];
+            var side:Number = heights[at.side];
+            var far:Number = heights[int(at.corner + columns + 1)];
+            var isRight:Boolean = at.side == at.corner + 1;
+            at.fallX = isRight ? near - side : side - far;
+            at.fallY = isRight ? side - far : near - side;
+        }
+
+        /** Moves a point to the grid's nearest point, as seen from above, and finds the height there. */
+        public function findNearest(at:GroundPoint):void
+        {
+            var column:int = Math.max(0, Math.min(columns - 1, Math.round((at.x - x) / cellWidth)));
+            var row:int = Math.max(0, Math.min(rows - 1, Math.round((at.y - y) / cellWidth)));
+            at.x = x + column * cellWidth;
+            at.y = y + row * cellWidth;
+            at.height = heights[int(row * columns + column)];
+        }
+
+        /** A lower bound for the length of each way out of the ground from a place, if it is shorter than the reach; 0 if none is known. */
+        public function leastWayOut(atX:Number, atY:Number, atZ:Number, reach:Number):Number
+        {
+            var high:Number = heightAt(atX, atY);
+            var border:Number = isBlocky ? cellWidth / 2 : 0;
+            if (!(high > atZ) || !isWithin(atX, atY, border - reach))
+            {
+                return 0;
+            }
+            findAround(atX, atY, reach, reach, _range);
+            var least:Number = _range.least - atZ;
+            if (isBlocky)
+            {
+                return least;
+            }
+            var slopeX:Number = _range.stepX / cellWidth;
+            var slopeY:Number = _range.stepY / cellWidth;
+            return Math.max(least, (high - atZ) / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY));
         }
 
         /** Computes the bounds of all squares to which a range of heights belongs. */
@@ -220,18 +226,18 @@ package starlogo.ground
                     {
                         // some rows and columns around count too
                         findRange(level - 1, Math.max(0, (column << SHIFT) - around), Math.max(0, (row << SHIFT) - around),
-                                Math.min(stride, ((column + 1) << SHIFT) + around) - 1, Math.min(lines, ((row + 1) << SHIFT) + around) - 1);
+                                Math.min(stride, ((column + 1) << SHIFT) + around) - 1, Math.min(lines, ((row + 1) << SHIFT) + around) - 1, _range);
                         var at:int = begins[level] + 3 * (row * countSquares(columns, level) + column);
-                        bounds[at] = least;
-                        bounds[int(at + 1)] = greatest;
-                        bounds[int(at + 2)] = Math.max(stepX, stepY);
+                        bounds[at] = _range.least;
+                        bounds[int(at + 1)] = _range.greatest;
+                        bounds[int(at + 2)] = Math.max(_range.stepX, _range.stepY);
                     }
                 }
             }
         }
 
         /** Finds the least and the greatest height of a range of heights or of a level's squares, and how much neighbours differ. */
-        public function findRange(level:int, first:int, firstRow:int, last:int, lastRow:int):void
+        public function findRange(level:int, first:int, firstRow:int, last:int, lastRow:int, out:HeightRange):void
         {
             var all:Vector.<Number> = heights;
             var stride:int = countSquares(columns, level);
@@ -263,17 +269,17 @@ package starlogo.ground
                     alongX = alongY = Math.max(alongX, bounds[int(at + 2)]);
                 }
             }
-            least = low;
-            greatest = high;
-            stepX = alongX;
-            stepY = alongY;
+            out.least = low;
+            out.greatest = high;
+            out.stepX = alongX;
+            out.stepY = alongY;
         }
 
         /**
          * Finds bounds of the heights that the ground has within a reach of a place along x and y, and of how much neighbours differ. A large
-         * range is extended to whole squares. Without ground there, the greatest is -Infinity.
+         * range is extended to whole squares.
          */
-        public function findAround(atX:Number, atY:Number, reachX:Number, reachY:Number):void
+        public function findAround(atX:Number, atY:Number, reachX:Number, reachY:Number, out:HeightRange):void
         {
             var border:Number = isBlocky ? 0.5 : 0;
             var toX:Number = (atX - x) / cellWidth;
@@ -291,7 +297,7 @@ package starlogo.ground
                 lastRow >>= SHIFT;
                 level++;
             }
-            findRange(level, first, firstRow, last, lastRow);
+            findRange(level, first, firstRow, last, lastRow, out);
         }
     }
 }

@@ -7,9 +7,9 @@ package starlogo.search
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.ground.GroundEarlyOut;
+    import starlogo.ground.GroundPair;
     import starlogo.ground.GroundRay;
     import starlogo.ground.HeightGrid;
-    import starlogo.ground.TerrainPair;
     import starlogo.intersection.ray.Ray;
 
     use namespace engine;
@@ -31,7 +31,7 @@ package starlogo.search
 
         // Decides quickly about bodies that are clearly above or in the ground; and about the others.
         private var _earlyOut:GroundEarlyOut = new GroundEarlyOut();
-        private var _pair:TerrainPair = new TerrainPair();
+        private var _pair:GroundPair = new GroundPair();
         private var _rays:GroundRay = new GroundRay();
 
         /** @param narrowPhase knows how deep trees are visited */
@@ -53,7 +53,7 @@ package starlogo.search
             _extents.halfZ[0] = a.halfZ;
             var earlyOut:GroundEarlyOut = lookOf(b);
             var found:int = earlyOut.lookAt(_extents, a.form, 0);
-            return found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && pairOf(a, b).areOverlapping();
+            return found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && pairOf(a, b).overlapsAt(RelativeMotion.NONE, 0);
         }
 
         /** @inheritDoc */
@@ -77,7 +77,7 @@ package starlogo.search
             {
                 var row:int = rows[i];
                 var found:int = earlyOut.lookAt(table.extents, table.forms[row], row);
-                if (found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && pairOf(table.bodyOf(row), b).areOverlapping())
+                if (found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && pairOf(table.bodyOf(row), b).overlapsAt(RelativeMotion.NONE, 0))
                 {
                     rows[kept] = row;
                     kept++;
@@ -95,7 +95,7 @@ package starlogo.search
         /** @inheritDoc */
         override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var pair:TerrainPair = pairOf(a, b);
+            var pair:GroundPair = pairOf(a, b);
             pair.findFirst(motion, out);
             leastDepth = pair.leastDepth;
         }
@@ -103,7 +103,7 @@ package starlogo.search
         /** @inheritDoc */
         override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var pair:TerrainPair = pairOf(a, b);
+            var pair:GroundPair = pairOf(a, b);
             pair.findContact(motion, out);
             leastDepth = pair.leastDepth;
         }
@@ -168,11 +168,11 @@ package starlogo.search
         }
 
         // The test of the ground, set to a body.
-        private function pairOf(a:Body, b:Body):TerrainPair
+        private function pairOf(a:Body, b:Body):GroundPair
         {
             var shape:ModelShape = a.shape;
             var trees:TreePairTests = _narrowPhase.trees;
-            var pair:TerrainPair = _pair;
+            var pair:GroundPair = _pair;
             var depth:int = shape.hierarchy == null ? 1 : trees.depthOf(a);
             pair.setTo(gridOf(b), shape.hierarchy, shape.structure, a.placement, depth, trees != null && trees.exact);
             return pair;

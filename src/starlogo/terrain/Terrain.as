@@ -6,6 +6,7 @@ package starlogo.terrain
     import starlogo.engine;
     import starlogo.geometry.requireGiven;
     import starlogo.geometry.requireInWorld;
+    import starlogo.ground.GroundPoint;
     import starlogo.ground.HeightGrid;
     import starlogo.search.GroundPairTests;
     import starlogo.search.WorldAgent;
@@ -31,6 +32,7 @@ package starlogo.terrain
         engine var grid:HeightGrid;
 
         private var _agent:WorldAgent;
+        private var _point:GroundPoint = new GroundPoint();
 
         /**
          * Flat ground of height 0.
@@ -263,7 +265,10 @@ package starlogo.terrain
         public function heightAt(x:Number, y:Number):Number
         {
             requireInWorld("a place", x, y, 0);
-            return grid.heightAt(x, y);
+            _point.x = x;
+            _point.y = y;
+            grid.findHeight(_point);
+            return _point.height;
         }
 
         /**
@@ -285,10 +290,10 @@ package starlogo.terrain
             normal.z = 1;
             if (!isBlocky)
             {
-                grid.findFall();
-                var length:Number = Math.sqrt(grid.fallX * grid.fallX + grid.fallY * grid.fallY + cellWidth * cellWidth);
-                normal.x = grid.fallX / length;
-                normal.y = grid.fallY / length;
+                grid.findFall(_point);
+                var length:Number = Math.sqrt(_point.fallX * _point.fallX + _point.fallY * _point.fallY + cellWidth * cellWidth);
+                normal.x = _point.fallX / length;
+                normal.y = _point.fallY / length;
                 normal.z = cellWidth / length;
             }
             return normal;

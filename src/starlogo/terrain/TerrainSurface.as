@@ -1,8 +1,8 @@
 package starlogo.terrain
 {
-    import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.requireGiven;
+    import starlogo.ground.GroundBox;
     import starlogo.ground.GroundTriangles;
     import starlogo.ground.HeightGrid;
 
@@ -26,10 +26,11 @@ package starlogo.terrain
         public var triangles:Vector.<uint> = new Vector.<uint>();
 
         private var _revision:int = -1;
-        private var _faces:GroundTriangles = new GroundTriangles();
+        private var _grid:HeightGrid;
+        private var _source:GroundTriangles = new GroundTriangles();
 
-        // Half the lengths of the box whose faces are drawn.
-        private var _half:Vector3D = new Vector3D(0, 0, Infinity);
+        // The box whose triangles are drawn.
+        private var _box:GroundBox = new GroundBox();
 
         /**
          * Begins without triangles. <code>update()</code> makes them. With a rectangle, the surface has only the cells of slopes that are
@@ -50,17 +51,18 @@ package starlogo.terrain
             {
                 throw new RangeError("the borders of a rectangle must be numbers, not " + [minX, minY, maxX, maxY]);
             }
-            var grid:HeightGrid = _faces.grid = terrain.grid;
+            var grid:HeightGrid = _grid = terrain.grid;
             var first:int = within(Math.ceil((minX - grid.x) / grid.cellWidth), 0, grid.columns);
             var firstRow:int = within(Math.ceil((minY - grid.y) / grid.cellWidth), 0, grid.rows);
             var last:int = within(Math.floor((maxX - grid.x) / grid.cellWidth), -1, grid.columns - 1);
             var lastRow:int = within(Math.floor((maxY - grid.y) / grid.cellWidth), -1, grid.rows - 1);
             // A box from a quarter of a cell behind the first height to a quarter before the last one. So it passes over the columns of these
             // heights and over the cells between them, and over no other.
-            _faces.middle.x = grid.x + (first + last) / 2 * grid.cellWidth;
-            _faces.middle.y = grid.y + (firstRow + lastRow) / 2 * grid.cellWidth;
-            _half.x = ((last - first) / 2 - 0.25) * grid.cellWidth;
-            _half.y = ((lastRow - firstRow) / 2 - 0.25) * grid.cellWidth;
+            _box.x = grid.x + (first + last) / 2 * grid.cellWidth;
+            _box.y = grid.y + (firstRow + lastRow) / 2 * grid.cellWidth;
+            _box.halfX = ((last - first) / 2 - 0.25) * grid.cellWidth;
+            _box.halfY = ((lastRow - firstRow) / 2 - 0.25) * grid.cellWidth;
+            _box.halfZ = Infinity;
         }
 
         /**
@@ -70,20 +72,18 @@ package starlogo.terrain
          */
         public function update():Boolean
         {
-            var grid:HeightGrid = _faces.grid;
-            if (grid.revision == _revision)
+            if (_grid.revision == _revision)
             {
                 return false;
             }
-            _revision = grid.revision;
+            _revision = _grid.revision;
             vertices.length = normals.length = triangles.length = 0;
-            _faces.half.copyFrom(_half);
             // the last level is one square
-            _faces.floor = grid.bounds[grid.begins[grid.levels]];
-            _faces.begin();
-            while (_faces.next())
+            _box.floor = _grid.bounds[_grid.begins[_grid.levels]];
+            _source.begin(_grid, _box);
+            while (_source.next())
             {
-                addTriangle(_faces.corners);
+                addTriangle(_source.corners);
             }
             return true;
         }
@@ -110,7 +110,7 @@ package starlogo.terrain
                 }
                 else
                 {
-                    addNormal((corners[i] - _faces.grid.x) / _faces.grid.cellWidth, (corners[i + 1] - _faces.grid.y) / _faces.grid.cellWidth);
+                    addNormal((corners[i] - _grid.x) / _grid.cellWidth, (corners[i + 1] - _grid.y) / _grid.cellWidth);
                 }
             }
         }
@@ -120,9 +120,9 @@ package starlogo.terrain
         {
             var column:int = Math.round(x);
             var row:int = Math.round(y);
-            var at:int = row * _faces.grid.columns + column;
-            var slopeX:Number = _faces.grid.isBlocky ? 0 : slopeAt(at, 1, column, _faces.grid.columns - 1);
-            var slopeY:Number = _faces.grid.isBlocky ? 0 : slopeAt(at, _faces.grid.columns, row, _faces.grid.rows - 1);
+            var at:int = row * _grid.columns + column;
+            var slopeX:Number = _grid.isBlocky ? 0 : slopeAt(at, 1, column, _grid.columns - 1);
+            var slopeY:Number = _grid.isBlocky ? 0 : slopeAt(at, _grid.columns, row, _grid.rows - 1);
             var length:Number = Math.sqrt(slopeX * slopeX + slopeY * slopeY + 1);
             normals.push(-slopeX / length, -slopeY / length, 1 / length);
         }
@@ -132,7 +132,7 @@ package starlogo.terrain
         {
             var before:int = place > 0 ? 1 : 0;
             var after:int = place < last ? 1 : 0;
-            return (_faces.grid.heights[at + after * step] - _faces.grid.heights[at - before * step]) / (before + after) / _faces.grid.cellWidth;
+            return (_grid.heights[at + after * step] - _grid.heights[at - before * step]) / (before + after) / _grid.cellWidth;
         }
     }
 }

@@ -8,6 +8,7 @@ package starlogo.terrain
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.ground.HeightGrid;
+    import starlogo.ground.HeightRange;
     import support.RandomGround;
     import support.assertThrows;
     import support.assign;
@@ -276,15 +277,16 @@ package starlogo.terrain
         // The ground within a reach of a place is between the bounds that are found there.
         private static function checkAround(terrain:Terrain, random:SeededRandom):void
         {
+            var range:HeightRange = new HeightRange();
             var x:Number = random.between(0, terrain.columns - 1);
             var y:Number = random.between(0, terrain.rows - 1);
             var reachX:Number = random.between(0, 9);
             var reachY:Number = random.between(0, 9);
-            terrain.grid.findAround(x, y, reachX, reachY);
+            terrain.grid.findAround(x, y, reachX, reachY, range);
             for (var i:int = 0; i < 30; i++)
             {
                 var height:Number = terrain.heightAt(x + random.pick([-1, 1, random.between(-1, 1)]) * reachX, y + random.pick([-1, 1, random.between(-1, 1)]) * reachY);
-                assertFalse(height + " is out of bounds", height < terrain.grid.least || height > terrain.grid.greatest);
+                assertFalse(height + " is out of bounds", height < range.least || height > range.greatest);
             }
         }
 

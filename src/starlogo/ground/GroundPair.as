@@ -1,11 +1,14 @@
 package starlogo.ground
 {
-    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.ConvexTriangle;
+    import starlogo.solid.SolidHierarchy;
 
     use namespace engine;
 
@@ -21,7 +24,7 @@ package starlogo.ground
      *
      * @private
      */
-    public final class TerrainPair extends GroundSearch
+    public final class GroundPair
     {
         // Two ways have nearly the same direction if the cosine of their angle is larger.
         private static const SAME_EXIT:Number = 0.98;
@@ -38,43 +41,67 @@ package starlogo.ground
         /** A lower bound for the length of every way out of the last contact; 0 if none is known. */
         public var leastDepth:Number = 0;
 
-        // The contact with the last triangle; the triangle of the ground that the last contact was with, if there was one; and the distance of the
-        // nearest triangle so far.
+        private var _grid:HeightGrid;
+        private var _hasTree:Boolean = false;
+        private var _pieces:GroundPieces = new GroundPieces();
+
+        // The parts of _pieces that are read all the time.
+        private var _piece:ConvexTriangle = _pieces.piece;
+        private var _box:GroundBox = _pieces.box;
+        private var _triangles:GroundTriangles = _pieces.triangles;
+
+        // The contact with the last triangle; and the triangle of the ground that the last contact was with, if there was one.
         private var _tried:ContactPoint = new ContactPoint();
         private var _part:Vector.<Number> = new Vector.<Number>(9, true);
         private var _hasPart:Boolean = false;
-        private var _nearest:Number = 0;
 
-        // The motion of the search for the first touch.
+        // The motion of the search for the first touch; a point of the ground; and bounds of its heights.
         private var _sweep:RelativeMotion = new RelativeMotion();
+        private var _nearest:GroundPoint = new GroundPoint();
+        private var _range:HeightRange = new HeightRange();
 
-        /** Whether the two overlap or touch where the model stands. */
-        public function areOverlapping():Boolean
+        /**
+         * Sets the model and the ground.
+         *
+         * @param grid the ground
+         * @param tree the model's hierarchy; null if a structure represents it
+         * @param structure the structure, or the one around the tree, in the model's space
+         * @param placement where the model stands
+         * @param depth how many levels of the tree are visited
+         * @param exact whether triangles decide in place of depths, if the tree has triangles
+         */
+        public function setTo(grid:HeightGrid, tree:SolidHierarchy, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
         {
-            return overlapsAt(RelativeMotion.NONE, 0);
+            _grid = grid;
+            _hasTree = tree != null;
+            _pieces.setTo(grid, tree, structure, placement, depth, exact);
         }
 
         /** Whether a piece of the model overlaps the surface by more than a depth, or is wholly under the ground. */
         public function isDeeper(depth:Number):Boolean
         {
-            begin(_tree, RelativeMotion.NONE, 0);
-            _under = depth;
-            while (next())
+            _pieces.begin(RelativeMotion.NONE, 0);
+            while (_pieces.nextPiece())
             {
-                if (findOverlap())
+                var isApart:Boolean = true;
+                while (_pieces.nextTriangle())
                 {
-                    if (_tried.depth > depth)
+                    if (findOverlap())
                     {
-                        return true;
-                    }
-                    if (_tree != null)
-                    {
-                        // the point of a flat piece may be on the surface
-                        _point = null;
+                        if (_tried.depth > depth)
+                        {
+                            return true;
+                        }
+                        isApart = false;
                     }
                 }
+                // the point of a flat piece of a tree may be on the surface
+                if ((isApart || !_hasTree) && _pieces.isUnder(depth))
+                {
+                    return true;
+                }
             }
-            return _isUnder;
+            return false;
         }
 
         /**
@@ -112,25 +139,24 @@ package starlogo.ground
          */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            placeAt(motion, 0);
-            begin(_tree, motion, 0);
             var first:Number = RelativeMotion.NEVER;
-            setSweep(motion);
-            while (first > 0 && next())
+            _sweep.x = motion.x;
+            _sweep.y = motion.y;
+            _sweep.z = motion.z;
+            _pieces.placeAt(motion, 0);
+            _pieces.begin(motion, 0);
+            while (first > 0 && _pieces.nextPiece())
             {
-                _sweep.latest = _faces.limit;
-                if (_piece.staysBeside(_sweep))
+                while (first > 0 && _pieces.nextTriangle())
                 {
-                    continue;
-                }
-                _piece.findTime(_sweep);
-                if (_sweep.time < first)
-                {
-                    first = _faces.limit = _sweep.time;
-                    if (out != null)
+                    if (isTouchedBefore(first))
                     {
-                        _piece.findContact(_sweep, out);
-                        _piece.leadOutside(_sweep, out);
+                        first = _box.limit = _sweep.time;
+                        if (out != null)
+                        {
+                            _piece.findContact(_sweep, out);
+                            _piece.leadOutside(_sweep, out);
+                        }
                     }
                 }
             }
@@ -163,7 +189,7 @@ package starlogo.ground
                     return;
                 }
             }
-            placeAt(motion, time);
+            _pieces.placeAt(motion, time);
             findDeepest(out, false);
             if (_hasPart)
             {
@@ -194,11 +220,12 @@ package starlogo.ground
         public function findExits(reach:Number, ways:Vector.<ContactPoint>):int
         {
             var count:int = 0;
-            begin(null, RelativeMotion.NONE, reach);
-            while (next())
+            _pieces.beginWhole(RelativeMotion.NONE, reach);
+            _pieces.nextPiece();
+            while (_pieces.nextTriangle())
             {
                 _piece.findBehind(RelativeMotion.NONE, _tried);
-                if (_tried.depth >= -_faces.gap && (!_hasPart || isPartBehind()))
+                if (_tried.depth >= -_triangles.gap && (!_hasPart || isPartBehind()))
                 {
                     count = addExit(ways, count);
                 }
@@ -213,15 +240,13 @@ package starlogo.ground
         /** Finds the contact that lifts the model from its lowest place above all ground under it. */
         public function findOuterContact(out:ContactPoint):void
         {
-            placeBox(_structure);
-            var middle:Vector3D = _faces.middle;
-            var half:Vector3D = _faces.half;
-            var low:Number = middle.z - half.z;
-            _faces.grid.findAround(middle.x + _faces.origin.x, middle.y + _faces.origin.y, half.x, half.y);
+            _pieces.placeBox();
+            var low:Number = _box.z - _box.halfZ;
+            _grid.findAround(_box.x + _box.origin.x, _box.y + _box.origin.y, _box.halfX, _box.halfY, _range);
             out.setNormal(0, 0, 1);
-            out.depth = Math.max(0, _faces.grid.greatest - _faces.origin.z - low);
-            out.x = middle.x;
-            out.y = middle.y;
+            out.depth = Math.max(0, _range.greatest - _box.origin.z - low);
+            out.x = _box.x;
+            out.y = _box.y;
             out.z = low + out.depth / 2;
             moveToWorld(out);
         }
@@ -233,61 +258,51 @@ package starlogo.ground
          */
         public function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
-            setNearest();
-            out.distance = _nearest;
-            if (_tree == null)
+            findNearest(out);
+            if (!_hasTree)
             {
-                setPiece(_structure);
-                _faces.begin();
+                _pieces.beginAt(_nearest);
                 measure(out);
             }
-            begin(_tree, RelativeMotion.NONE, _nearest);
-            measure(out);
+            _pieces.begin(RelativeMotion.NONE, out.distance);
+            while (_pieces.nextPiece())
+            {
+                measure(out);
+            }
             if (areTouching)
             {
                 // either the model's point is in the ground, or the surface's point is in the model
-                var isUnder:Boolean = _faces.grid.heightAt(out.aX + _faces.origin.x, out.aY + _faces.origin.y) - _faces.origin.z >= out.aZ;
+                var isUnder:Boolean = _grid.heightAt(out.aX + _box.origin.x, out.aY + _box.origin.y) - _box.origin.z >= out.aZ;
                 out.aX = out.bX = isUnder ? out.aX : out.bX;
                 out.aY = out.bY = isUnder ? out.aY : out.bY;
                 out.aZ = out.bZ = isUnder ? out.aZ : out.bZ;
             }
             out.settle(areTouching);
-            out.place(_faces.origin);
+            out.place(_box.origin);
         }
 
-        // Sets the search to the triangles at the height that is nearest to the model's middle, seen from above. The model is at most as far as its
-        // farthest point is from there.
-        private function setNearest():void
+        // Finds the point of the grid that is nearest to the model's middle, seen from above. The model is at most as far as its farthest point is
+        // from there, so the distance begins with that.
+        private function findNearest(out:ClosestPoints):void
         {
-            stop();
-            placeBox(_structure);
-            var middle:Vector3D = _faces.middle;
-            var half:Vector3D = _faces.half;
-            var width:Number = _faces.grid.cellWidth;
-            var column:int = Math.max(0, Math.min(_faces.grid.columns - 1, Math.round((middle.x + _faces.origin.x - _faces.grid.x) / width)));
-            var row:int = Math.max(0, Math.min(_faces.grid.rows - 1, Math.round((middle.y + _faces.origin.y - _faces.grid.y) / width)));
-            var atX:Number = _faces.grid.x + column * width - _faces.origin.x;
-            var atY:Number = _faces.grid.y + row * width - _faces.origin.y;
-            var atZ:Number = _faces.grid.heights[int(row * _faces.grid.columns + column)] - _faces.origin.z;
-            var x:Number = Math.abs(atX - middle.x) + half.x;
-            var y:Number = Math.abs(atY - middle.y) + half.y;
-            var z:Number = Math.abs(atZ - middle.z) + half.z;
-            _nearest = Math.sqrt(x * x + y * y + z * z) * Tolerances.OUTER + Tolerances.SURFACES * width;
-            middle.setTo(atX, atY, atZ);
-            half.setTo(0, 0, 0);
-            _faces.way = RelativeMotion.NONE;
-            _faces.reach = 0;
-            _faces.structure = null;
+            _pieces.placeBox();
+            _nearest.x = _box.x + _box.origin.x;
+            _nearest.y = _box.y + _box.origin.y;
+            _grid.findNearest(_nearest);
+            var x:Number = Math.abs(_nearest.x - _box.origin.x - _box.x) + _box.halfX;
+            var y:Number = Math.abs(_nearest.y - _box.origin.y - _box.y) + _box.halfY;
+            var z:Number = Math.abs(_nearest.height - _box.origin.z - _box.z) + _box.halfZ;
+            out.distance = Math.sqrt(x * x + y * y + z * z) * Tolerances.OUTER + Tolerances.SURFACES * _grid.cellWidth;
         }
 
-        // Measures the distances of all pairs of a piece and a triangle, and keeps the closest points of the nearest ones.
+        // Measures the distances of the piece and the triangles near it, and keeps the closest points.
         private function measure(out:ClosestPoints):void
         {
-            while (next())
+            while (_pieces.nextTriangle())
             {
                 if (_piece.findCloser(out))
                 {
-                    _nearest = _faces.reach = out.distance;
+                    _box.reach = out.distance;
                 }
             }
         }
@@ -297,29 +312,44 @@ package starlogo.ground
         private function findDeepest(out:ContactPoint, overlaps:Boolean):void
         {
             var deepest:Number = 0;
-            begin(_tree, RelativeMotion.NONE, 0);
-            while (next())
+            _pieces.begin(RelativeMotion.NONE, 0);
+            while (_pieces.nextPiece())
             {
-                var isUnder:Boolean = _piece.findBehind(RelativeMotion.NONE, _tried);
-                if (deepest > 0 && _tried.depth < deepest + _faces.gap)
+                while (_pieces.nextTriangle())
                 {
-                    continue;
-                }
-                var isDecided:Boolean = overlaps ? findOverlap() : isUnder && isNeeded();
-                if (isDecided && (_tried.depth > deepest || _tried.depth == deepest && !_hasPart))
-                {
-                    deepest = _tried.depth;
-                    if (overlaps)
+                    var isUnder:Boolean = _piece.findBehind(RelativeMotion.NONE, _tried);
+                    if (deepest > 0 && _tried.depth < deepest + _triangles.gap)
                     {
-                        _piece.leadOutside(RelativeMotion.NONE, _tried);
+                        continue;
                     }
-                    else
+                    var isDecided:Boolean = overlaps ? findOverlap() : isUnder && isNeeded();
+                    if (isDecided && (_tried.depth > deepest || _tried.depth == deepest && !_hasPart))
                     {
-                        _faces.above = deepest;
+                        deepest = _tried.depth;
+                        if (overlaps)
+                        {
+                            _piece.leadOutside(RelativeMotion.NONE, _tried);
+                        }
+                        else
+                        {
+                            _box.above = deepest;
+                        }
+                        keep(_tried, out);
                     }
-                    keep(_tried, out);
                 }
             }
+        }
+
+        // Whether the moving piece touches the triangle before a time. If so, _sweep has the time.
+        private function isTouchedBefore(time:Number):Boolean
+        {
+            _sweep.latest = _box.limit;
+            if (_piece.staysBeside(_sweep))
+            {
+                return false;
+            }
+            _piece.findTime(_sweep);
+            return _sweep.time < time;
         }
 
         // Finds the contact of the piece and the triangle along its own normal. Returns false if they are apart.
@@ -338,7 +368,7 @@ package starlogo.ground
             out.copyFrom(contact);
             for (var i:int = 0; i < 9; i++)
             {
-                _part[i] = _faces.corners[i];
+                _part[i] = _triangles.corners[i];
             }
             _hasPart = true;
         }
@@ -346,96 +376,75 @@ package starlogo.ground
         // Adds a way out to a number of ways. Of ways with nearly the same direction, the shortest is kept. Returns the new number.
         private function addExit(ways:Vector.<ContactPoint>, count:int):int
         {
-            for (var i:int = 0; i < count; i++)
+            var at:int = 0;
+            while (at < count && _tried.normalX * ways[at].normalX + _tried.normalY * ways[at].normalY + _tried.normalZ * ways[at].normalZ <= SAME_EXIT)
             {
-                var way:ContactPoint = ways[i];
-                if (_tried.normalX * way.normalX + _tried.normalY * way.normalY + _tried.normalZ * way.normalZ > SAME_EXIT)
-                {
-                    if (_tried.depth < way.depth)
-                    {
-                        way.copyFrom(_tried);
-                    }
-                    return count;
-                }
+                at++;
             }
-            if (count == MOST_EXITS)
+            if (at == MOST_EXITS)
             {
                 return count;
             }
-            if (count == ways.length)
+            if (at == ways.length)
             {
-                ways[count] = new ContactPoint();
+                ways[at] = new ContactPoint();
             }
-            ways[count].copyFrom(_tried);
-            return count + 1;
+            if (at == count || _tried.depth < ways[at].depth)
+            {
+                ways[at].copyFrom(_tried);
+            }
+            return Math.max(count, at + 1);
         }
 
         private function isPartBehind():Boolean
         {
             _tried.measure(_part, 0, 9);
             var greatest:Number = _tried.greatest;
-            _tried.measure(_faces.corners, 0, 3);
-            return greatest <= _tried.least + PART_GAPS * _faces.gap;
+            _tried.measure(_triangles.corners, 0, 3);
+            return greatest <= _tried.least + PART_GAPS * _triangles.gap;
         }
 
         // Whether any way out of the ground is at least about as long as the last contact is deep, because the piece's deepest point has to get out.
         private function isNeeded():Boolean
         {
-            var grid:HeightGrid = _faces.grid;
             var depth:Number = _tried.depth;
             if (!(depth >= 0))
             {
                 return false;
             }
-            var x:Number = _faces.origin.x + _tried.x - depth / 2 * _tried.normalX;
-            var y:Number = _faces.origin.y + _tried.y - depth / 2 * _tried.normalY;
-            var z:Number = _faces.origin.z + _tried.z - depth / 2 * _tried.normalZ;
-            var high:Number = grid.heightAt(x, y);
-            var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
-            var left:Number = Math.min(x - grid.x, grid.x + (grid.columns - 1) * grid.cellWidth - x);
-            var front:Number = Math.min(y - grid.y, grid.y + (grid.rows - 1) * grid.cellWidth - y);
-            if (!(high > z) || Math.min(left, front) + border < depth)
-            {
-                return depth == 0;
-            }
-            grid.findAround(x, y, depth, depth);
-            var least:Number = grid.least - z;
-            if (!grid.isBlocky)
-            {
-                var slopeX:Number = grid.stepX / grid.cellWidth;
-                var slopeY:Number = grid.stepY / grid.cellWidth;
-                least = Math.max(least, (high - z) / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY));
-            }
-            return least >= NEEDED * depth;
+            var x:Number = _box.origin.x + _tried.x - depth / 2 * _tried.normalX;
+            var y:Number = _box.origin.y + _tried.y - depth / 2 * _tried.normalY;
+            var z:Number = _box.origin.z + _tried.z - depth / 2 * _tried.normalZ;
+            return depth == 0 || _grid.leastWayOut(x, y, z, depth) >= NEEDED * depth;
         }
 
-        private function overlapsAt(motion:RelativeMotion, time:Number):Boolean
+        /** Whether the two overlap or touch where the motion has brought the model at a time. */
+        public function overlapsAt(motion:RelativeMotion, time:Number):Boolean
         {
-            placeAt(motion, time);
-            begin(_tree, RelativeMotion.NONE, 0);
-            _under = 0;
-            while (next())
+            _pieces.placeAt(motion, time);
+            _pieces.begin(RelativeMotion.NONE, 0);
+            while (_pieces.nextPiece())
             {
-                if (_piece.areTouching())
+                while (_pieces.nextTriangle())
+                {
+                    if (_piece.areTouching())
+                    {
+                        return true;
+                    }
+                }
+                if (_pieces.isUnder(0))
                 {
                     return true;
                 }
             }
-            return _isUnder;
-        }
-
-        private function setSweep(motion:RelativeMotion):void
-        {
-            _sweep.x = motion.x;
-            _sweep.y = motion.y;
-            _sweep.z = motion.z;
+            return false;
         }
 
         private function moveToWorld(out:ContactPoint):void
         {
-            out.x += _faces.origin.x;
-            out.y += _faces.origin.y;
-            out.z += _faces.origin.z;
+            out.x += _box.origin.x;
+            out.y += _box.origin.y;
+            out.z += _box.origin.z;
         }
     }
 }

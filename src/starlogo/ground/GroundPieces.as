@@ -1,0 +1,256 @@
+package starlogo.ground
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Touching;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.intersection.ConvexTriangle;
+    import starlogo.solid.SolidHierarchy;
+
+    use namespace engine;
+
+    /**
+     * Goes through the convex pieces of a placed model, and for each piece through the triangles of the ground's surface near it. The model is
+     * a structure or a tree.
+     *
+     * <p>A piece is a structure or a triangle. Nodes at the depth limit are pieces. Nodes that are divided only say, by their boxes, whether the
+     * surface is near. If it is not, the node is a piece without triangles.</p>
+     */
+    internal final class GroundPieces
+    {
+        /** The current piece, and the triangle that <code>nextTriangle()</code> has found. Both are relative to the box's origin. */
+        public var piece:ConvexTriangle = new ConvexTriangle();
+
+        /** The box around the current piece. Its limits may be narrowed. Its origin is the model's place. */
+        public var box:GroundBox = new GroundBox();
+
+        /** The last triangle. Read only. */
+        public var triangles:GroundTriangles = new GroundTriangles();
+
+        private var _grid:HeightGrid;
+        private var _tree:SolidHierarchy;
+        private var _structure:BoundingStructure;
+        private var _depth:int;
+        private var _isExact:Boolean;
+
+        // The triangles' corners if they decide. Their first reader prepares them, which changes the nodes below the thesis's leaves. So they are
+        // read before a search begins.
+        private var _corners:Vector.<Number> = null;
+
+        // Where the model stands at the current time.
+        private var _placed:Placement = new Placement();
+
+        // Whether the structure is still to be visited; the nodes that are, and their number; the triangles of the last node that are.
+        private var _isWhole:Boolean = false;
+        private var _nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
+        private var _nodeCount:int = 0;
+        private var _triangle:int = 0;
+        private var _end:int = 0;
+
+        // A point of the current piece. The margin of the model's place and surface, and that of the piece without that of a triangle.
+        private var _point:Vector3D = new Vector3D();
+        private var _margin:Number = 0;
+        private var _pieceMargin:Number = 0;
+
+        private var _node:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
+
+        /** Sets the model and the ground, as <code>GroundPair.setTo()</code> takes them. */
+        public function setTo(grid:HeightGrid, tree:SolidHierarchy, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
+        {
+            _grid = grid;
+            _tree = tree;
+            _structure = structure;
+            _placed.copyFrom(placement);
+            box.origin.x = placement.x;
+            box.origin.y = placement.y;
+            box.origin.z = placement.z;
+            _isExact = tree != null && exact && tree.hasTriangles;
+            _depth = _isExact ? int.MAX_VALUE : depth;
+            // The margin is as large as if another agent stood at the place of the touch.
+            _margin = 2 * Touching.marginOfPlace(placement.x, placement.y, placement.z);
+            if (_isExact)
+            {
+                _margin += Touching.marginOfSurface(tree.root.radius * placement.size / 2);
+            }
+            placeAt(RelativeMotion.NONE, 0);
+        }
+
+        /** Moves the model to where the motion has brought it at a time. */
+        public function placeAt(motion:RelativeMotion, time:Number):void
+        {
+            _placed.x = motion.startX + time * motion.x;
+            _placed.y = motion.startY + time * motion.y;
+            _placed.z = motion.startZ + time * motion.z;
+        }
+
+        /**
+         * Begins with all pieces.
+         *
+         * @param motion of the pieces: triangles on their way count
+         * @param reach triangles count that are at most this far away
+         */
+        public function begin(motion:RelativeMotion, reach:Number):void
+        {
+            beginWhole(motion, reach);
+            if (_tree != null)
+            {
+                _isWhole = false;
+                _corners = _isExact ? _tree.corners : null;
+                addNode(_tree.root);
+            }
+        }
+
+        /** Begins with the structure around all pieces as the only one. */
+        public function beginWhole(motion:RelativeMotion, reach:Number):void
+        {
+            triangles.stop();
+            _nodeCount = _triangle = _end = 0;
+            _isWhole = true;
+            box.way = motion;
+            box.limit = 1;
+            box.reach = reach;
+            box.above = -Infinity;
+        }
+
+        /** Begins with the structure around all pieces, and with the triangles at a point of the ground. */
+        public function beginAt(at:GroundPoint):void
+        {
+            beginWhole(RelativeMotion.NONE, 0);
+            _isWhole = false;
+            setPiece(_structure);
+            box.x = at.x - box.origin.x;
+            box.y = at.y - box.origin.y;
+            box.z = at.height - box.origin.z;
+            box.halfX = box.halfY = box.halfZ = 0;
+            box.structure = null;
+            triangles.begin(_grid, box);
+        }
+
+        /** Goes on to the next piece. Returns false if there is none. */
+        public function nextPiece():Boolean
+        {
+            while (_triangle == _end)
+            {
+                if (_isWhole)
+                {
+                    _isWhole = false;
+                    beginPiece(_structure);
+                    return true;
+                }
+                if (_nodeCount == 0)
+                {
+                    return false;
+                }
+                _nodeCount--;
+                if (visit(_nodes[_nodeCount]))
+                {
+                    return true;
+                }
+            }
+            piece.beginTriangle(_corners, 9 * _triangle, _placed);
+            _triangle++;
+            finishPiece();
+            triangles.begin(_grid, box);
+            return true;
+        }
+
+        /** Goes on to the next triangle near the piece. Returns false if there is none. */
+        public function nextTriangle():Boolean
+        {
+            if (!triangles.next())
+            {
+                return false;
+            }
+            piece.shape.margin = _pieceMargin + triangles.gap;
+            piece.setTriangle(triangles.corners, 0);
+            return true;
+        }
+
+        /** Whether a point of the piece is at least this deep under the ground. */
+        public function isUnder(depth:Number):Boolean
+        {
+            return _grid.heightAt(_point.x + box.origin.x, _point.y + box.origin.y) - depth >= _point.z + box.origin.z;
+        }
+
+        /** Puts the box around the whole model. */
+        public function placeBox():void
+        {
+            placeAround(_structure);
+        }
+
+        private function addNode(node:HierarchyNode):void
+        {
+            _nodes[_nodeCount] = node;
+            _nodeCount++;
+        }
+
+        // Begins with a node. Returns whether it is a piece.
+        private function visit(node:HierarchyNode):Boolean
+        {
+            node.writeBox(_node);
+            var isDivided:Boolean = node.goesBelow(_depth);
+            if (!isDivided && !_isExact)
+            {
+                beginPiece(_node);
+                return true;
+            }
+            box.structure = null;
+            placeAround(_node);
+            if (!isDivided)
+            {
+                _triangle = node.first;
+                _end = node.end;
+                return false;
+            }
+            triangles.begin(_grid, box);
+            if (!triangles.next())
+            {
+                _point.setTo(box.x, box.y, box.z);
+                return true;
+            }
+            triangles.stop();
+            addNode(node.high);
+            addNode(node.low);
+            return false;
+        }
+
+        private function beginPiece(structure:BoundingStructure):void
+        {
+            setPiece(structure);
+            placeAround(structure);
+            box.structure = piece.structure;
+            triangles.begin(_grid, box);
+        }
+
+        private function setPiece(structure:BoundingStructure):void
+        {
+            piece.begin(structure, _placed);
+            finishPiece();
+        }
+
+        private function finishPiece():void
+        {
+            _pieceMargin = piece.shape.margin + _margin;
+            _point.x = piece.shape.x;
+            _point.y = piece.shape.y;
+            _point.z = piece.shape.z;
+        }
+
+        // Puts the box around a structure of the model.
+        private function placeAround(structure:BoundingStructure):void
+        {
+            structure.rotatedExtentsInto(_placed, _extents);
+            box.x = _extents[0] + _placed.x;
+            box.y = _extents[1] + _placed.y;
+            box.z = _extents[2] + _placed.z;
+            box.halfX = _extents[3] + _margin;
+            box.halfY = _extents[4] + _margin;
+            box.halfZ = _extents[5] + _margin;
+        }
+    }
+}

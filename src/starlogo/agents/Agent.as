@@ -667,7 +667,7 @@ package starlogo.agents
             }
         }
 
-        // Call it after a change of anything but the place.
+        // Call it after a change of what the extents or the tests depend on: the shape, the turn, the size, the depth.
         private function extentsChanged():void
         {
             placement.extentsRevision++;

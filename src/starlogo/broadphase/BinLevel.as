@@ -16,9 +16,8 @@ package starlogo.broadphase
         // In place of a mask.
         internal static const NO_CELLS:int = 0;
 
-        // Extents that fit the level store this number. Its index from the coarsest level to the finest.
+        // Extents that fit the level store this number.
         internal var number:int;
-        internal var index:int = 0;
 
         // A power of two, in patches. The widest members are at most this wide, and no member is narrower than half of it, unless it is far
         // out. Cells are a little wider. So two members that touch are in the same cell or in neighbouring cells.

@@ -75,10 +75,6 @@ package starlogo.broadphase
                 var level:BinLevel = new BinLevel(byNumber.length, width);
                 byWidth.splice(index, 0, level);
                 byNumber.push(level);
-                for (var i:int = 0; i < byWidth.length; i++)
-                {
-                    byWidth[i].index = i;
-                }
             }
             return byWidth[index];
         }

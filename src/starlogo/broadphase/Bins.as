@@ -162,6 +162,7 @@ package starlogo.broadphase
                     stride = level.stride;
                     base = level.base;
                 }
+                // BinLevel.cellOf() as a loop. CellLists relies on the same cells
                 var column:int = xs[row] * cellsPerPatch + BIAS;
                 var line:int = ys[row] * cellsPerPatch + BIAS;
                 var cell:int = ((line & mask) * stride + column) & mask;

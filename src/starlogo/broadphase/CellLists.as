@@ -19,6 +19,9 @@ package starlogo.broadphase
         private var _levels:BinLevels;
         private var _extents:Extents;
 
+        // Whether a member needs a level that has no cells.
+        private var _needCells:Boolean = false;
+
         // By counter: the first row of the cell's list. By row: the counter of its cell, or NONE; the level's number; the next row in the list.
         private var _heads:Vector.<int> = new Vector.<int>();
         private var _cells:Vector.<int> = new Vector.<int>();
@@ -43,6 +46,7 @@ package starlogo.broadphase
         {
             _extents = extents;
             this.count = count;
+            _needCells = false;
             var end:int = 0;
             for (var i:int = 0; i < _levels.byWidth.length; i++)
             {
@@ -102,8 +106,7 @@ package starlogo.broadphase
             var level:BinLevel = _levels.byNumber[_extents.level[row]];
             if (level.mask == BinLevel.NO_CELLS)
             {
-                // now its cells are not valid
-                level.count++;
+                _needCells = true;
                 return;
             }
             var cell:int = level.base + level.cellOf(_extents.x[row], _extents.y[row]);
@@ -142,7 +145,7 @@ package starlogo.broadphase
             count--;
         }
 
-        /** Whether the bins would give the members the same cells now. */
+        /** Whether all members have cells, and about as many as the bins would give them now. */
         public function areCellsValid():Boolean
         {
             for (var i:int = 0; i < _levels.byWidth.length; i++)
@@ -153,7 +156,7 @@ package starlogo.broadphase
                     return false;
                 }
             }
-            return true;
+            return !_needCells;
         }
 
         /**

@@ -5,6 +5,7 @@ package starlogo.collision
     import starlogo.engine;
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
+    import starlogo.search.FrameInput;
     import starlogo.search.textOf;
 
     use namespace engine;
@@ -95,14 +96,14 @@ package starlogo.collision
         }
 
         /** @private The engine's collider that this one is or contains, or null. It belongs to one Collision at most. */
-        engine function get ownedCollider():Collider
+        engine function get innerCollider():Collider
         {
             var inside:BaseCollider = _collisionSystem as BaseCollider;
-            return inside == null ? null : inside.ownedCollider;
+            return inside == null ? null : inside.innerCollider;
         }
 
         /** @private The engine's collider that finds the same pairs as this one, or null. Snapshots and questions use it. */
-        engine function get collider():Collider
+        engine function get equivalentCollider():Collider
         {
             return null;
         }
@@ -110,18 +111,18 @@ package starlogo.collision
         /**
          * @private Finds the pairs of a Collision's frame. A game's own system may return its own vector, and need not count its tests.
          *
-         * @param takePart by index in the list: whether the agent takes part; null for all
-         * @param fixtures the agent of the ground, or null, and the agent of the edges of the world, or null
+         * @param out takes the pairs
          * @throws IllegalOperationError if there is ground or there are edges, but this is not one of the engine's systems
          */
-        engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs):void
+        engine function findPairs(input:FrameInput, out:FoundPairs):void
         {
-            if (fixtures[0] != null || fixtures[1] != null)
+            if (input.ground != null || input.edges != null)
             {
-                var what:String = fixtures[0] != null ? "a terrain needs" : "bounds need";
+                var what:String = input.ground != null ? "a terrain needs" : "bounds need";
                 throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(_collisionSystem || this, "a Collider"));
             }
-            out.read(findCollisionsAmong(takePart == null ? agents : chosen(agents, takePart), interests, _found), agents);
+            var listed:Vector.<Agent> = input.takePart == null ? input.agents : chosen(input.agents, input.takePart);
+            out.read(findCollisionsAmong(listed, input.interests, _found), input.agents);
         }
 
         /** @private Called when a Collision's frame is over, handlers included, with the Collision's statistics. */

@@ -9,6 +9,7 @@ package starlogo.collision
     import starlogo.search.CollisionSearch;
     import starlogo.search.FoundContact;
     import starlogo.search.FoundPairs;
+    import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
 
     use namespace engine;
@@ -101,7 +102,10 @@ package starlogo.collision
                 asked = _extraSearch;
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
-            measure(asked, agents, interests, null, null, _found, false);
+            var input:FrameInput = new FrameInput();
+            input.agents = agents;
+            input.interests = interests;
+            find(asked, input, _found, false);
             if (!_isFrameHeld)
             {
                 _seen = asked;
@@ -144,13 +148,13 @@ package starlogo.collision
         }
 
         /** @private */
-        override engine function get collider():Collider
+        override engine function get equivalentCollider():Collider
         {
             return this;
         }
 
         /** @private */
-        override engine function get ownedCollider():Collider
+        override engine function get innerCollider():Collider
         {
             return this;
         }
@@ -192,16 +196,15 @@ package starlogo.collision
         }
 
         /** @private */
-        override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs):void
+        override engine function findPairs(input:FrameInput, out:FoundPairs):void
         {
-            measure(search, agents, interests, takePart, fixtures, out, true);
+            find(search, input, out, true);
         }
 
-        private function measure(search:CollisionSearch, agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>,
-                out:FoundPairs, mayKeep:Boolean):void
+        private function find(by:CollisionSearch, input:FrameInput, out:FoundPairs, mayKeep:Boolean):void
         {
             var start:Number = getTimer();
-            search.find(agents, interests, takePart, out, _statistics, mayKeep, fixtures);
+            by.find(input, mayKeep, out, _statistics);
             _statistics.findMs = getTimer() - start;
         }
 

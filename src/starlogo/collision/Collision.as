@@ -11,6 +11,7 @@ package starlogo.collision
     import starlogo.handlers.HandlerTable;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.BreedInterests;
+    import starlogo.search.FrameInput;
     import starlogo.search.textOf;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
@@ -79,7 +80,7 @@ package starlogo.collision
         private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
         private var _touches:TouchTracker = new TouchTracker();
         private var _calls:HandlerCalls = new HandlerCalls();
-        private var _fixtures:Vector.<Agent> = new <Agent>[null, null];
+        private var _input:FrameInput = new FrameInput();
         private var _snapshots:Snapshots = new Snapshots();
 
         // The system of the frame under way, or null. Its collider stays reserved until the frame's end.
@@ -126,10 +127,10 @@ package starlogo.collision
                 throw new ArgumentError("collisionSystem must not be null");
             }
             var system:BaseCollider = BaseCollider.of(value);
-            var owned:Collider = system.ownedCollider;
-            if (owned != null)
+            var inner:Collider = system.innerCollider;
+            if (inner != null)
             {
-                owned.owner = this;
+                inner.owner = this;
             }
             var before:BaseCollider = _system;
             _collisionSystem = value;
@@ -239,10 +240,10 @@ package starlogo.collision
             _touches = new TouchTracker();
             _hasFailed = false;
             _searched = null;
-            var owned:Collider = _system.ownedCollider;
-            if (owned != null)
+            var inner:Collider = _system.innerCollider;
+            if (inner != null)
             {
-                owned.search.table.places.forgetMotions();
+                inner.search.table.places.forgetMotions();
             }
             // a handler may call this, and the frame goes on with its list
             _lastAgents = new Vector.<Agent>();
@@ -274,17 +275,20 @@ package starlogo.collision
             // what the filter or a handler exchanges counts from the next frame on
             var system:BaseCollider = _system;
             var touches:TouchTracker = _touches;
-            var fixtures:Vector.<Agent> = findFixtures();
+            _input.ground = terrain == null ? null : terrain.agent;
+            _input.edges = bounds == null ? null : bounds.agent;
             _handlers.begin();
             var asked:AgentPredicate = filter;
-            var collider:Collider = system.ownedCollider;
+            var collider:Collider = system.innerCollider;
             _updating = system;
             try
             {
                 var listed:Vector.<Agent> = asked == null ? agents : _filteredList.ask(asked, agents);
                 _hasFailed = true;
-                findPairs(system, collider, listed, asked == null ? null : _filteredList.takePart, fixtures);
-                keepList(listed, system.collider);
+                _input.agents = listed;
+                _input.takePart = asked == null ? null : _filteredList.takePart;
+                findPairs(system, collider);
+                keepList(listed, system.equivalentCollider);
                 if (collider != null)
                 {
                     collider.holdFrame();
@@ -332,8 +336,8 @@ package starlogo.collision
             {
                 throw new IllegalOperationError("the last frame has refused its list or failed: there is nothing to take a snapshot of");
             }
-            var searched:Collider = _searched || _system.collider;
-            return _snapshots.write(_touches, searched.search.table, _lastAgents, _searched == _system.collider, terrain, findFixtures(),
+            var searched:Collider = _searched || _system.equivalentCollider;
+            return _snapshots.write(_touches, searched.search.table, _lastAgents, _searched == _system.equivalentCollider, terrain, findFixtures(),
                     withTraits, withGround);
         }
 
@@ -359,7 +363,7 @@ package starlogo.collision
             {
                 throw new ArgumentError("agents must not be null");
             }
-            var collider:Collider = _system.collider;
+            var collider:Collider = _system.equivalentCollider;
             _touches = _snapshots.read(bytes, agents, collider.search, terrain, findFixtures());
             collider.seeFrame();
             keepList(agents, collider);
@@ -369,8 +373,8 @@ package starlogo.collision
         // Lets another Collision have a system's collider, unless this one still needs it.
         private function release(system:BaseCollider):void
         {
-            var collider:Collider = system == null ? null : system.ownedCollider;
-            if (collider != null && collider !== _system.ownedCollider && (_updating == null || collider !== _updating.ownedCollider))
+            var collider:Collider = system == null ? null : system.innerCollider;
+            if (collider != null && collider !== _system.innerCollider && (_updating == null || collider !== _updating.innerCollider))
             {
                 collider.owner = null;
             }
@@ -399,7 +403,7 @@ package starlogo.collision
             {
                 throw new IllegalOperationError(what + " must not be called from a handler, or from the filter");
             }
-            if (_system.collider == null)
+            if (_system.equivalentCollider == null)
             {
                 throw new IllegalOperationError(what + " needs one of the engine's collision systems, not " + textOf(_collisionSystem, "a Collider"));
             }
@@ -408,27 +412,27 @@ package starlogo.collision
         // The agents of the ground and of the edges, or null, as they are now.
         private function findFixtures():Vector.<Agent>
         {
-            _fixtures[0] = terrain == null ? null : terrain.agent;
-            _fixtures[1] = bounds == null ? null : bounds.agent;
-            return _fixtures;
+            return new <Agent>[terrain == null ? null : terrain.agent, bounds == null ? null : bounds.agent];
         }
 
-        private function findPairs(system:BaseCollider, collider:Collider, agents:Vector.<Agent>, takePart:Vector.<Boolean>,
-                fixtures:Vector.<Agent>):void
+        private function findPairs(system:BaseCollider, collider:Collider):void
         {
             var start:Number = getTimer();
+            var agentCount:int = _input.agents.length;
             // a game's own BaseCollider may call findCollisions of the collider in it
             if (collider != null)
             {
                 collider.isInFrame = true;
             }
-            system.findPairs(agents, _handlers.interests, takePart, fixtures, _calls.pairs);
+            _input.interests = _handlers.interests;
+            system.findPairs(_input, _calls.pairs);
+            _input.agents = null;
             if (collider != null)
             {
                 collider.isInFrame = false;
             }
             _statistics.copyFrom(system.statistics);
-            _statistics.agents = agents.length;
+            _statistics.agents = agentCount;
             _statistics.collisions = _calls.pairs.count;
             _statistics.findMs = getTimer() - start;
         }

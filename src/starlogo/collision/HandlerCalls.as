@@ -65,22 +65,22 @@ package starlogo.collision
             _chosen = null;
             _areTouchesComplete = true;
             _contacts.begin(system);
-            var areKept:Boolean = tracker.areKept(pairs);
+            var added:NumberList = tracker.areKept(pairs) ? pairs.added : null;
             if (table.contactKinds != 0)
             {
                 // before the touches, because a game's own contactOf may throw. Then no touch has changed
-                visitPairs(areKept && (table.contactKinds & EACH_FRAME) == 0, true);
+                findContacts((table.contactKinds & EACH_FRAME) == 0 ? added : null);
             }
             var tracksTouches:Boolean = tracker.count > 0 || (table.kinds & ~EACH_FRAME) != 0;
             if (tracksTouches)
             {
                 tracker.begin(pairs);
-                visitPairs(areKept, false);
+                renewTouches(added);
                 tracker.collectEnded();
                 _step = -tracker.endedCount;
                 callUpTo(0, errors);
                 tracker.forgetEnded();
-                _chosen = areKept && (table.kinds & EACH_FRAME) == 0 ? pairs.added : null;
+                _chosen = (table.kinds & EACH_FRAME) == 0 ? added : null;
             }
             callUpTo(_chosen == null ? pairs.count : _chosen.count, errors);
             if (tracksTouches && _areTouchesComplete)
@@ -91,21 +91,32 @@ package starlogo.collision
             _agents = null;
         }
 
-        // Computes the contacts that handlers take, before a handler moves an agent. Or finds which pairs touched before.
-        private function visitPairs(areOnlyAdded:Boolean, forContacts:Boolean):void
+        // Computes the contacts that handlers take, before a handler moves an agent. Null stands for all pairs.
+        private function findContacts(some:NumberList):void
         {
-            var end:int = areOnlyAdded ? pairs.added.count : pairs.count;
-            for (var turn:int = 0; turn < end; turn++)
+            var end:int = some == null ? pairs.count : some.count;
+            for (var i:int = 0; i < end; i++)
             {
-                var pair:int = areOnlyAdded ? pairs.added.numbers[turn] : turn;
+                var pair:int = some == null ? i : some.numbers[i];
                 var first:Agent = pairs.agents[pairs.rows[2 * pair]];
                 var second:Agent = pairs.agents[pairs.rows[2 * pair + 1]];
-                var handlers:PairHandlers = _table.handlersOf(first.breedNumber, second.breedNumber);
-                if (forContacts && handlers.takesContacts)
+                if (_table.handlersOf(first.breedNumber, second.breedNumber).takesContacts)
                 {
                     _contacts.find(pair, first, second);
                 }
-                else if (!forContacts && handlers.tracksTouches)
+            }
+        }
+
+        // Finds which pairs touched before. Null stands for all pairs.
+        private function renewTouches(some:NumberList):void
+        {
+            var end:int = some == null ? pairs.count : some.count;
+            for (var i:int = 0; i < end; i++)
+            {
+                var pair:int = some == null ? i : some.numbers[i];
+                var first:Agent = pairs.agents[pairs.rows[2 * pair]];
+                var second:Agent = pairs.agents[pairs.rows[2 * pair + 1]];
+                if (_table.handlersOf(first.breedNumber, second.breedNumber).tracksTouches)
                 {
                     _tracker.renew(pair, first, second);
                 }

@@ -32,7 +32,7 @@ package starlogo.collision
      */
     internal final class Snapshots
     {
-        // "SLF3"
+        // "SLF4"
         private static const MARK:uint = 0x534C4634;
         private static const BYTES_PER_AGENT:int = 25;
 

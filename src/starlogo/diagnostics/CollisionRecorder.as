@@ -10,6 +10,7 @@ package starlogo.diagnostics
     import starlogo.geometry.requireGiven;
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
+    import starlogo.search.FrameInput;
 
     use namespace engine;
 
@@ -96,16 +97,16 @@ package starlogo.diagnostics
         }
 
         /** @private */
-        override engine function get collider():Collider
+        override engine function get equivalentCollider():Collider
         {
-            return _system.collider;
+            return _system.equivalentCollider;
         }
 
         /** @private */
-        override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, fixtures:Vector.<Agent>, out:FoundPairs):void
+        override engine function findPairs(input:FrameInput, out:FoundPairs):void
         {
             var start:Number = getTimer();
-            _system.findPairs(agents, interests, takePart, fixtures, out);
+            _system.findPairs(input, out);
             _findTimes.add(getTimer() - start);
             for (var i:int = 0; i < out.count; i++)
             {

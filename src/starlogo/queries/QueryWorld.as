@@ -173,12 +173,12 @@ package starlogo.queries
             var collision:Collision = _source as Collision;
             var system:Object = collision == null ? _source : collision.collisionSystem;
             var base:BaseCollider = system as BaseCollider;
-            if (base == null || base.collider == null)
+            if (base == null || base.equivalentCollider == null)
             {
                 throw new ArgumentError("questions need a Collision or one of the engine's collision systems, not "
                         + textOf(system, "a Collision or a Collider"));
             }
-            return base.collider;
+            return base.equivalentCollider;
         }
 
         private function see(collider:Collider):void

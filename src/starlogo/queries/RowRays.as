@@ -55,7 +55,7 @@ package starlogo.queries
             triangle = -1;
             if (body.form == ModelShape.GROUND)
             {
-                return _seen.narrowPhase.testsOf(body, body).isMet(body, ray);
+                return _seen.narrowPhase.testsOfFixture(body).isMet(body, ray);
             }
             var placement:Placement = body.placement;
             var line:Ray = _inModel;

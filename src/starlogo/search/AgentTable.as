@@ -100,6 +100,7 @@ package starlogo.search
                 list.accept(agents.length);
                 followList();
             }
+            loadingCount = 0;
             takeShapes();
             _read = places.exchange(_read, list.count);
             moveExtents();
@@ -192,11 +193,11 @@ package starlogo.search
             var byRow:Vector.<Agent> = list.agents;
             var seen:Vector.<int> = places.now.revisions;
             var extentsSeen:Vector.<int> = _extentsRevisions;
-            var read:Vector.<int> = places.last.revisions;
-            var readX:Vector.<Number> = places.last.x;
-            var readY:Vector.<Number> = places.last.y;
-            var readZ:Vector.<Number> = places.last.z;
-            var reading:Vector.<int> = _read.numbers;
+            var nextRevisions:Vector.<int> = places.next.revisions;
+            var nextX:Vector.<Number> = places.next.x;
+            var nextY:Vector.<Number> = places.next.y;
+            var nextZ:Vector.<Number> = places.next.z;
+            var rowsRead:Vector.<int> = _read.numbers;
             var end:int = agents.length;
             var found:int = 0;
             _changed.count = 0;
@@ -216,12 +217,13 @@ package starlogo.search
                     {
                         _changed.add(row);
                     }
-                    reading[found] = row;
+                    rowsRead[found] = row;
                     found++;
-                    read[row] = revision;
-                    readX[row] = placement.x;
-                    readY[row] = placement.y;
-                    readZ[row] = placement.z;
+                    nextRevisions[row] = revision;
+                    nextX[row] = placement.x;
+                    nextY[row] = placement.y;
+                    nextZ[row] = placement.z;
+                    // also if the list is refused: then the next search reads the row again
                     breeds[row] = agent.breedNumber;
                 }
             }
@@ -350,7 +352,6 @@ package starlogo.search
         // Gives the changed rows the shapes that findShapes has found, and finds their extents.
         private function takeShapes():void
         {
-            loadingCount = 0;
             for (var i:int = 0; i < _changed.count; i++)
             {
                 var row:int = _changed.numbers[i];

@@ -11,7 +11,7 @@ package starlogo.search
 
     /**
      * Finds the pairs of agents that touch: the search that all colliders share. It reads the agents into a table. The bins find the pairs of
-     * rows that are near each other (thesis §3.7). CandidateTests keeps those that touch, and PairOrder puts them into order. If few agents have
+     * rows that are near each other (thesis §3.7). CandidateFilter keeps those that touch, and PairOrder puts them into order. If few agents have
      * changed, KeptPairs begins with the pairs of the last search instead.
      *
      * <p>A question about two agents makes bodies of them as they are now, so it does not change anything that a search keeps.</p>
@@ -28,7 +28,7 @@ package starlogo.search
         private var _bins:Bins = new Bins();
         private var _conditions:SearchConditions = new SearchConditions();
         private var _motions:RowMotions;
-        private var _tests:CandidateTests;
+        private var _candidates:CandidateFilter;
         private var _order:PairOrder = new PairOrder();
 
         // Finds the pairs of a search in which little has changed.
@@ -53,8 +53,8 @@ package starlogo.search
             _shapes = new ModelShapes(choice);
             table = new AgentTable(_shapes, _bins.levels);
             _motions = new RowMotions(narrowPhase);
-            _tests = new CandidateTests(table, narrowPhase, _motions, _conditions);
-            _kept = new KeptPairs(table, _tests, _motions, _bins.levels, _order);
+            _candidates = new CandidateFilter(table, narrowPhase, _motions, _conditions);
+            _kept = new KeptPairs(table, _candidates, _motions, _bins.levels, _order);
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
@@ -68,24 +68,18 @@ package starlogo.search
         /**
          * Finds the pairs of agents that touch and whose breeds are of interest.
          *
-         * @param agents the list
-         * @param interests the pairs of breeds; null for all
-         * @param takePart by index in the list: whether the agent takes part; null for all
+         * @param input among what
+         * @param mayKeep whether the search may begin with the pairs of the last one, which are in out then
          * @param out takes the pairs
          * @param counts takes the counts of this search
-         * @param mayKeep whether the search may begin with the pairs of the last one, which are in out then
-         * @param fixtures the agent of the ground, or null, and the agent of the edges of the world, or null. Null if there are none
          * @throws ArgumentError as CollisionSystem.findCollisions does
          */
-        public function find(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs, counts:SearchCounts,
-                mayKeep:Boolean, fixtures:Vector.<Agent>):void
+        public function find(input:FrameInput, mayKeep:Boolean, out:FoundPairs, counts:SearchCounts):void
         {
-            table.read(agents);
-            for (var row:int = ListedAgents.GROUND; row <= ListedAgents.EDGES; row++)
-            {
-                table.readWorldAgent(row, fixtures == null ? null : fixtures[row]);
-            }
-            setConditions(agents, interests, takePart);
+            table.read(input.agents);
+            table.readWorldAgent(ListedAgents.GROUND, input.ground);
+            table.readWorldAgent(ListedAgents.EDGES, input.edges);
+            setConditions(input);
             // tests since the last search, as those of questions, do not count
             _narrowPhase.takeCounts(counts);
             if (mayKeep && _kept.find(_conditions, out))
@@ -104,18 +98,18 @@ package starlogo.search
                     _kept.forget();
                 }
             }
-            _tests.end();
-            report(agents.length, out.count, counts);
+            _candidates.end();
+            report(out.count, counts);
         }
 
-        private function setConditions(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>):void
+        private function setConditions(input:FrameInput):void
         {
             var trees:TreePairTests = _narrowPhase.trees;
-            _conditions.interests = interests;
-            _conditions.interestsRevision = interests == null ? 0 : interests.revision;
-            _conditions.takePart = takePart;
+            _conditions.interests = input.interests;
+            _conditions.interestsRevision = input.interests == null ? 0 : input.interests.revision;
+            _conditions.takePart = input.takePart;
             _conditions.areSpheres = _shapes.areSpheres;
-            _conditions.isSwept = Agent.haveSwept && RowMotions.anySweeping(agents);
+            _conditions.isSwept = Agent.haveSwept && RowMotions.anySweeping(input.agents);
             _conditions.maxDepth = trees == null || trees.exact ? 0 : trees.maxDepth;
         }
 
@@ -128,11 +122,11 @@ package starlogo.search
                 extents = _motions.extents;
             }
             chooseMembers();
-            _tests.begin(out);
-            _bins.findPairs(extents, _memberRows, _memberCount, _tests);
+            _candidates.begin(out);
+            _bins.findPairs(extents, _memberRows, _memberCount, _candidates);
             for (var row:int = ListedAgents.GROUND; row <= ListedAgents.EDGES; row++)
             {
-                _tests.findAtFixture(row, _memberRows, _memberCount);
+                _candidates.findAtFixture(row, _memberRows, _memberCount);
             }
             _order.sort(out, _conditions.isSwept);
         }
@@ -225,7 +219,7 @@ package starlogo.search
             _memberCount = 0;
             for (var i:int = 0; i < table.list.count; i++)
             {
-                if (_tests.isMember(table.list.rows[i]))
+                if (_candidates.isMember(table.list.rows[i]))
                 {
                     _someRows[_memberCount] = table.list.rows[i];
                     _memberCount++;
@@ -233,13 +227,13 @@ package starlogo.search
             }
         }
 
-        private function report(agentCount:int, pairCount:int, counts:SearchCounts):void
+        private function report(pairCount:int, counts:SearchCounts):void
         {
             _narrowPhase.takeCounts(counts);
-            counts.agents = agentCount;
-            counts.agentsSkipped = agentCount - _memberCount - table.loadingCount;
+            counts.agents = table.list.count;
+            counts.agentsSkipped = table.list.count - _memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
-            counts.candidatePairs = _tests.candidatePairs;
+            counts.candidatePairs = _candidates.candidatePairs;
             counts.collisions = pairCount;
         }
     }

@@ -27,7 +27,7 @@ package starlogo.search
                     continue;
                 }
                 // its own agent brings the tests
-                narrowPhase.testsOf(table.bodyOf(row), table.bodyOf(row));
+                narrowPhase.testsOfFixture(table.bodyOf(row));
                 var kept:WorldAgent = _kept[row] ||= new WorldAgent(fixture.breed);
                 kept.edges = fixture.edges;
                 if (fixture.grid != null)

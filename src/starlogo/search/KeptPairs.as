@@ -24,7 +24,7 @@ package starlogo.search
         private static const OF_FAST:int = 20;
 
         private var _table:AgentTable;
-        private var _tests:CandidateTests;
+        private var _candidates:CandidateFilter;
         private var _motions:RowMotions;
         private var _levels:BinLevels;
         private var _order:PairOrder;
@@ -54,15 +54,15 @@ package starlogo.search
 
         /**
          * @param table has the rows
-         * @param tests finds the pairs among candidates
+         * @param candidates finds the pairs among candidates
          * @param motions of the rows, if an agent sweeps
          * @param levels of the bins
          * @param order sorts pairs
          */
-        public function KeptPairs(table:AgentTable, tests:CandidateTests, motions:RowMotions, levels:BinLevels, order:PairOrder)
+        public function KeptPairs(table:AgentTable, candidates:CandidateFilter, motions:RowMotions, levels:BinLevels, order:PairOrder)
         {
             _table = table;
-            _tests = tests;
+            _candidates = candidates;
             _motions = motions;
             _levels = levels;
             _order = order;
@@ -126,12 +126,12 @@ package starlogo.search
             {
                 return false;
             }
-            _tests.begin(_found);
+            _candidates.begin(_found);
             for (var i:int = 0; i < _changed.count; i++)
             {
                 if (_cells.has(_changed.numbers[i]))
                 {
-                    _cells.findNear(_changed.numbers[i], _changedIn, _searchNumber, _tests);
+                    _cells.findNear(_changed.numbers[i], _changedIn, _searchNumber, _candidates);
                 }
             }
             findAtFixture(ListedAgents.GROUND);
@@ -225,7 +225,7 @@ package starlogo.search
             var rows:Vector.<int> = _table.list.rows;
             for (var i:int = 0; i < _table.list.count; i++)
             {
-                if (_tests.isMember(rows[i]) != _cells.has(rows[i]))
+                if (_candidates.isMember(rows[i]) != _cells.has(rows[i]))
                 {
                     markRow(rows[i]);
                 }
@@ -238,7 +238,7 @@ package starlogo.search
             for (var i:int = 0; i < _changed.count; i++)
             {
                 var row:int = _changed.numbers[i];
-                if (_table.list.agents[row] != null && _tests.isMember(row))
+                if (_table.list.agents[row] != null && _candidates.isMember(row))
                 {
                     _cells.put(row);
                 }
@@ -258,7 +258,7 @@ package starlogo.search
                 _changedIn[fixture] = _searchNumber;
             }
             var rows:Vector.<int> = hasChanged ? _table.list.rows : _changed.numbers;
-            _tests.findAtFixture(fixture, rows, hasChanged ? _table.list.count : _changed.count);
+            _candidates.findAtFixture(fixture, rows, hasChanged ? _table.list.count : _changed.count);
         }
     }
 }

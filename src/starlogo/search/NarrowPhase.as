@@ -147,19 +147,25 @@ package starlogo.search
         public function testsOf(a:Body, b:Body):PairTests
         {
             var last:int = a.form > b.form ? a.form : b.form;
-            if (last == ModelShape.EDGES)
+            if (last >= ModelShape.GROUND)
             {
-                return _edges ||= b.shape.fixture.newTests(this);
-            }
-            if (last == ModelShape.GROUND)
-            {
-                return _ground ||= b.shape.fixture.newTests(this);
+                return testsOfFixture(b);
             }
             if (last == ModelShape.TREE)
             {
                 return trees;
             }
             return last == BoundingStructure.SPHERE ? spheres : structures;
+        }
+
+        /** The tests with the ground or the edges of the world. Their own agent brings them, and they stay. */
+        public function testsOfFixture(body:Body):PairTests
+        {
+            if (body.form == ModelShape.EDGES)
+            {
+                return _edges ||= body.shape.fixture.newTests(this);
+            }
+            return _ground ||= body.shape.fixture.newTests(this);
         }
     }
 }

@@ -1,5 +1,6 @@
 package starlogo.search
 {
+    import flash.errors.IllegalOperationError;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
@@ -25,7 +26,7 @@ package starlogo.search
         /** Whether two bodies touch. The answer must be the same in either order, to the last bit. */
         public function areTouching(a:Body, b:Body):Boolean
         {
-            return false;
+            throw new IllegalOperationError(this + " does not implement areTouching");
         }
 
         /**
@@ -58,6 +59,7 @@ package starlogo.search
          */
         public function findTime(a:Body, b:Body, motion:RelativeMotion):void
         {
+            throw new IllegalOperationError(this + " does not implement findTime");
         }
 
         /**
@@ -82,6 +84,7 @@ package starlogo.search
          */
         public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
+            throw new IllegalOperationError(this + " does not implement findContact");
         }
 
         /**
@@ -136,6 +139,7 @@ package starlogo.search
          */
         public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
+            throw new IllegalOperationError(this + " does not implement findClosest");
         }
 
         /**

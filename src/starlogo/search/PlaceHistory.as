@@ -10,10 +10,7 @@ package starlogo.search
         /** The places in the last search. */
         public var now:RowPlaces = new RowPlaces();
 
-        /**
-         * The places in the search before. A row that has not changed has the same place in both. A search reads agents into it, and then the two
-         * are exchanged.
-         */
+        /** The places in the search before. A row that has not changed has the same place in both. */
         public var last:RowPlaces = new RowPlaces();
 
         /** The rows that the last search has read again, because their agents had changed. */
@@ -22,8 +19,14 @@ package starlogo.search
         /** The rows that the search before has read again. */
         public var movedBefore:NumberList = new NumberList();
 
+        /** Where a search reads the places of changed agents: over those of the search before. They count after <code>exchange()</code>. */
+        public function get next():RowPlaces
+        {
+            return last;
+        }
+
         /**
-         * Makes the places that were read into <code>last</code> the present ones.
+         * Makes the places that were read into <code>next</code> the present ones.
          *
          * @param read the rows that were read
          * @param agentCount the number of listed agents

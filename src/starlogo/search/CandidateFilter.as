@@ -11,7 +11,7 @@ package starlogo.search
      * Takes the candidates of the broad phase, and writes those pairs of them that touch and whose breeds are of interest. Agents that sweep are
      * tested along their motions.
      */
-    internal final class CandidateTests extends PairSink
+    internal final class CandidateFilter extends PairSink
     {
         /** The number of candidates whose breeds are of interest. */
         public var candidatePairs:int = 0;
@@ -36,7 +36,7 @@ package starlogo.search
          * @param motions of the rows, if an agent sweeps
          * @param conditions of the search under way
          */
-        public function CandidateTests(table:AgentTable, narrowPhase:NarrowPhase, motions:RowMotions, conditions:SearchConditions)
+        public function CandidateFilter(table:AgentTable, narrowPhase:NarrowPhase, motions:RowMotions, conditions:SearchConditions)
         {
             _table = table;
             _narrowPhase = narrowPhase;
@@ -124,7 +124,7 @@ package starlogo.search
             else
             {
                 var body:Body = _table.bodyOf(fixture);
-                count = _narrowPhase.testsOf(body, body).keepRows(_table, others, count, body);
+                count = _narrowPhase.testsOfFixture(body).keepRows(_table, others, count, body);
             }
             _out.addPairs(fixture, others, count);
         }

@@ -1,0 +1,27 @@
+package starlogo.search
+{
+    import starlogo.agents.Agent;
+
+    /**
+     * Among what a frame's pairs are to be found.
+     *
+     * @private
+     */
+    public final class FrameInput
+    {
+        /** The list of agents. */
+        public var agents:Vector.<Agent> = null;
+
+        /** By index in the list: whether the agent takes part; null for all. */
+        public var takePart:Vector.<Boolean> = null;
+
+        /** The pairs of breeds that count; null for all. */
+        public var interests:BreedInterests = null;
+
+        /** The agent of the ground, or null. */
+        public var ground:Agent = null;
+
+        /** The agent of the edges of the world, or null. */
+        public var edges:Agent = null;
+    }
+}

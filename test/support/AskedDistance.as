@@ -17,13 +17,12 @@ package support
     public final class AskedDistance
     {
         /** What was found last. */
-        public var closest:ClosestPoints;
+        public var closest:ClosestPoints = new ClosestPoints();
 
         /** Whether the two touch. */
         public var areTouching:Boolean;
 
         private var _pairs:NarrowPhase;
-        private var _distances:DistanceQueries;
         private var _table:AgentTable;
         private var _bodyA:Body = new Body();
         private var _bodyB:Body = new Body();
@@ -32,9 +31,7 @@ package support
         public function AskedDistance(choice:AgentShapes, pairs:NarrowPhase)
         {
             _pairs = pairs;
-            _distances = new DistanceQueries(null);
             _table = new AgentTable(new ModelShapes(choice), null);
-            closest = _distances.closest;
         }
 
         /** How far two agents are apart. */
@@ -43,7 +40,7 @@ package support
             _table.bodyOfNow(a, _bodyA);
             _table.bodyOfNow(b, _bodyB);
             areTouching = _pairs.areTouching(_bodyA, _bodyB);
-            _distances.measure(_pairs, _bodyA, _bodyB, true);
+            DistanceQueries.measure(_pairs, _bodyA, _bodyB, true, closest);
             return closest.distance;
         }
 

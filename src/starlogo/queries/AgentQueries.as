@@ -256,7 +256,7 @@ package starlogo.queries
          */
         public function touching(agent:Agent, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return ask.touching(agent, ask.ofAgent(agent), Collector.ALL, filter).list(out);
+            return ask.touching(agent, ask.bodyOf(agent), Collector.ALL, filter).list(out);
         }
 
         /**
@@ -269,7 +269,7 @@ package starlogo.queries
          */
         public function touchesAny(agent:Agent, filter:AgentFilter = null):Boolean
         {
-            return ask.touching(agent, ask.ofAgent(agent), 1, filter).end() > 0;
+            return ask.touching(agent, ask.bodyOf(agent), 1, filter).end() > 0;
         }
 
         /**
@@ -283,8 +283,8 @@ package starlogo.queries
         public function touchesEdge(agent:Agent, bounds:WorldBounds):Boolean
         {
             requireGiven("bounds", bounds);
-            var body:Body = ask.ofAgent(agent);
-            return body.shape != null && _seen.narrowPhase.areTouching(body, ask.ofAgent(bounds.agent, ask.second));
+            var body:Body = ask.bodyOf(agent);
+            return body.shape != null && _seen.narrowPhase.areTouching(body, ask.bodyOf(bounds.agent, ask.second));
         }
 
         /**
@@ -303,7 +303,7 @@ package starlogo.queries
         public function wouldTouchAt(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter = null):Boolean
         {
             requireInWorld("a place", x, y, z);
-            return ask.touching(agent, ask.ofAgentAt(agent, x, y, z), 1, filter).end() > 0;
+            return ask.touching(agent, ask.bodyAt(agent, x, y, z), 1, filter).end() > 0;
         }
 
         /** An older name of <code>wouldTouchAt()</code>. */
@@ -326,7 +326,7 @@ package starlogo.queries
          */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return ask.touching(null, ask.ofStructure(structure), Collector.ALL, filter).list(out);
+            return ask.touching(null, ask.bodyOfStructure(structure), Collector.ALL, filter).list(out);
         }
 
         /**
@@ -461,7 +461,7 @@ package starlogo.queries
          */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return ask.moves.cast(null, ask.ofStructure(structure), dx, dy, dz, filter, hit);
+            return ask.moves.cast(null, ask.bodyOfStructure(structure), dx, dy, dz, filter, hit);
         }
 
         /**
@@ -482,7 +482,7 @@ package starlogo.queries
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return ask.moves.castAll(null, ask.ofStructure(structure), dx, dy, dz, filter, out);
+            return ask.moves.castAll(null, ask.bodyOfStructure(structure), dx, dy, dz, filter, out);
         }
 
         /**
@@ -502,7 +502,7 @@ package starlogo.queries
          */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return ask.moves.cast(agent, ask.ofGoing(agent), dx, dy, dz, filter, hit);
+            return ask.moves.cast(agent, ask.bodyOfCast(agent), dx, dy, dz, filter, hit);
         }
 
         /**
@@ -523,7 +523,7 @@ package starlogo.queries
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return ask.moves.castAll(agent, ask.ofGoing(agent), dx, dy, dz, filter, out);
+            return ask.moves.castAll(agent, ask.bodyOfCast(agent), dx, dy, dz, filter, out);
         }
 
         /**

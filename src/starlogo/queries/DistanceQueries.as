@@ -23,9 +23,7 @@ package starlogo.queries
      */
     public final class DistanceQueries
     {
-        /** What <code>measure()</code> found last: the distance, and the closest points in the world. */
-        public var closest:ClosestPoints = new ClosestPoints();
-
+        private var _closest:ClosestPoints = new ClosestPoints();
         private var _set:QuerySet;
         private var _point:Sphere = new Sphere(new Vector3D(), 0);
 
@@ -53,7 +51,7 @@ package starlogo.queries
             {
                 return Infinity;
             }
-            return answer(_set.ofAgent(a), rowB < 0 ? _set.ofAgent(b, _set.second) : _set.seen.table.bodyOf(rowB), pointA, pointB);
+            return answer(_set.bodyOf(a), rowB < 0 ? _set.bodyOf(b, _set.second) : _set.seen.table.bodyOf(rowB), pointA, pointB);
         }
 
         /** The distance between an agent and a point. See AgentQueries.distanceToPoint. */
@@ -61,7 +59,7 @@ package starlogo.queries
         {
             _point.center.setTo(point.x, point.y, point.z);
             _set.second.readStructure(_point);
-            var distance:Number = answer(_set.ofAgent(agent), _set.second, out, null);
+            var distance:Number = answer(_set.bodyOf(agent), _set.second, out, null);
             if (distance == 0)
             {
                 // without the rounding of the point that was found
@@ -71,33 +69,34 @@ package starlogo.queries
         }
 
         /**
-         * Finds the distance between two bodies, and writes it to <code>closest</code>. Not both are of the world's agents.
+         * Finds the distance between two bodies. Not both are of the world's agents.
          *
          * @param narrowPhase tests whether bodies touch
          * @param withPoints whether the closest points are needed too
+         * @param out receives the distance and the closest points in the world
          */
-        public function measure(narrowPhase:NarrowPhase, a:Body, b:Body, withPoints:Boolean):void
+        public static function measure(narrowPhase:NarrowPhase, a:Body, b:Body, withPoints:Boolean, out:ClosestPoints):void
         {
             if (NarrowPhase.isSecondFirst(a, b))
             {
-                measure(narrowPhase, b, a, withPoints);
-                closest.swapShapes();
+                measure(narrowPhase, b, a, withPoints, out);
+                out.swapShapes();
                 return;
             }
             if (a.shape.hierarchy == null && b.form < ModelShape.GROUND)
             {
-                findClosest(a.structure(), b.structure(), closest);
+                findClosest(a.structure(), b.structure(), out);
                 var size:Number = a.halfX + a.halfY + a.halfZ + b.halfX + b.halfY + b.halfZ;
-                closest.settle(closest.distance <= Tolerances.APART * size && narrowPhase.areTouching(a, b));
+                out.settle(out.distance <= Tolerances.APART * size && narrowPhase.areTouching(a, b));
                 return;
             }
             var areTouching:Boolean = narrowPhase.areTouching(a, b);
             if (areTouching && !withPoints)
             {
-                closest.distance = 0;
+                out.distance = 0;
                 return;
             }
-            narrowPhase.testsOf(a, b).findClosest(a, b, areTouching, closest);
+            narrowPhase.testsOf(a, b).findClosest(a, b, areTouching, out);
         }
 
         private function answer(a:Body, b:Body, pointA:Vector3D, pointB:Vector3D):Number
@@ -106,15 +105,15 @@ package starlogo.queries
             {
                 return Infinity;
             }
-            measure(_set.seen.narrowPhase, a, b, pointA != null || pointB != null);
-            if (closest.distance == Infinity)
+            measure(_set.seen.narrowPhase, a, b, pointA != null || pointB != null, _closest);
+            if (_closest.distance == Infinity)
             {
                 // the edges of a world without edges have no points
                 return Infinity;
             }
-            write(pointA, closest.aX, closest.aY, closest.aZ);
-            write(pointB, closest.bX, closest.bY, closest.bZ);
-            return closest.distance;
+            write(pointA, _closest.aX, _closest.aY, _closest.aZ);
+            write(pointB, _closest.bX, _closest.bY, _closest.bZ);
+            return _closest.distance;
         }
 
         private static function write(out:Vector3D, x:Number, y:Number, z:Number):void

@@ -29,8 +29,8 @@ package starlogo.queries
             _type = type;
         }
 
-        /** Returns the contact of the row that was collected last. The caller writes to it. */
-        public function put(row:int):ContactPoint
+        /** Returns a contact for the row that was collected last. The caller writes to it. */
+        public function newContact(row:int):ContactPoint
         {
             if (_indices.length <= row)
             {

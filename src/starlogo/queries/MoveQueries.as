@@ -42,7 +42,7 @@ package starlogo.queries
         /** See AgentQueries.moveUntilTouch. */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
-            findWay(agent, _set.ofMoving(agent), dx, dy, dz, filter, _way);
+            findWay(agent, _set.bodyOfMover(agent), dx, dy, dz, filter, _way);
             collect(1, _end);
             var isMet:Boolean = _set.found.count > 0;
             var part:Number = isMet ? _set.found.keys[0] : 1;
@@ -57,7 +57,7 @@ package starlogo.queries
             }
             if (dx != 0 || dy != 0 || dz != 0)
             {
-                put(agent, _end);
+                moveAgent(agent, _end);
             }
             return part;
         }
@@ -66,13 +66,13 @@ package starlogo.queries
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
             // the agent may go anywhere within the length of its way
-            findWay(agent, _set.ofMoving(agent), dx, dy, dz, filter, _way, Math.sqrt(dx * dx + dy * dy + dz * dz));
+            findWay(agent, _set.bodyOfMover(agent), dx, dy, dz, filter, _way, Math.sqrt(dx * dx + dy * dy + dz * dz));
             mover.begin(_way.body, _way.rows);
             mover.slide(_way.from, _way.motion, SlideLimits.NONE, _motion);
             mover.restoreClearance(_motion.place, _motion.clearRow);
             if (dx != 0 || dy != 0 || dz != 0)
             {
-                put(agent, _motion.place);
+                moveAgent(agent, _motion.place);
             }
             return _motion.fraction;
         }
@@ -82,9 +82,9 @@ package starlogo.queries
          *
          * @throws ArgumentError if the filter's accepts has removed the agent's model. The agent has then not moved
          */
-        public function put(agent:Agent, at:Vector3D, turn:Number = 0):void
+        public function moveAgent(agent:Agent, at:Vector3D, turn:Number = 0):void
         {
-            _set.ofAgent(agent);
+            _set.bodyOf(agent);
             agent.moveTo(at.x, at.y, at.z);
             if (turn != 0)
             {
@@ -131,12 +131,12 @@ package starlogo.queries
          * @param asker the agent that moves; null for a structure
          * @param asking the body that moves. It is copied, because the filter's accepts may move the agent
          * @param out receives the way
-         * @param reach how far the body may go in any direction. If it is 0, the body goes only along the motion
+         * @param range how far the body may go in any direction. If it is 0, the body goes only along the motion
          * @param up how much farther it may go upwards
          * @param down how much farther it may go downwards
          * @param turn how much greater the agent's heading will be, in degrees
          */
-        public function findWay(asker:Agent, asking:Body, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Way, reach:Number = 0, up:Number = 0,
+        public function findWay(asker:Agent, asking:Body, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Way, range:Number = 0, up:Number = 0,
                 down:Number = 0, turn:Number = 0):void
         {
             requireInWorld("a motion", dx, dy, dz);
@@ -156,13 +156,13 @@ package starlogo.queries
             }
             var found:Collector = _set.found;
             found.begin(Collector.ALL, Infinity, asker, filter);
-            _set.seen.beginWay(_set.way, out.body);
-            _set.way.widen(reach, up, down);
-            if (reach == 0)
+            _set.seen.beginWay(_set.boxSearch, out.body);
+            _set.boxSearch.widen(range, up, down);
+            if (range == 0)
             {
-                _set.way.moveAlong(dx, dy, dz, 1);
+                _set.boxSearch.moveAlong(dx, dy, dz, 1);
             }
-            for (var row:int = found.nextOf(_set.way); row >= 0; row = found.nextOf(_set.way))
+            for (var row:int = found.nextOf(_set.boxSearch); row >= 0; row = found.nextOf(_set.boxSearch))
             {
                 found.add(row, 0);
             }
@@ -211,7 +211,7 @@ package starlogo.queries
                 {
                     continue;
                 }
-                _hits.put(row).copyFrom(_motion.contact);
+                _hits.newContact(row).copyFrom(_motion.contact);
                 if (end != null)
                 {
                     mover.goIntoTouch(_motion);

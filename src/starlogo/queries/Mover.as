@@ -48,8 +48,6 @@ package starlogo.queries
         private var _lift:StartLift = new StartLift();
         private var _impact:Impact = new Impact();
         private var _tried:Impact = new Impact();
-        private var _place:Vector3D = new Vector3D();
-
         // Where the core touches what the last motion touches.
         private var _corePlace:Vector3D = new Vector3D();
         private var _contact:ContactPoint = new ContactPoint();
@@ -236,8 +234,8 @@ package starlogo.queries
             return _sweep.meets(row, from, motion);
         }
 
-        /** Finds the deepest overlap of the body at a place. Returns whether there is one. */
-        public function findDeepest(place:Vector3D, out:Overlap):Boolean
+        /** Finds the contact of the deepest overlap of the body at a place. Returns the sum of the depths of all overlaps. */
+        public function findDeepest(place:Vector3D, out:ContactPoint):Number
         {
             return _recovery.findDeepest(_rows, place, out);
         }
@@ -287,9 +285,7 @@ package starlogo.queries
             if (_body.isFlat && !out.isDeep)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                _place.copyFrom(out.place);
-                restoreClearance(out.place, -1);
-                out.isLifted ||= !out.place.equals(_place);
+                out.isLifted = _recovery.restoreClearance(_obstacles, out.place, -1) || out.isLifted;
             }
             _rest.beginCorner();
             return true;

@@ -62,21 +62,24 @@ package starlogo.queries
          * @param rows the rows
          * @param place the place of the body, which changes
          * @param clearRow one of them that the body is known not to touch at its place; -1 for none
+         * @return whether the place has changed
          */
-        public function restoreClearance(rows:NumberList, place:Vector3D, clearRow:int):void
+        public function restoreClearance(rows:NumberList, place:Vector3D, clearRow:int):Boolean
         {
             leave(rows, place, clearRow, null);
+            return place.x != _before.x || place.y != _before.y || place.z != _before.z;
         }
 
         /**
          * Finds the deepest overlap of the body with some rows. An overlap that a motion only lifts out of does not count.
          *
-         * @param out receives the contact and the sum of the depths
-         * @return whether there is one
+         * @param out receives the contact. A push along its normal by its depth leads a clearance out of the row
+         * @return the sum of the depths of all overlaps; 0 if there is none
          */
-        public function findDeepest(rows:NumberList, place:Vector3D, out:Overlap):Boolean
+        public function findDeepest(rows:NumberList, place:Vector3D, out:ContactPoint):Number
         {
-            out.contact.depth = out.sum = 0;
+            var sum:Number = 0;
+            out.depth = 0;
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.numbers[i];
@@ -87,63 +90,80 @@ package starlogo.queries
                 _contact.depth += _body.clearance;
                 if (_body.isWayShort(row, _contact))
                 {
-                    out.sum += _contact.depth;
-                    if (_contact.depth > out.contact.depth)
+                    sum += _contact.depth;
+                    if (_contact.depth > out.depth)
                     {
-                        out.contact.copyFrom(_contact);
+                        out.copyFrom(_contact);
                     }
                 }
             }
-            return out.sum > 0;
+            return sum;
         }
 
         // Pushes the place out of rows until it is free of them: of their overlaps with the core, whose contacts are added to a lift; or
-        // without a lift, of all touches.
+        // without a lift, of all touches. Returns whether it gets free.
         private function leave(rows:NumberList, place:Vector3D, clearRow:int, lift:StartLift):Boolean
         {
             _before.copyFrom(place);
             _last.setNormal(0, 0, 0);
-            var isFree:Boolean = false;
-            var isStuck:Boolean = false;
-            for (var round:int = 0; !isFree && !isStuck && round < ROUNDS; round++)
+            for (var round:int = 0; round < ROUNDS; round++)
             {
-                isFree = true;
-                for (var i:int = 0; i < rows.count && !isStuck; i++)
+                var isFree:Boolean = true;
+                for (var i:int = 0; i < rows.count; i++)
                 {
                     var row:int = rows.numbers[i];
-                    _touching.copyFrom(place);
-                    if (lift != null && _body.coreTouches(row, place))
+                    if (row == clearRow && round == 0)
                     {
-                        isFree = false;
-                        isStuck = !findPush(row, round) || isOpposite();
-                        _contact.push(place, _contact.depth + _body.clearance);
-                        lift.add(_contact);
-                        _last.copyFrom(_contact);
+                        continue;
                     }
-                    else if (lift == null && !(round == 0 && row == clearRow) && isClose(row, place, _touching))
+                    var isIn:Boolean = lift == null ? findTouch(row, place, _touching) : findOverlap(row, place, _touching);
+                    if (!isIn)
                     {
-                        isFree = false;
-                        findPush(row, round);
-                        isStuck = isOpposite();
-                        _beside.copyFrom(place);
-                        _beside.decrementBy(_touching);
-                        _contact.push(place, Math.min(_contact.depth, MOST_SLOPS * _body.slop) + _body.clearance - _contact.along(_beside));
-                        _last.copyFrom(_contact);
+                        continue;
+                    }
+                    isFree = false;
+                    if (!push(row, round, place, lift))
+                    {
+                        place.copyFrom(_before);
+                        return false;
                     }
                 }
+                if (isFree)
+                {
+                    return true;
+                }
             }
-            if (!isFree)
-            {
-                place.copyFrom(_before);
-            }
-            return isFree;
+            place.copyFrom(_before);
+            return false;
         }
 
-        // Finds the contact with a row at the place where the body touches it. Returns whether it is shallow.
-        private function findPush(row:int, round:int):Boolean
+        // Pushes the place out of a row, which the body touches at _touching. Returns false if the body is between this row and the last one, or
+        // too deep for a lift.
+        private function push(row:int, round:int, place:Vector3D, lift:StartLift):Boolean
         {
             var isShallow:Boolean = _body.findContact(row, _touching, round >= SURE_ROUND, _contact);
-            return round < SURE_ROUND && isOpposite() ? _body.findContact(row, _touching, true, _contact) : isShallow;
+            if (round < SURE_ROUND && isOpposite())
+            {
+                isShallow = _body.findContact(row, _touching, true, _contact);
+            }
+            if (isOpposite() || (lift != null && !isShallow))
+            {
+                return false;
+            }
+            var depth:Number = _contact.depth;
+            if (lift == null)
+            {
+                depth = Math.min(depth, MOST_SLOPS * _body.slop);
+            }
+            else
+            {
+                lift.add(_contact);
+            }
+            _beside.copyFrom(place);
+            _beside.decrementBy(_touching);
+            _contact.push(place, depth + _body.clearance - _contact.along(_beside));
+            _last.copyFrom(_contact);
+            return true;
         }
 
         private function isOpposite():Boolean
@@ -151,10 +171,18 @@ package starlogo.queries
             return _contact.normalX * _last.normalX + _contact.normalY * _last.normalY + _contact.normalZ * _last.normalZ < OPPOSITE;
         }
 
-        // Whether the body touches a row at a place, or is flat and so close to it that it touches it half of a clearance beside the place, along
-        // an axis. Then the touching place is moved there.
-        private function isClose(row:int, place:Vector3D, touching:Vector3D):Boolean
+        // Finds whether the core touches a row at a place, which is then the touching place.
+        private function findOverlap(row:int, place:Vector3D, touching:Vector3D):Boolean
         {
+            touching.copyFrom(place);
+            return _body.coreTouches(row, place);
+        }
+
+        // Finds whether the body touches a row at a place, or is flat and touches it half of a clearance beside the place, along an axis. The
+        // touching place is that place.
+        private function findTouch(row:int, place:Vector3D, touching:Vector3D):Boolean
+        {
+            touching.copyFrom(place);
             if (_body.touches(row, place))
             {
                 return true;

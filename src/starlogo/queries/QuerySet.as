@@ -11,8 +11,12 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Answers all kinds of questions about the same agents, and has what a question works with. A filter's <code>accepts</code> may ask questions
-     * while a search waits for it. These questions have a set of their own, so that search finds everything as it was.
+     * Answers all kinds of questions about the same agents: what is near, what is met or touched, how far apart, how far a body can go. A question
+     * searches the trees of a QueryWorld (NearSearch, SweptBoxSearch), tests what it finds (RowFilter, RowRays, Mover), and gives it to the
+     * Collector. Read this file first, then RayQueries for a ray, or Mover for a motion.
+     *
+     * <p>A filter's <code>accepts</code> may ask questions while a search waits for it. These questions have a set of their own, so that search
+     * finds everything as it was.</p>
      *
      * @private
      */
@@ -25,7 +29,7 @@ package starlogo.queries
         public var found:Collector;
 
         /** Finds the rows near a body, a way or a ray. */
-        public var way:SweptBoxSearch = new SweptBoxSearch();
+        public var boxSearch:SweptBoxSearch = new SweptBoxSearch();
 
         /** Tests where a ray meets a row. */
         public var rowRays:RowRays;
@@ -109,7 +113,7 @@ package starlogo.queries
         {
             var table:AgentTable = seen.table;
             var answer:Collector = found;
-            var search:SweptBoxSearch = way;
+            var search:SweptBoxSearch = boxSearch;
             answer.begin(wanted, Infinity, asker, filter);
             if (body.shape == null)
             {
@@ -137,26 +141,26 @@ package starlogo.queries
          * @param made becomes this body if the agent has changed since the last update; null for the first of this set
          * @throws ArgumentError if the agent is null, or its model is unknown or lacks data that is needed
          */
-        public function ofAgent(agent:Agent, made:Body = null):Body
+        public function bodyOf(agent:Agent, made:Body = null):Body
         {
             QueryWorld.requireAgent(agent);
             return seen.table.bodyOfNow(agent, made || _first);
         }
 
-        /** The body of an agent that can move, as it is now. Throws the errors of <code>QueryWorld.placeOf()</code> and <code>ofAgent()</code>. */
-        public function ofMoving(agent:Agent):Body
+        /** The body of an agent that can move, as it is now. Throws the errors of <code>QueryWorld.placeOf()</code> and <code>bodyOf()</code>. */
+        public function bodyOfMover(agent:Agent):Body
         {
             seen.placeOf(agent);
-            return ofAgent(agent);
+            return bodyOf(agent);
         }
 
         /**
          * The body of an agent that goes straight on. A sphere, box or capsule becomes the body of a structure, so that an agent and the same
          * structure meet the same, to the last bit.
          */
-        public function ofGoing(agent:Agent):Body
+        public function bodyOfCast(agent:Agent):Body
         {
-            var body:Body = ofMoving(agent);
+            var body:Body = bodyOfMover(agent);
             if (body.shape == null || body.form >= ModelShape.TREE)
             {
                 return body;
@@ -166,9 +170,9 @@ package starlogo.queries
         }
 
         /** The body that an agent would have at a place. */
-        public function ofAgentAt(agent:Agent, x:Number, y:Number, z:Number):Body
+        public function bodyAt(agent:Agent, x:Number, y:Number, z:Number):Body
         {
-            var body:Body = ofMoving(agent);
+            var body:Body = bodyOfMover(agent);
             if (body.shape == null)
             {
                 return body;
@@ -181,7 +185,7 @@ package starlogo.queries
         }
 
         /** The body of a structure. Throws the errors of <code>Body.readStructure()</code>. */
-        public function ofStructure(structure:BoundingStructure):Body
+        public function bodyOfStructure(structure:BoundingStructure):Body
         {
             _first.readStructure(structure);
             return _first;

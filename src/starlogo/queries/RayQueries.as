@@ -20,6 +20,7 @@ package starlogo.queries
     public final class RayQueries
     {
         private var _set:QuerySet;
+        private var _ray:Ray = new Ray();
 
         // The depth of a contact is the number of the triangle.
         private var _hits:Hits;
@@ -74,18 +75,17 @@ package starlogo.queries
             var rowA:int = _set.seen.rowOf(a);
             var rowB:int = _set.seen.rowOf(b);
             var found:Collector = begin(1, from, towards, distance, filter);
-            var way:SweptBoxSearch = _set.way;
-            var rays:RowRays = _set.rowRays;
+            var way:SweptBoxSearch = _set.boxSearch;
             for (var row:int = found.nextOf(way); row >= 0; row = found.nextOf(way))
             {
-                if (row != rowA && row != rowB && rays.meets(row))
+                if (row != rowA && row != rowB && _set.rowRays.findHit(row, _ray))
                 {
                     if (found.filter.accepts == null)
                     {
                         // any row will do
                         return false;
                     }
-                    found.add(row, rays.ray.from);
+                    found.add(row, _ray.from);
                 }
             }
             return found.end() == 0;
@@ -95,7 +95,7 @@ package starlogo.queries
         private function findMiddle(agent:Agent, out:Vector3D):void
         {
             var at:Placement = _set.seen.placeOf(agent);
-            var body:Body = _set.ofAgent(agent);
+            var body:Body = _set.bodyOf(agent);
             if (body.shape == null)
             {
                 out.setTo(at.x, at.y, at.z);
@@ -118,13 +118,13 @@ package starlogo.queries
 
         private function begin(wanted:int, origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter):Collector
         {
-            var ray:Ray = _set.rowRays.ray;
+            var ray:Ray = _ray;
             ray.aim(origin, direction);
             QuerySet.requirePositive("maxDistance", maxDistance);
             ray.to = maxDistance;
             _set.found.begin(wanted, maxDistance, null, filter);
-            _set.way.begin(_set.seen.findExtents(), ray.x, ray.y, ray.z, 0, 0, 0);
-            _set.way.moveAlong(ray.directionX, ray.directionY, ray.directionZ, maxDistance);
+            _set.boxSearch.begin(_set.seen.findExtents(), ray.x, ray.y, ray.z, 0, 0, 0);
+            _set.boxSearch.moveAlong(ray.directionX, ray.directionY, ray.directionZ, maxDistance);
             return _set.found;
         }
 
@@ -132,19 +132,18 @@ package starlogo.queries
         private function collect():void
         {
             var found:Collector = _set.found;
-            var way:SweptBoxSearch = _set.way;
-            var rays:RowRays = _set.rowRays;
-            var ray:Ray = rays.ray;
+            var way:SweptBoxSearch = _set.boxSearch;
+            var ray:Ray = _ray;
             for (var row:int = found.nextOf(way); row >= 0; row = found.nextOf(way))
             {
-                if (rays.meets(row) && found.add(row, ray.from))
+                if (_set.rowRays.findHit(row, _ray) && found.add(row, ray.from))
                 {
-                    var contact:ContactPoint = _hits.put(row);
+                    var contact:ContactPoint = _hits.newContact(row);
                     contact.x = ray.x + ray.from * ray.directionX;
                     contact.y = ray.y + ray.from * ray.directionY;
                     contact.z = ray.z + ray.from * ray.directionZ;
                     contact.setNormal(ray.normalX, ray.normalY, ray.normalZ);
-                    contact.depth = rays.triangle;
+                    contact.depth = ray.triangle;
                     way.limit = ray.to = found.limit;
                 }
             }

@@ -29,11 +29,11 @@ package starlogo.queries
         private var _seen:QueryWorld;
         private var _filter:AgentFilter;
 
-        // The number of the question, from 1 on. By row: the question that excepts it. By the number of a breed: the question in which it counts,
-        // or does not count, which is less than 0 then.
+        // The number of the question, from 1 on. By row: the last question that excepted it. By the number of a breed: the last question that met
+        // it, less than 0 if the breed did not count.
         private var _question:int = 0;
-        private var _exceptedBy:Vector.<int> = new Vector.<int>();
-        private var _breedsOf:Vector.<int> = new Vector.<int>();
+        private var _exceptMarks:Vector.<int> = new Vector.<int>();
+        private var _breedMarks:Vector.<int> = new Vector.<int>();
 
         /** @param seen the agents that questions are about */
         public function RowFilter(seen:QueryWorld)
@@ -75,32 +75,32 @@ package starlogo.queries
         /** Whether a row's agent counts, if it is not the one that asks. The filter's <code>accepts</code> is not asked. */
         public function admits(row:int):Boolean
         {
-            return !excludes || (_exceptedBy[row] != _question && admitsBreedOf(_seen.table.list.agents[row]));
+            return !excludes || (_exceptMarks[row] != _question && admitsBreedOf(_seen.table.list.agents[row]));
         }
 
         private function admitsBreedOf(agent:Agent):Boolean
         {
             var breed:int = agent.breedNumber;
-            if (breed >= _breedsOf.length)
+            if (breed >= _breedMarks.length)
             {
-                _breedsOf.length = Breeds.count;
+                _breedMarks.length = Breeds.count;
             }
-            var known:int = _breedsOf[breed];
+            var known:int = _breedMarks[breed];
             if (known == _question || known == -_question)
             {
                 return known > 0;
             }
             var counts:Boolean = _filter.admitsBreed(agent.breed);
-            _breedsOf[breed] = counts ? _question : -_question;
+            _breedMarks[breed] = counts ? _question : -_question;
             return counts;
         }
 
         // Marks the rows of agents that do not count.
         private function except(agents:Vector.<Agent>):void
         {
-            if (_exceptedBy.length < _seen.table.list.agents.length)
+            if (_exceptMarks.length < _seen.table.list.agents.length)
             {
-                _exceptedBy.length = _seen.table.list.agents.length;
+                _exceptMarks.length = _seen.table.list.agents.length;
             }
             for (var i:int = 0; agents != null && i < agents.length; i++)
             {
@@ -108,7 +108,7 @@ package starlogo.queries
                 if (row >= 0)
                 {
                     excludes = true;
-                    _exceptedBy[row] = _question;
+                    _exceptMarks[row] = _question;
                 }
             }
         }
@@ -116,7 +116,7 @@ package starlogo.queries
         // Forgets all marks. Returns the number of the first question.
         private function forget():int
         {
-            _exceptedBy.length = _breedsOf.length = 0;
+            _exceptMarks.length = _breedMarks.length = 0;
             return 1;
         }
     }

@@ -25,18 +25,6 @@ package starlogo.queries
      */
     public final class RowRays
     {
-        /**
-         * The number of the triangle that the ray meets, as the model counts them. It is -1 if no triangle decides, or if the ray's origin is
-         * inside.
-         */
-        public var triangle:int = -1;
-
-        /**
-         * The ray in the world. After a hit, <code>from</code> is the hit's distance, 0 if the origin is inside, and the ray has the normal
-         * there. A row at exactly <code>to</code> is met. You may make <code>to</code> smaller between rows.
-         */
-        public var ray:Ray = new Ray();
-
         private var _seen:QueryWorld;
         private var _inModel:Ray = new Ray();
         private var _solid:ModelRayQuery = new ModelRayQuery();
@@ -47,12 +35,18 @@ package starlogo.queries
             _seen = seen;
         }
 
-        /** Whether the ray meets a row that has a shape. If it does, <code>ray.from</code> is the distance to the hit. */
-        public function meets(row:int):Boolean
+        /**
+         * Finds where a ray first meets a row that has a shape.
+         *
+         * @param ray the ray in the world. A row at exactly <code>to</code> is met. After a hit, <code>from</code> is the hit's distance, 0 if the
+         *     origin is inside, and the ray has the normal and the triangle there
+         * @return whether it meets the row
+         */
+        public function findHit(row:int, ray:Ray):Boolean
         {
             var body:Body = _seen.table.bodyOf(row);
             ray.from = 0;
-            triangle = -1;
+            ray.triangle = -1;
             if (body.form == ModelShape.GROUND)
             {
                 return _seen.narrowPhase.testsOfFixture(body).isMet(body, ray);
@@ -76,7 +70,8 @@ package starlogo.queries
             // because of rounding this end is a little too far; hits beyond the exact end are refused below
             line.to = (ray.to - ahead + Tolerances.ROUNDING * (ray.to + Math.abs(ahead))) / size;
             line.faceBack();
-            if (!line.isFinite || !meetsShape(body, line))
+            line.triangle = -1;
+            if (!line.isFinite || !findHitOfShape(body, line))
             {
                 return false;
             }
@@ -88,19 +83,20 @@ package starlogo.queries
             {
                 return false;
             }
+            ray.triangle = line.triangle;
             ray.normalX = placement.r00 * line.normalX + placement.r01 * line.normalY + placement.r02 * line.normalZ;
             ray.normalY = placement.r10 * line.normalX + placement.r11 * line.normalY + placement.r12 * line.normalZ;
             ray.normalZ = placement.r20 * line.normalX + placement.r21 * line.normalY + placement.r22 * line.normalZ;
             return true;
         }
 
-        private function meetsShape(body:Body, found:Ray):Boolean
+        private function findHitOfShape(body:Body, found:Ray):Boolean
         {
             var shape:ModelShape = body.shape;
             if (shape.hierarchy != null)
             {
                 var isMet:Boolean = _solid.find(shape.hierarchy, _seen.narrowPhase.trees.depthOf(body), _seen.narrowPhase.trees.exact, found);
-                triangle = _solid.triangle;
+                found.triangle = _solid.triangle;
                 return isMet;
             }
             return rayStructure(found, shape.structure);

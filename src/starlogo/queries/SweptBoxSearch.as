@@ -27,9 +27,6 @@ package starlogo.queries
         private var _entries:Vector.<Number> = new Vector.<Number>();
         private var _waiting:int = 0;
 
-        // Where on the way the box meets the box that was tested last.
-        private var _entry:Number = 0;
-
         // The slots of the current leaf whose boxes overlap the box around the way; the next of them; and their number.
         private var _slots:Vector.<int> = new Vector.<int>();
         private var _next:int = 0;
@@ -127,7 +124,7 @@ package starlogo.queries
                 {
                     var slot:int = _slots[_next];
                     _next++;
-                    if (!_moves || isOnWay(_tree.rowBoxes, RowTree.PER_BOX * slot))
+                    if (!_moves || findEntry(_tree.rowBoxes, RowTree.PER_BOX * slot, _waiting))
                     {
                         return _tree.rows[slot];
                     }
@@ -226,10 +223,9 @@ package starlogo.queries
             var kept:int = first;
             for (var i:int = first; i < _waiting; i++)
             {
-                if (isOnWay(_tree.nodeBoxes, RowTree.PER_BOX * _nodes[i]))
+                if (findEntry(_tree.nodeBoxes, RowTree.PER_BOX * _nodes[i], kept))
                 {
                     _nodes[kept] = _nodes[i];
-                    _entries[kept] = _entry;
                     kept++;
                 }
             }
@@ -246,9 +242,9 @@ package starlogo.queries
             }
         }
 
-        // Whether the box meets another within the limit. Writes the place on the way to _entry (the method of slabs: Kay and Kajiya, "Ray
-        // Tracing Complex Scenes", 1986).
-        private function isOnWay(boxes:Vector.<Number>, box:int):Boolean
+        // Finds where on the way the box meets another (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986). It becomes an
+        // entry of the waiting list. Returns whether it is within the limit.
+        private function findEntry(boxes:Vector.<Number>, box:int, index:int):Boolean
         {
             var enters:Number = 0;
             var leaves:Number = limit;
@@ -277,7 +273,7 @@ package starlogo.queries
                     leaves = far;
                 }
             }
-            _entry = enters;
+            _entries[index] = enters;
             return enters <= leaves;
         }
     }

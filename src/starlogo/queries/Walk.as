@@ -27,7 +27,7 @@ package starlogo.queries
         public var length:Number = 0;
 
         /** How far the agent may come. */
-        public var reach:Number = 0;
+        public var range:Number = 0;
 
         /** The cosine of the steepest slope. */
         public var cosine:Number = 1;
@@ -37,10 +37,6 @@ package starlogo.queries
 
         /** The agent stands on ground that is at most this far below it. */
         public var close:Number = 0;
-
-        /** How a slide along the ground and a slide in the air may go. */
-        public var onGround:SlideLimits = new SlideLimits();
-        public var inAir:SlideLimits = new SlideLimits();
 
         /** How a platform carries the agent: the motion, and the turn in degrees. */
         public var carry:Vector3D = new Vector3D();

@@ -45,8 +45,9 @@ package starlogo.queries
         private var _set:QuerySet;
         private var _mover:Mover;
         private var _walk:Walk = new Walk();
-        private var _overlap:Overlap = new Overlap();
-        private var _downhill:SlideLimits = new SlideLimits();
+        private var _overlap:ContactPoint = new ContactPoint();
+        private var _limits:SlideLimits = new SlideLimits();
+        private var _ray:Ray = new Ray();
 
         // A slide along the ground, a way down, and a motion that is tried in place of another.
         private var _slide:Motion = new Motion();
@@ -71,7 +72,7 @@ package starlogo.queries
             var standing:PlatformLink = begin(agent, dx, dy, options || DEFAULTS, walk);
             var footing:Footing = out || new Footing();
             footing.stands = go(walk, footing);
-            _set.moves.put(agent, walk.place, walk.turn);
+            _set.moves.moveAgent(agent, walk.place, walk.turn);
             if (!footing.stands)
             {
                 walk.row = -1;
@@ -101,15 +102,13 @@ package starlogo.queries
             var standing:PlatformLink = agent.standing ||= new PlatformLink(agent);
             var platform:int = findPlatform(out, standing);
             // on the steepest slope the way is this long
-            out.reach = whole / out.cosine + Math.min(options.fall, size) / 2 + out.carry.length;
+            out.range = whole / out.cosine + Math.min(options.fall, size) / 2 + out.carry.length;
             out.piece.setTo(dx, dy, 0);
             findNear(out, 0);
             out.piece.setTo(dx / out.pieces, dy / out.pieces, 0);
             out.length = whole / out.pieces;
             out.extent = 2 * out.way.body.largestHalf;
             out.close = CLOSE * out.extent;
-            out.onGround.setTo(out.cosine, out.length, -1);
-            out.inAir.setTo(FLOOR, out.length, -1);
             out.start.copyFrom(out.way.from);
             if (platform >= 0)
             {
@@ -168,7 +167,7 @@ package starlogo.queries
         private function findNear(walk:Walk, distance:Number):void
         {
             var options:WalkOptions = walk.options;
-            _set.moves.findWay(walk.agent, _set.ofMoving(walk.agent), walk.piece.x, walk.piece.y, 0, options.filter, walk.way, walk.reach + distance,
+            _set.moves.findWay(walk.agent, _set.bodyOfMover(walk.agent), walk.piece.x, walk.piece.y, 0, options.filter, walk.way, walk.range + distance,
                     walk.pieces * options.stepHeight, walk.pieces * options.snap + options.fall, walk.turn);
         }
 
@@ -208,20 +207,20 @@ package starlogo.queries
         // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else. Returns how far.
         private function pushOut(walk:Walk):Number
         {
-            if (!_mover.findDeepest(walk.start, _overlap))
+            var left:Number = _mover.findDeepest(walk.start, _overlap);
+            if (left == 0)
             {
                 return 0;
             }
-            var left:Number = _overlap.sum;
             findNear(walk, left);
             _mover.begin(walk.way.body, walk.way.rows);
             _slide.place.copyFrom(walk.start);
-            for (var i:int = 0; i < MOST_PUSHES && left > 0 && _mover.findDeepest(_slide.place, _overlap); i++)
+            for (var i:int = 0; i < MOST_PUSHES && left > 0 && _mover.findDeepest(_slide.place, _overlap) > 0; i++)
             {
-                var length:Number = Math.min(left, _overlap.contact.depth);
+                var length:Number = Math.min(left, _overlap.depth);
                 left -= length;
                 _vector.setTo(0, 0, 0);
-                _overlap.contact.push(_vector, length);
+                _overlap.push(_vector, length);
                 _mover.slide(_slide.place, _vector, SlideLimits.NONE, _slide);
             }
             _vector.copyFrom(_slide.place);
@@ -236,7 +235,7 @@ package starlogo.queries
             if (!stands)
             {
                 // the fall finds whether it stands
-                slide(walk, walk.start, 0, walk.inAir, _slide);
+                slide(walk, walk.start, 0, FLOOR, _slide);
                 walk.place.copyFrom(_slide.place);
                 return false;
             }
@@ -247,7 +246,7 @@ package starlogo.queries
                 return true;
             }
             var rise:Number = -(walk.normal.x * walk.piece.x + walk.normal.y * walk.piece.y) / walk.normal.z;
-            slide(walk, walk.place, rise, walk.onGround, _slide);
+            slide(walk, walk.place, rise, walk.cosine, _slide);
             if (_slide.metWall && climb(walk, _slide.place))
             {
                 return true;
@@ -257,10 +256,11 @@ package starlogo.queries
         }
 
         // Slides along the way of a piece, and up or down.
-        private function slide(walk:Walk, from:Vector3D, rise:Number, limits:SlideLimits, out:Motion):void
+        private function slide(walk:Walk, from:Vector3D, rise:Number, walkableZ:Number, out:Motion):void
         {
+            _limits.setTo(walkableZ, walk.length, -1);
             _vector.setTo(walk.piece.x, walk.piece.y, rise);
-            _mover.slide(from, _vector, limits, out);
+            _mover.slide(from, _vector, _limits, out);
         }
 
         private function goDown(from:Vector3D, depth:Number, out:Motion):void
@@ -279,7 +279,7 @@ package starlogo.queries
             {
                 return false;
             }
-            slide(walk, _tried.place, 0, walk.onGround, _tried);
+            slide(walk, _tried.place, 0, walk.cosine, _tried);
             var farther:Number = (_tried.place.x - plain.x) * walk.piece.x + (_tried.place.y - plain.y) * walk.piece.y;
             return farther > walk.close * walk.length && findGround(walk, _tried.place, height + walk.options.snap + walk.close);
         }
@@ -307,9 +307,9 @@ package starlogo.queries
 
         private function slideDown(walk:Walk, from:Vector3D, depth:Number, widest:Number, out:Motion):void
         {
-            _downhill.setTo(-2, widest, Math.sqrt(1 - walk.cosine * walk.cosine) / walk.cosine);
+            _limits.setTo(-2, widest, Math.sqrt(1 - walk.cosine * walk.cosine) / walk.cosine);
             _vector.setTo(0, 0, -depth);
-            _mover.slide(from, _vector, _downhill, out);
+            _mover.slide(from, _vector, _limits, out);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. It falls in pieces that get longer, because rounding
@@ -364,15 +364,14 @@ package starlogo.queries
             // the ray begins outside of all faces that are not too steep
             var above:Number = 2 * behind / walk.cosine;
             _origin.setTo(contact.x - behind * contact.normalX / across, contact.y - behind * contact.normalY / across, contact.z + above);
-            var ray:Ray = _set.rowRays.ray;
-            ray.aim(_origin, DOWN);
-            ray.to = 2 * above;
-            if (!_set.rowRays.meets(row) || ray.from == 0 || !(ray.normalZ >= walk.cosine))
+            _ray.aim(_origin, DOWN);
+            _ray.to = 2 * above;
+            if (!_set.rowRays.findHit(row, _ray) || _ray.from == 0 || !(_ray.normalZ >= walk.cosine))
             {
                 return false;
             }
             walk.row = row;
-            walk.normal.setTo(ray.normalX, ray.normalY, ray.normalZ);
+            walk.normal.setTo(_ray.normalX, _ray.normalY, _ray.normalZ);
             return true;
         }
     }

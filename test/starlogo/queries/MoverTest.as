@@ -24,7 +24,7 @@ package starlogo.queries
             seen.update(new <Agent>[agent, agentAt("cube", 0.2, 0, 0)]);
             var way:Way = new Way();
             var motion:Motion = new Motion();
-            set .moves.findWay(agent, set .ofMoving(agent), 0, 0, -1, null, way);
+            set .moves.findWay(agent, set .bodyOfMover(agent), 0, 0, -1, null, way);
             set .moves.mover.begin(way.body, way.rows);
             set .moves.mover.slide(way.from, way.motion, SlideLimits.NONE, motion);
             assertTrue("it met the cube below: " + motion.floor.normalZ, Math.abs(motion.floor.normalZ - 1) < 1e-9);

@@ -74,7 +74,7 @@ package starlogo.queries
             var wolves:AgentFilter = AgentFilter.ofBreeds("wolves");
             assertFew(_seen.findExtents(), function(sheep:Agent):void
                 {
-                    assertStrictlyEquals(_agents[SHEEP], _set.touching(null, _set.ofStructure(large), Collector.ALL, wolves).firstAgent());
+                    assertStrictlyEquals(_agents[SHEEP], _set.touching(null, _set.bodyOfStructure(large), Collector.ALL, wolves).firstAgent());
                 });
         }
 

@@ -42,6 +42,12 @@ package starlogo.intersection.ray
         public var normalY:Number = 0;
         public var normalZ:Number = 0;
 
+        /**
+         * The number of the triangle on which the part begins, as the model counts them. It is -1 if no triangle decides, or if the part begins
+         * at the ray's origin.
+         */
+        public var triangle:int = -1;
+
         /** Where the line enters a shape. Input of narrow. */
         public var near:Number = 0;
 

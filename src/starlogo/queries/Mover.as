@@ -272,9 +272,8 @@ package starlogo.queries
                 out.place.incrementBy(lift.way);
             }
             _lift.most = MOST_SLOPS * _body.slop;
-            takeDeep(out.place, false);
             var lifted:int = _lift.count;
-            if (!_recovery.liftOut(_obstacles, out.place, _lift))
+            if (takeDeep(out.place, false) && !_recovery.liftOut(_obstacles, out.place, _lift))
             {
                 out.place.copyFrom(_from);
                 _lift.clear();
@@ -292,24 +291,28 @@ package starlogo.queries
         }
 
         // Lets planes take the places of rows that the core overlaps: of those whose overlap is not shallow, or of all. If the core does not
-        // touch a row when it is narrower, the row stays, and the motion has that core.
-        private function takeDeep(place:Vector3D, isOfAll:Boolean):void
+        // touch a row when it is narrower, the row stays, and the motion has that core. Returns whether other overlaps are left.
+        private function takeDeep(place:Vector3D, isOfAll:Boolean):Boolean
         {
+            var isLeft:Boolean = false;
             var kept:int = 0;
             for (var i:int = 0; i < _obstacles.count; i++)
             {
                 var row:int = _obstacles.numbers[i];
-                if (_body.coreTouches(row, place) && findDeep(row, place, isOfAll, _contact))
+                var touches:Boolean = _body.coreTouches(row, place);
+                if (touches && findDeep(row, place, isOfAll, _contact))
                 {
                     _rest.add(_contact, row);
                 }
                 else
                 {
+                    isLeft ||= touches;
                     _obstacles.numbers[kept] = row;
                     kept++;
                 }
             }
             _obstacles.count = kept;
+            return isLeft;
         }
 
         // Finds the contact with a row that the core overlaps. Returns whether its plane has to take the place of the row.

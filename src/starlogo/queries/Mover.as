@@ -48,9 +48,10 @@ package starlogo.queries
         private var _lift:StartLift = new StartLift();
         private var _impact:Impact = new Impact();
         private var _tried:Impact = new Impact();
+        private var _contact:ContactPoint = new ContactPoint();
+
         // Where the core touches what the last motion touches.
         private var _corePlace:Vector3D = new Vector3D();
-        private var _contact:ContactPoint = new ContactPoint();
 
         /** @param seen has the rows, and tests which of them touch */
         public function Mover(seen:QueryWorld)

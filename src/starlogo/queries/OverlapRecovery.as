@@ -9,7 +9,8 @@ package starlogo.queries
      * It also finds the deepest overlap, which a walk pushes the body out of.
      *
      * <p>It pushes the body out of one row after the other, in rounds, because a push out of one side of a hollow leads a part of the way into
-     * another. If the body does not get free, for example between two opposite walls, it stays where it was.</p>
+     * another. If the body does not get free, for example between two opposite walls, it stays where it was. The tests of a pair know the
+     * shortest way out of that pair (PairTests.separate).</p>
      *
      * @private
      */

@@ -1,0 +1,124 @@
+package starlogo.geometry
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+
+    /** The shortest way out of half-spaces, against random ways. */
+    public class HalfSpaceSolverTest
+    {
+        private static const CASES:int = 300;
+        private static const WAYS:int = 100;
+        private static const CLOSE:Number = 1e-9;
+
+        private var _solver:HalfSpaceSolver = new HalfSpaceSolver();
+        private var _out:WayOut = new WayOut();
+        private var _random:SeededRandom = new SeededRandom(72);
+        private var _normals:Vector.<Vector3D> = new Vector.<Vector3D>();
+        private var _depths:Vector.<Number> = new Vector.<Number>();
+
+        [Before]
+        public function begin():void
+        {
+            _solver.begin();
+        }
+
+        [Test]
+        public function ofOneItIsTheNormal():void
+        {
+            _solver.add(0, 0, 1, 2);
+            assertTrue(_solver.solve(3, 0, _out));
+            assertEquals(2, _out.length);
+            assertEquals(2, _out.way.z);
+            assertEquals(1, _out.deciding);
+        }
+
+        [Test]
+        public function nothingIsRequiredOfWhatIsOut():void
+        {
+            _solver.add(0, 0, 1, -2);
+            assertTrue(_solver.solve(3, 0, _out));
+            assertEquals(0, _out.length);
+            assertEquals(0, _out.deciding);
+        }
+
+        [Test]
+        public function floorAndWallsAreLeftAtOnce():void
+        {
+            _solver.add(0, 0, 1, 2);
+            _solver.add(1, 0, 0, 3);
+            _solver.add(0, -1, 0, 6);
+            assertTrue(_solver.solve(3, 0, _out));
+            assertEquals(7, _out.length);
+            assertEquals(3, _out.deciding);
+            assertFalse("with two planes", _solver.solve(2, 0, _out));
+        }
+
+        [Test]
+        public function oppositeWallsHaveNoWayOut():void
+        {
+            _solver.add(1, 0, 0, 1);
+            _solver.add(-1, 0, 0, 1);
+            assertFalse(_solver.solve(3, 0, _out));
+            assertEquals(Infinity, _out.length);
+        }
+
+        [Test]
+        public function noRandomWayIsShorter():void
+        {
+            var decided:Vector.<int> = new Vector.<int>(4, true);
+            for (var i:int = 0; i < CASES; i++)
+            {
+                addRandom(1 + i % 6);
+                if (!_solver.solve(3, 0, _out))
+                {
+                    continue;
+                }
+                decided[_out.deciding]++;
+                assertTrue("case " + i + " leads out", leadsOut(_out.way, CLOSE * (1 + _out.length)));
+                for (var j:int = 0; j < WAYS && _out.length > 0; j++)
+                {
+                    var other:Vector3D = direction();
+                    other.scaleBy(_out.length * _random.between(0.5, 1) * (1 - CLOSE));
+                    assertFalse("case " + i + ": " + other + " is shorter", leadsOut(other, 0));
+                }
+            }
+            assertTrue("all kinds: " + decided, decided[0] > 0 && decided[1] > 10 && decided[2] > 10 && decided[3] > 10);
+        }
+
+        private function addRandom(count:int):void
+        {
+            _solver.begin();
+            _normals.length = _depths.length = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var normal:Vector3D = direction();
+                var depth:Number = _random.between(-0.5, 2);
+                _normals.push(normal);
+                _depths.push(depth);
+                _solver.add(normal.x, normal.y, normal.z, depth);
+            }
+        }
+
+        private function leadsOut(way:Vector3D, slack:Number):Boolean
+        {
+            for (var i:int = 0; i < _normals.length; i++)
+            {
+                if (way.dotProduct(_normals[i]) < _depths[i] - slack)
+                {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        private function direction():Vector3D
+        {
+            var found:Vector3D = new Vector3D(_random.between(-1, 1), _random.between(-1, 1), _random.between(-1, 1));
+            found.normalize();
+            return found;
+        }
+    }
+}

@@ -16,6 +16,8 @@ package starlogo.queries
         private var _spare:Array = [];
         private var _contacts:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
+        private var _triangles:Vector.<int> = new Vector.<int>();
+
         // By row: the index of its contact.
         private var _indices:Vector.<int> = new Vector.<int>();
 
@@ -30,7 +32,7 @@ package starlogo.queries
         }
 
         /** Returns a contact for the row that was collected last. The caller writes to it. */
-        public function newContact(row:int):ContactPoint
+        public function newContact(row:int, triangle:int = -1):ContactPoint
         {
             if (_indices.length <= row)
             {
@@ -42,7 +44,14 @@ package starlogo.queries
             {
                 _contacts.push(new ContactPoint());
             }
+            _triangles[index] = triangle;
             return _contacts[index];
+        }
+
+        /** The number of the triangle that is met in a row of the answer; -1 if no triangle decides. */
+        public function triangleOf(index:int):int
+        {
+            return _triangles[_indices[_found.rows[index]]];
         }
 
         /** Copies the point and the normal of a row of the answer. Returns its contact. */

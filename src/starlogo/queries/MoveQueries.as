@@ -66,7 +66,7 @@ package starlogo.queries
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
             // the agent may go anywhere within the length of its way
-            findWay(agent, _set.bodyOfMover(agent), dx, dy, dz, filter, _way, Math.sqrt(dx * dx + dy * dy + dz * dz));
+            findWayWithin(agent, _set.bodyOfMover(agent), dx, dy, dz, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, 0, filter, _way);
             mover.begin(_way.body, _way.rows);
             mover.slide(_way.from, _way.motion, SlideLimits.NONE, _motion);
             mover.restoreClearance(_motion.place, _motion.clearRow);
@@ -126,18 +126,50 @@ package starlogo.queries
         }
 
         /**
-         * Finds the rows near a way.
+         * Finds the rows on a straight way.
          *
          * @param asker the agent that moves; null for a structure
          * @param asking the body that moves. It is copied, because the filter's accepts may move the agent
          * @param out receives the way
-         * @param range how far the body may go in any direction. If it is 0, the body goes only along the motion
+         */
+        public function findWay(asker:Agent, asking:Body, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Way):void
+        {
+            if (beginWay(asking, dx, dy, dz, out))
+            {
+                _set.seen.beginWay(_set.boxSearch, out.body);
+                _set.boxSearch.moveAlong(dx, dy, dz, 1);
+                collectRows(asker, filter, out);
+            }
+        }
+
+        /**
+         * Finds the rows near a way that may turn.
+         *
+         * @param asker the agent that moves
+         * @param asking the body that moves. It is copied, because the filter's accepts may move the agent
+         * @param range how far the body may go in any direction
          * @param up how much farther it may go upwards
          * @param down how much farther it may go downwards
          * @param turn how much greater the agent's heading will be, in degrees
+         * @param out receives the way
          */
-        public function findWay(asker:Agent, asking:Body, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Way, range:Number = 0, up:Number = 0,
-                down:Number = 0, turn:Number = 0):void
+        public function findWayWithin(asker:Agent, asking:Body, dx:Number, dy:Number, dz:Number, range:Number, up:Number, down:Number, turn:Number,
+                filter:AgentFilter, out:Way):void
+        {
+            if (beginWay(asking, dx, dy, dz, out))
+            {
+                if (turn != 0)
+                {
+                    out.body.turn(asker, turn);
+                }
+                _set.seen.beginWay(_set.boxSearch, out.body);
+                _set.boxSearch.widen(range, up, down);
+                collectRows(asker, filter, out);
+            }
+        }
+
+        // Begins a way without rows. Returns false if the model of the body is loading.
+        private function beginWay(asking:Body, dx:Number, dy:Number, dz:Number, out:Way):Boolean
         {
             requireInWorld("a motion", dx, dy, dz);
             out.motion.setTo(dx, dy, dz);
@@ -146,22 +178,17 @@ package starlogo.queries
             out.rows.count = 0;
             if (asking.shape == null)
             {
-                return;
+                return false;
             }
             out.body = _set.second;
             out.body.readShrunk(asking, null, 0);
-            if (turn != 0)
-            {
-                out.body.turn(asker, turn);
-            }
+            return true;
+        }
+
+        private function collectRows(asker:Agent, filter:AgentFilter, out:Way):void
+        {
             var found:Collector = _set.found;
             found.begin(Collector.ALL, Infinity, asker, filter);
-            _set.seen.beginWay(_set.boxSearch, out.body);
-            _set.boxSearch.widen(range, up, down);
-            if (range == 0)
-            {
-                _set.boxSearch.moveAlong(dx, dy, dz, 1);
-            }
             for (var row:int = found.nextOf(_set.boxSearch); row >= 0; row = found.nextOf(_set.boxSearch))
             {
                 found.add(row, 0);

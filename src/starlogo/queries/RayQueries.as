@@ -22,7 +22,6 @@ package starlogo.queries
         private var _set:QuerySet;
         private var _ray:Ray = new Ray();
 
-        // The depth of a contact is the number of the triangle.
         private var _hits:Hits;
         private var _middleA:Vector3D = new Vector3D();
         private var _middleB:Vector3D = new Vector3D();
@@ -138,12 +137,11 @@ package starlogo.queries
             {
                 if (_set.rowRays.findHit(row, _ray) && found.add(row, ray.from))
                 {
-                    var contact:ContactPoint = _hits.newContact(row);
+                    var contact:ContactPoint = _hits.newContact(row, ray.triangle);
                     contact.x = ray.x + ray.from * ray.directionX;
                     contact.y = ray.y + ray.from * ray.directionY;
                     contact.z = ray.z + ray.from * ray.directionZ;
                     contact.setNormal(ray.normalX, ray.normalY, ray.normalZ);
-                    contact.depth = ray.triangle;
                     way.limit = ray.to = found.limit;
                 }
             }
@@ -152,7 +150,8 @@ package starlogo.queries
         // Writes how the ray meets a row of the answer.
         private function write(index:int, hit:RayHit):RayHit
         {
-            hit.triangle = _hits.write(index, hit.point, hit.normal).depth;
+            _hits.write(index, hit.point, hit.normal);
+            hit.triangle = _hits.triangleOf(index);
             hit.agent = _set.found.agentAt(index);
             hit.distance = _set.found.keys[index];
             return hit;

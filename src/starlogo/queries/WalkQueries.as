@@ -167,8 +167,8 @@ package starlogo.queries
         private function findNear(walk:Walk, distance:Number):void
         {
             var options:WalkOptions = walk.options;
-            _set.moves.findWay(walk.agent, _set.bodyOfMover(walk.agent), walk.piece.x, walk.piece.y, 0, options.filter, walk.way, walk.range + distance,
-                    walk.pieces * options.stepHeight, walk.pieces * options.snap + options.fall, walk.turn);
+            _set.moves.findWayWithin(walk.agent, _set.bodyOfMover(walk.agent), walk.piece.x, walk.piece.y, 0, walk.range + distance,
+                    walk.pieces * options.stepHeight, walk.pieces * options.snap + options.fall, walk.turn, options.filter, walk.way);
         }
 
         // Pushes the agent out of what it overlaps, goes all pieces, and falls if the agent does not stand. Returns whether it stands at the end.

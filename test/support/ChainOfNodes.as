@@ -6,7 +6,7 @@ package support
     import starlogo.libraries.cooked.TreeWriter;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.VarInt;
-    import starlogo.solid.SolidHierarchy;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.steps.finish;
 
     use namespace engine;
@@ -27,9 +27,9 @@ package support
          * @param maxDepth the depth limit of the thesis's tree
          * @param division of all nodes: BELOW or OF_THE_THESIS
          * @param areTriangles whether the items are triangles, else they are vertices
-         * @return without a root if the tree is refused
+         * @return not made if the tree is refused
          */
-        public static function read(count:int, maxDepth:int, division:int, areTriangles:Boolean):SolidHierarchy
+        public static function read(count:int, maxDepth:int, division:int, areTriangles:Boolean):BoxTree
         {
             var bytes:ByteArray = CookedFile.newBytes();
             var vertices:Vector.<Number> = new Vector.<Number>();
@@ -55,9 +55,9 @@ package support
             }
             VarInt.write(0, bytes);
             bytes.position = 0;
-            var hierarchy:SolidHierarchy = new SolidHierarchy(vertices, triangles, 5, maxDepth, false);
-            finish(new TreeReader(bytes, hierarchy));
-            return hierarchy;
+            var tree:BoxTree = new BoxTree(vertices, triangles);
+            finish(new TreeReader(bytes, tree, maxDepth));
+            return tree;
         }
     }
 }

@@ -7,7 +7,7 @@ package starlogo.ground
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Touching;
-    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.intersection.ConvexTriangle;
     import starlogo.solid.SolidHierarchy;
 
@@ -37,8 +37,7 @@ package starlogo.ground
         private var _depth:int;
         private var _isExact:Boolean;
 
-        // The triangles' corners if they decide. Their first reader prepares them, which changes the nodes below the thesis's leaves. So they are
-        // read before a search begins.
+        // The triangles' corners if they decide.
         private var _corners:Vector.<Number> = null;
 
         // Where the model stands at the current time.
@@ -46,7 +45,7 @@ package starlogo.ground
 
         // Whether the structure is still to be visited; the nodes that are, and their number; the triangles of the last node that are.
         private var _isWhole:Boolean = false;
-        private var _nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
+        private var _nodes:Vector.<int> = new Vector.<int>();
         private var _nodeCount:int = 0;
         private var _triangle:int = 0;
         private var _end:int = 0;
@@ -75,7 +74,7 @@ package starlogo.ground
             _margin = 2 * Touching.marginOfPlace(placement.x, placement.y, placement.z);
             if (_isExact)
             {
-                _margin += Touching.marginOfSurface(tree.root.radius * placement.size / 2);
+                _margin += Touching.marginOfSurface(tree.tree.radius * placement.size / 2);
             }
             placeAt(RelativeMotion.NONE, 0);
         }
@@ -101,7 +100,7 @@ package starlogo.ground
             {
                 _isWhole = false;
                 _corners = _isExact ? _tree.corners : null;
-                addNode(_tree.root);
+                addNode(0);
             }
         }
 
@@ -183,17 +182,18 @@ package starlogo.ground
             placeAround(_structure);
         }
 
-        private function addNode(node:HierarchyNode):void
+        private function addNode(node:int):void
         {
             _nodes[_nodeCount] = node;
             _nodeCount++;
         }
 
         // Begins with a node. Returns whether it is a piece.
-        private function visit(node:HierarchyNode):Boolean
+        private function visit(node:int):Boolean
         {
-            node.writeBox(_node);
-            var isDivided:Boolean = node.goesBelow(_depth);
+            var tree:BoxTree = _tree.tree;
+            var isDivided:Boolean = tree.stop[node] < _depth;
+            tree.writeBox(node, _node);
             if (!isDivided && !_isExact)
             {
                 beginPiece(_node);
@@ -203,8 +203,8 @@ package starlogo.ground
             placeAround(_node);
             if (!isDivided)
             {
-                _triangle = node.first;
-                _end = node.end;
+                _triangle = tree.first[node];
+                _end = tree.end[node];
                 return false;
             }
             triangles.begin(_grid, box);
@@ -214,8 +214,8 @@ package starlogo.ground
                 return true;
             }
             triangles.stop();
-            addNode(node.high);
-            addNode(node.low);
+            addNode(tree.low[node] + 1);
+            addNode(tree.low[node]);
             return false;
         }
 

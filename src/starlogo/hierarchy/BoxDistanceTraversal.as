@@ -37,6 +37,10 @@ package starlogo.hierarchy
         // The second model's axes, times its scale.
         private var _axes:BoxAxes = new BoxAxes();
 
+        // The boxes of both trees.
+        private var _boxesA:Vector.<Number>;
+        private var _boxesB:Vector.<Number>;
+
         // How far both models together extend from their middles. The rounding error is relative to it.
         private var _reach:Number;
 
@@ -51,8 +55,10 @@ package starlogo.hierarchy
         private var _moved:BoundingStructure = _boxB.clone();
 
         /** @inheritDoc */
-        override protected function begin(a:HierarchyNode, b:HierarchyNode):void
+        override protected function begin(a:BoxTree, b:BoxTree):void
         {
+            _boxesA = a.boxes;
+            _boxesB = b.boxes;
             _directionX = _directionY = _directionZ = 0;
             _reach = a.radius + b.radius * pose.placement.size;
             _axes.readAxes(pose.placement, pose.placement.size);
@@ -64,24 +70,30 @@ package starlogo.hierarchy
          * <p>The steps are: the vector from the middle of a's box to the middle of b's box; the gaps along a's axes; the gaps along b's axes;
          * the gap along the line between the closest points so far.</p>
          */
-        override protected function estimate(a:HierarchyNode, b:HierarchyNode):void
+        override protected function estimate(a:int, b:int):void
         {
             var axes:BoxAxes = _axes;
             var relative:Placement = pose.placement;
             var scale:Number = relative.size;
-            var bX:Number = b.x;
-            var bY:Number = b.y;
-            var bZ:Number = b.z;
-            var x:Number = axes.xx * bX + axes.xy * bY + axes.xz * bZ + relative.x - a.x;
-            var y:Number = axes.yx * bX + axes.yy * bY + axes.yz * bZ + relative.y - a.y;
-            var z:Number = axes.zx * bX + axes.zy * bY + axes.zz * bZ + relative.z - a.z;
-
-            bX = b.halfX;
-            bY = b.halfY;
-            bZ = b.halfZ;
-            var halfX:Number = a.halfX;
-            var halfY:Number = a.halfY;
-            var halfZ:Number = a.halfZ;
+            var boxes:Vector.<Number> = _boxesB;
+            var at:int = 6 * b;
+            var bX:Number = boxes[at];
+            var bY:Number = boxes[int(at + 1)];
+            var bZ:Number = boxes[int(at + 2)];
+            var x:Number = axes.xx * bX + axes.xy * bY + axes.xz * bZ + relative.x;
+            var y:Number = axes.yx * bX + axes.yy * bY + axes.yz * bZ + relative.y;
+            var z:Number = axes.zx * bX + axes.zy * bY + axes.zz * bZ + relative.z;
+            bX = boxes[int(at + 3)];
+            bY = boxes[int(at + 4)];
+            bZ = boxes[int(at + 5)];
+            boxes = _boxesA;
+            at = 6 * a;
+            x -= boxes[at];
+            y -= boxes[int(at + 1)];
+            z -= boxes[int(at + 2)];
+            var halfX:Number = boxes[int(at + 3)];
+            var halfY:Number = boxes[int(at + 4)];
+            var halfZ:Number = boxes[int(at + 5)];
             var squared:Number = 0;
             var gap:Number = x < 0 ? -x : x;
             gap -= halfX + axes.absXx * bX + axes.absXy * bY + axes.absXz * bZ;
@@ -166,17 +178,17 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function settle(a:HierarchyNode, b:HierarchyNode, leaves:LeafTest):void
+        override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafTest):void
         {
             var found:ClosestPoints = _measured;
             if (leaves == null)
             {
-                measure(a, b);
+                measure(treeA, a, treeB, b);
             }
             else
             {
                 leaves.least = least;
-                bound = leaves.touch(a, b) ? leaves.least : Infinity;
+                bound = leaves.touch(treeA, a, treeB, b) ? leaves.least : Infinity;
                 found = leaves.points;
             }
             if (bound < least)
@@ -189,23 +201,22 @@ package starlogo.hierarchy
         }
 
         // Measures the distance of two nodes.
-        private function measure(a:HierarchyNode, b:HierarchyNode):void
+        private function measure(treeA:BoxTree, a:int, treeB:BoxTree, b:int):void
         {
             var second:BoundingStructure = structure;
             if (second == null)
             {
-                second = b.writeBox(_boxB).place(pose.placement, _moved);
+                second = treeB.writeBox(b, _boxB).place(pose.placement, _moved);
                 pose.widen(second);
             }
-            findClosest(a.writeBox(_boxA), second, _measured);
+            findClosest(treeA.writeBox(a, _boxA), second, _measured);
             var distance:Number = _measured.distance;
-            bound = Math.max(0, distance - Tolerances.NESTING * (levelsBelow(a) + levelsBelow(b)) * (distance + _reach));
+            bound = Math.max(0, distance - Tolerances.NESTING * (levelsBelow(treeA.levelOf(a)) + levelsBelow(treeB.levelOf(b))) * (distance + _reach));
         }
 
-        // The number of levels that a tree may have below a node, plus one. A single structure counts as the last level.
-        private static function levelsBelow(node:HierarchyNode):int
+        // The number of levels that a tree may have below a node on a level, plus one. A single structure counts as the last level.
+        private static function levelsBelow(level:int):int
         {
-            var level:int = node.level;
             return level == 0 || level > Tolerances.NESTED_LEVELS ? 1 : 1 + Tolerances.NESTED_LEVELS - level;
         }
     }

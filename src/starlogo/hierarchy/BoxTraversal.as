@@ -30,7 +30,7 @@ package starlogo.hierarchy
          * absolute values are larger by a rounding error, because cross products of nearly parallel edges cancel. All values are locals,
          * and the only call is to the test of leaves.</p>
          */
-        override public function find(pose:RelativePose, a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, leaves:LeafTest):Boolean
+        override public function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, leaves:LeafTest):Boolean
         {
             var relative:Placement = pose.placement;
             var scale:Number = relative.size;
@@ -58,39 +58,48 @@ package starlogo.hierarchy
             var abs22:Number = m22 < 0 ? widened - m22 : widened + m22;
             var scaleSquared:Number = scale * scale;
             var touching:Number = pose.gap;
-            var stack:Vector.<HierarchyNode> = nodes;
+            var boxesA:Vector.<Number> = treeA.boxes;
+            var boxesB:Vector.<Number> = treeB.boxes;
+            var stopA:Vector.<int> = treeA.stop;
+            var stopB:Vector.<int> = treeB.stop;
+            var stack:Vector.<int> = nodes;
+            var a:int = 0;
+            var b:int = 0;
             var top:int = 0;
             var visits:int = 0;
             while (true)
             {
                 visits++;
 
-                var bX:Number = b.x;
-                var bY:Number = b.y;
-                var bZ:Number = b.z;
-                var x:Number = m00 * bX + m01 * bY + m02 * bZ + moveX - a.x;
-                var y:Number = m10 * bX + m11 * bY + m12 * bZ + moveY - a.y;
-                var z:Number = m20 * bX + m21 * bY + m22 * bZ + moveZ - a.z;
+                var atA:int = 6 * a;
+                var atB:int = 6 * b;
+                var bX:Number = boxesB[atB];
+                var bY:Number = boxesB[int(atB + 1)];
+                var bZ:Number = boxesB[int(atB + 2)];
+                var x:Number = m00 * bX + m01 * bY + m02 * bZ + moveX - boxesA[atA];
+                var y:Number = m10 * bX + m11 * bY + m12 * bZ + moveY - boxesA[int(atA + 1)];
+                var z:Number = m20 * bX + m21 * bY + m22 * bZ + moveZ - boxesA[int(atA + 2)];
 
-                var halfX:Number = a.halfX + touching;
-                var halfY:Number = a.halfY + touching;
-                var halfZ:Number = a.halfZ + touching;
+                var halfX:Number = boxesA[int(atA + 3)] + touching;
+                var halfY:Number = boxesA[int(atA + 4)] + touching;
+                var halfZ:Number = boxesA[int(atA + 5)] + touching;
                 include "../intersection/squaredToBox.inc";
                 var overlap:Boolean = false;
                 var isDeep:Boolean = false;
-                var reach:Number = scale * b.radius;
-                if (gapSquared <= reach * reach)
+                bX = boxesB[int(atB + 3)];
+                bY = boxesB[int(atB + 4)];
+                bZ = boxesB[int(atB + 5)];
+                var squaredRadius:Number = scaleSquared * (bX * bX + bY * bY + bZ * bZ);
+                if (gapSquared <= squaredRadius)
                 {
-                    reach = scale * b.innerRadius;
-                    if (gapSquared <= reach * reach)
+                    var reach:Number = bX < bY ? bX : bY;
+                    reach = bZ < reach ? bZ : reach;
+                    if (gapSquared <= scaleSquared * reach * reach)
                     {
                         overlap = isDeep = true;
                     }
                     else
                     {
-                        bX = b.halfX;
-                        bY = b.halfY;
-                        bZ = b.halfZ;
                         reach = halfX + abs00 * bX + abs01 * bY + abs02 * bZ;
                         if (x <= reach && x >= -reach)
                         {
@@ -111,7 +120,7 @@ package starlogo.hierarchy
                                             along = m02 * x + m12 * y + m22 * z;
                                             reach = scaleSquared * bZ + abs02 * halfX + abs12 * halfY + abs22 * halfZ;
                                             overlap = along <= reach && along >= -reach;
-                                            if (overlap && leaves == null && a.stopDepth >= depthA && b.stopDepth >= depthB)
+                                            if (overlap && leaves == null && stopA[a] >= depthA && stopB[b] >= depthB)
                                             {
                                                 bX *= scale;
                                                 bY *= scale;
@@ -127,11 +136,11 @@ package starlogo.hierarchy
                 }
                 if (overlap)
                 {
-                    var aEnds:Boolean = a.stopDepth >= depthA;
-                    var bEnds:Boolean = b.stopDepth >= depthB;
+                    var aEnds:Boolean = stopA[a] >= depthA;
+                    var bEnds:Boolean = stopB[b] >= depthB;
                     if (aEnds && bEnds)
                     {
-                        if (leaves == null || leaves.touch(a, b))
+                        if (leaves == null || leaves.touch(treeA, a, treeB, b))
                         {
                             nodeVisits += visits;
                             return true;
@@ -141,15 +150,12 @@ package starlogo.hierarchy
                     {
                         var axis:int;
                         var side:Number;
-                        var far:HierarchyNode;
-                        var dividesA:Boolean = !aEnds && (bEnds || isDeep || a.radius >= scale * b.radius);
+                        var near:int;
+                        var far:int;
+                        var dividesA:Boolean = !aEnds && (bEnds || isDeep || halfX * halfX + halfY * halfY + halfZ * halfZ >= squaredRadius);
                         if (dividesA)
                         {
-                            if (a.low == null)
-                            {
-                                a.goesBelow(depthA);
-                            }
-                            axis = a.splitAxis;
+                            axis = treeA.axisOf(a);
                             side = z;
                             if (axis == 0)
                             {
@@ -159,28 +165,24 @@ package starlogo.hierarchy
                             {
                                 side = y;
                             }
-                            var near:HierarchyNode = a.low;
-                            far = a.high;
+                            near = treeA.low[a];
+                            far = near + 1;
                             if (side > 0)
                             {
-                                near = far;
-                                far = a.low;
+                                far = near;
+                                near = far + 1;
                             }
                             stack[top] = far;
                             stack[top + 1] = b;
                             top += 2;
-                            x += a.x - near.x;
-                            y += a.y - near.y;
-                            z += a.z - near.z;
+                            x += boxesA[atA] - boxesA[int(6 * near)];
+                            y += boxesA[int(atA + 1)] - boxesA[int(6 * near + 1)];
+                            z += boxesA[int(atA + 2)] - boxesA[int(6 * near + 2)];
                             a = near;
                         }
                         if (isDeep ? !bEnds : !dividesA)
                         {
-                            if (b.low == null)
-                            {
-                                b.goesBelow(depthB);
-                            }
-                            axis = b.splitAxis;
+                            axis = treeB.axisOf(b);
                             if (axis == 0)
                             {
                                 side = m00 * x + m10 * y + m20 * z;
@@ -193,14 +195,14 @@ package starlogo.hierarchy
                             {
                                 side = m02 * x + m12 * y + m22 * z;
                             }
-                            far = b.high;
-                            b = b.low;
+                            near = treeB.low[b];
+                            far = near + 1;
                             if (side < 0)
                             {
-                                near = b;
-                                b = far;
                                 far = near;
+                                near = far + 1;
                             }
+                            b = near;
                             stack[top] = a;
                             stack[top + 1] = far;
                             top += 2;

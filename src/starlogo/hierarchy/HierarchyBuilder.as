@@ -6,11 +6,9 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Builds a hierarchy from the root down (thesis §4.4): divides a node's items between two new nodes, and their items in turn. Items are
-     * triangles, or vertices if there are no triangles.
+     * Makes a tree of boxes from the root down (thesis §4.4): divides a node's items between two new nodes, and their items in turn.
      *
-     * <p>For a finished hierarchy of triangles, it goes on below the thesis's leaves, down to a few triangles each, and packs all boxes for
-     * tests of triangles and rays. A hierarchy that was read with all its nodes is not divided again.</p>
+     * <p>In a tree of triangles it goes on below the thesis's leaves, down to a few triangles each, for exact tests and rays.</p>
      *
      * <p>An item goes to the side of the split on which the centre of its extents is. The thesis splits halfway along the box's longest
      * axis, or at the mean. If that leaves all triangles on one side, the split is halfway along the axis on which their centres are spread
@@ -33,15 +31,17 @@ package starlogo.hierarchy
         private static const ITEMS_PER_STEP:int = 1000;
         private static const ITEMS_PER_NODE:int = 10;
 
-        private var _hierarchy:Hierarchy;
+        private var _tree:BoxTree;
+        private var _minVerticesToSplit:int;
+        private var _maxDepth:int;
+        private var _splitByMean:Boolean;
         private var _items:TreeItems;
 
-        // Below the thesis's leaves, it takes the boxes. The nodes do not stay.
-        private var _tree:PackedTree = null;
+        // The nodes still to visit, the next one last, and for each, whether it is a leaf of the thesis or below one.
+        private var _waiting:Vector.<int> = new Vector.<int>();
+        private var _areBelow:Vector.<Boolean> = new Vector.<Boolean>();
 
-        // The nodes still to visit, the next one last. Whether the next one is being divided, and whether along the axis of the largest
-        // spread.
-        private var _waiting:Vector.<HierarchyNode>;
+        // Whether the next node is being divided, and whether along the axis of the largest spread.
         private var _isDividing:Boolean = false;
         private var _isBySpread:Boolean;
 
@@ -50,40 +50,34 @@ package starlogo.hierarchy
         private var _highExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /**
-         * @param hierarchy receives the nodes, and the order of its items; if it has nodes, the boxes below them
+         * @param tree without nodes; receives them, and the order of its items
+         * @param minVerticesToSplit a node with at most this many vertices is a leaf of the thesis
+         * @param maxDepth a node on this level is a leaf of the thesis
+         * @param splitByMean whether to split at the mean, down to the thesis's leaves
          */
-        public function HierarchyBuilder(hierarchy:Hierarchy)
+        public function HierarchyBuilder(tree:BoxTree, minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean)
         {
-            _hierarchy = hierarchy;
+            _tree = tree;
+            _minVerticesToSplit = minVerticesToSplit;
+            _maxDepth = maxDepth;
+            _splitByMean = splitByMean;
             call(takeItems);
         }
 
         private function takeItems():void
         {
-            _items = _hierarchy.items;
-            if (_items == null)
-            {
-                _items = new TreeItems(_hierarchy);
-                slices(_items.order.length, ITEMS_PER_STEP, _items.measure);
-            }
-            call(beginRoot).repeat(divide);
+            _items = new TreeItems(_tree);
+            slices(_items.order.length, ITEMS_PER_STEP, _items.measure).call(beginRoot).repeat(divide).call(_tree.finish);
         }
 
         private function beginRoot():void
         {
-            if (_hierarchy.root == null)
-            {
-                _hierarchy.order = _items.order;
-                _hierarchy.setExtents(_items.bounds);
-                _hierarchy.root = _hierarchy.makeNode(1, 0, _items.order.length, _items.bounds);
-                _hierarchy.items = _hierarchy.hasTriangles ? _items : null;
-            }
-            else
-            {
-                _tree = _hierarchy.tree = new PackedTree(_hierarchy.root);
-                _hierarchy.items = null;
-            }
-            _waiting = new <HierarchyNode>[_hierarchy.root];
+            _tree.order = _items.order;
+            _tree.setExtents(_items.bounds);
+            _tree.addRoot();
+            _tree.enclose(0, _items.bounds);
+            _waiting.push(0);
+            _areBelow.push(false);
         }
 
         private function divide():Boolean
@@ -91,64 +85,72 @@ package starlogo.hierarchy
             var left:int = ITEMS_PER_STEP;
             while (left > 0 && _waiting.length > 0)
             {
-                var node:HierarchyNode = _waiting[_waiting.length - 1];
+                var node:int = _waiting[_waiting.length - 1];
                 if (!_isDividing)
                 {
-                    _isDividing = node.low == null && isLarge(node);
+                    _isDividing = beginNode(node);
                     left -= ITEMS_PER_NODE;
-                    if (_isDividing)
-                    {
-                        beginNode(node);
-                    }
                 }
                 if (_isDividing)
                 {
                     _isDividing = advance(node);
-                    left -= node.end - node.first;
+                    left -= _tree.end[node] - _tree.first[node];
                 }
                 if (!_isDividing)
                 {
-                    _waiting.pop();
-                    if (node.low != null)
-                    {
-                        _waiting.push(node.high, node.low);
-                        if (_tree != null)
-                        {
-                            _tree.pack(node);
-                            node.forgetChildren();
-                        }
-                    }
+                    goOn(node);
                 }
             }
             return _waiting.length > 0;
         }
 
-        private function isLarge(node:HierarchyNode):Boolean
+        // Goes on to the children of a node, or to the next node if it has none.
+        private function goOn(node:int):void
         {
-            if (_tree != null)
+            var child:int = _tree.low[node];
+            var isBelow:Boolean = _areBelow.pop();
+            _waiting.pop();
+            if (child > 0)
             {
-                return PackedTree.isLarge(node);
+                _waiting.push(child + 1, child);
+                _areBelow.push(isBelow, isBelow);
             }
-            return node.level < _hierarchy.maxDepth && node.end - node.first > 1
-                && _hierarchy.hasMoreVertices(node.first, node.end, _hierarchy.minVerticesToSplit);
         }
 
-        private function beginNode(node:HierarchyNode):void
+        // Begins with a node. Returns whether it is to be divided.
+        private function beginNode(node:int):Boolean
         {
-            var axis:int = node.longestAxis();
-            var split:Number = 2 * (axis == 0 ? node.x : (axis == 1 ? node.y : node.z));
-            _isBySpread = false;
-            if (_hierarchy.splitByMean && _tree == null)
+            var top:int = _waiting.length - 1;
+            if (!_areBelow[top] && !isSplit(node))
             {
-                split = _items.meanOf(node.first, node.end, axis);
+                _areBelow[top] = true;
             }
-            _items.beginDivision(node.first, node.end, axis, split);
+            if (_areBelow[top] && !_tree.isLarge(node))
+            {
+                return false;
+            }
+            var axis:int = _tree.longestAxisOf(node);
+            var split:Number = 2 * _tree.boxes[6 * node + axis];
+            if (_splitByMean && !_areBelow[top])
+            {
+                split = _items.meanOf(_tree.first[node], _tree.end[node], axis);
+            }
+            _isBySpread = false;
+            _items.beginDivision(_tree.first[node], _tree.end[node], axis, split);
+            return true;
+        }
+
+        // Whether the thesis splits a node.
+        private function isSplit(node:int):Boolean
+        {
+            return _tree.levelOf(node) < _maxDepth && _tree.end[node] - _tree.first[node] > 1 && _tree.hasMoreVertices(node, _minVerticesToSplit);
         }
 
         // Continues with a node. Returns whether more remains to do.
-        private function advance(node:HierarchyNode):Boolean
+        private function advance(node:int):Boolean
         {
-            if (_tree != null && PackedTree.isHalved(node.level))
+            var top:int = _waiting.length - 1;
+            if (_areBelow[top] && _tree.isHalved(node))
             {
                 halve(node);
                 return false;
@@ -158,36 +160,42 @@ package starlogo.hierarchy
                 return true;
             }
             var middle:int = _items.middle;
-            if (middle == node.first || middle == node.end)
+            if (middle > _tree.first[node] && middle < _tree.end[node])
             {
-                if (!_isBySpread)
-                {
-                    _isBySpread = true;
-                    return _items.beginWhereCentresSpread(node.first, node.end) || _tree != null;
-                }
-                if (_tree != null)
-                {
-                    halve(node);
-                }
+                divideAt(middle, node, _items.axis, _items.leftExtents, _items.rightExtents);
                 return false;
             }
-            divideAt(middle, node, _items.axis, _items.leftExtents, _items.rightExtents);
+            if (!_isBySpread)
+            {
+                _isBySpread = true;
+                if (_items.beginWhereCentresSpread(_tree.first[node], _tree.end[node]))
+                {
+                    return true;
+                }
+            }
+            // All centres are in one place.
+            _areBelow[top] = true;
+            if (_tree.isLarge(node))
+            {
+                halve(node);
+            }
             return false;
         }
 
         // Divides a node by the number of its items.
-        private function halve(node:HierarchyNode):void
+        private function halve(node:int):void
         {
-            var middle:int = (node.first + node.end) >> 1;
-            TreeItems.writeBounds(_hierarchy, node.first, middle, _lowExtents);
-            TreeItems.writeBounds(_hierarchy, middle, node.end, _highExtents);
-            divideAt(middle, node, node.longestAxis(), _lowExtents, _highExtents);
+            var middle:int = (_tree.first[node] + _tree.end[node]) >> 1;
+            _tree.writeExtents(_tree.first[node], middle, _lowExtents);
+            _tree.writeExtents(middle, _tree.end[node], _highExtents);
+            divideAt(middle, node, _tree.longestAxisOf(node), _lowExtents, _highExtents);
         }
 
-        private function divideAt(middle:int, node:HierarchyNode, axis:int, low:Vector.<Number>, high:Vector.<Number>):void
+        private function divideAt(middle:int, node:int, axis:int, low:Vector.<Number>, high:Vector.<Number>):void
         {
-            node.divide(axis, _hierarchy.makeNode(node.level + 1, node.first, middle, low), _hierarchy.makeNode(node.level + 1, middle, node.end, high),
-                    _tree != null ? HierarchyNode.LARGEST_DEPTH : node.level);
+            var child:int = _tree.divide(node, axis, middle, _areBelow[_waiting.length - 1]);
+            _tree.enclose(child, low);
+            _tree.enclose(child + 1, high);
         }
     }
 }

@@ -18,8 +18,15 @@ package starlogo.hierarchy
         /** For distances: the closest points of the leaves tested, and their distance, in the first model's space. */
         public var points:ClosestPoints = null;
 
-        /** Whether a leaf of the first model touches a leaf of the second, or is nearer than <code>least</code>. */
-        public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
+        /**
+         * Whether a leaf of the first model touches a leaf of the second, or is nearer than <code>least</code>.
+         *
+         * @param treeA the first model's tree
+         * @param a a leaf of it
+         * @param treeB the second model's tree
+         * @param b a leaf of it
+         */
+        public function touch(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
         {
             return true;
         }

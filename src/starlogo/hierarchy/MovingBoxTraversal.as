@@ -7,7 +7,7 @@ package starlogo.hierarchy
      * a box without extents. A box that stands has no motion.
      *
      * <p>A place on the way is a multiple of the motion. The box meets a node between two places on each axis (Kay and Kajiya, "Ray tracing
-     * complex scenes", SIGGRAPH 1986). In the loop, all numbers are in steps of the tree's grid.</p>
+     * complex scenes", SIGGRAPH 1986).</p>
      *
      * @private
      */
@@ -16,6 +16,9 @@ package starlogo.hierarchy
         // 1 divided by the least motion: a smaller one counts as 0. No way is longer than FARTHEST. Larger numbers might be infinite.
         private static const SLOWEST:Number = 1e100;
         private static const FARTHEST:Number = 1e90;
+
+        // How much larger boxes are on each side because of rounding, as a fraction of the tree's radius.
+        private static const MARGIN:Number = 1.5e-8;
 
         /** The number of nodes visited. The caller sets it to 0. */
         public var nodeVisits:int = 0;
@@ -38,9 +41,8 @@ package starlogo.hierarchy
         private var _motionY:Number = 0;
         private var _motionZ:Number = 0;
 
-        // The pairs or leaves still to visit, and where the box meets them. The pair of a leaf is null.
-        private var _pairs:Vector.<BoxPair> = new Vector.<BoxPair>();
-        private var _leaves:Vector.<int> = new Vector.<int>();
+        // The nodes still to visit, and where the box meets them.
+        private var _nodes:Vector.<int> = new Vector.<int>();
         private var _enters:Vector.<Number> = new Vector.<Number>();
 
         /** Sets the box's middle, and half of its extent along each axis. */
@@ -69,125 +71,122 @@ package starlogo.hierarchy
         /**
          * Lets a test look at the leaves.
          *
-         * @param tree the hierarchy, packed
+         * @param tree a tree of triangles
          * @param test its <code>least</code> must be the place where the way ends; 0 if the box stands
          */
-        public function find(tree:PackedTree, test:TriangleTest):void
+        public function find(tree:BoxTree, test:TriangleTest):void
         {
-            var scale:Number = tree.scale;
-            var fromX:Number = (x - tree.x) * scale;
-            var fromY:Number = (y - tree.y) * scale;
-            var fromZ:Number = (z - tree.z) * scale;
-            var widerX:Number = halfX * scale;
-            var widerY:Number = halfY * scale;
-            var widerZ:Number = halfZ * scale;
-            var inverseX:Number = 1 / (_motionX * scale);
-            var inverseY:Number = 1 / (_motionY * scale);
-            var inverseZ:Number = 1 / (_motionZ * scale);
+            var margin:Number = MARGIN * tree.radius;
+            var fromX:Number = x;
+            var fromY:Number = y;
+            var fromZ:Number = z;
+            var widerX:Number = halfX + margin;
+            var widerY:Number = halfY + margin;
+            var widerZ:Number = halfZ + margin;
+            var inverseX:Number = 1 / _motionX;
+            var inverseY:Number = 1 / _motionY;
+            var inverseZ:Number = 1 / _motionZ;
             inverseX = inverseX > -SLOWEST && inverseX < SLOWEST ? inverseX : SLOWEST;
             inverseY = inverseY > -SLOWEST && inverseY < SLOWEST ? inverseY : SLOWEST;
             inverseZ = inverseZ > -SLOWEST && inverseZ < SLOWEST ? inverseZ : SLOWEST;
             var absX:Number = inverseX < 0 ? -inverseX : inverseX;
             var absY:Number = inverseY < 0 ? -inverseY : inverseY;
             var absZ:Number = inverseZ < 0 ? -inverseZ : inverseZ;
-            var pairs:Vector.<BoxPair> = _pairs;
-            var leaves:Vector.<int> = _leaves;
+            var boxes:Vector.<Number> = tree.boxes;
+            var children:Vector.<int> = tree.low;
+            var nodes:Vector.<int> = _nodes;
             var enters:Vector.<Number> = _enters;
             var begin:Number = from;
             var limit:Number = test.least < FARTHEST ? test.least : FARTHEST;
             var stands:Boolean = _motionX == 0 && _motionY == 0 && _motionZ == 0;
             var visits:int = 0;
             var top:int = 0;
-            var pair:BoxPair = tree.root;
-            var leaf:int = tree.rootLeaf;
+            var node:int = 0;
             while (true)
             {
                 visits++;
-                if (pair == null)
+                var low:int = children[node];
+                if (low == 0)
                 {
-                    test.look(PackedTree.firstOf(leaf), PackedTree.endOf(leaf));
+                    test.look(tree.first[node], tree.end[node]);
                     limit = test.least < limit ? test.least : limit;
                 }
                 else
                 {
+                    var at:int = 6 * low;
                     var middle:Number;
                     var half:Number;
                     var place:Number;
                     var enter:Number = begin;
                     var leave:Number = limit;
-                    middle = (pair.lowX - fromX) * inverseX;
-                    half = (pair.lowHalfX + widerX) * absX;
+                    middle = (boxes[at] - fromX) * inverseX;
+                    half = (boxes[int(at + 3)] + widerX) * absX;
                     enter = middle - half > enter ? middle - half : enter;
                     leave = middle + half < leave ? middle + half : leave;
-                    middle = (pair.lowY - fromY) * inverseY;
-                    half = (pair.lowHalfY + widerY) * absY;
+                    middle = (boxes[int(at + 1)] - fromY) * inverseY;
+                    half = (boxes[int(at + 4)] + widerY) * absY;
                     enter = middle - half > enter ? middle - half : enter;
                     leave = middle + half < leave ? middle + half : leave;
-                    middle = (pair.lowZ - fromZ) * inverseZ;
-                    half = (pair.lowHalfZ + widerZ) * absZ;
+                    middle = (boxes[int(at + 2)] - fromZ) * inverseZ;
+                    half = (boxes[int(at + 5)] + widerZ) * absZ;
                     enter = middle - half > enter ? middle - half : enter;
                     leave = middle + half < leave ? middle + half : leave;
                     var enterLow:Number = enter;
                     var leaveLow:Number = leave;
                     enter = begin;
                     leave = limit;
-                    middle = (pair.highX - fromX) * inverseX;
-                    half = (pair.highHalfX + widerX) * absX;
+                    middle = (boxes[int(at + 6)] - fromX) * inverseX;
+                    half = (boxes[int(at + 9)] + widerX) * absX;
                     enter = middle - half > enter ? middle - half : enter;
                     leave = middle + half < leave ? middle + half : leave;
-                    middle = (pair.highY - fromY) * inverseY;
-                    half = (pair.highHalfY + widerY) * absY;
+                    middle = (boxes[int(at + 7)] - fromY) * inverseY;
+                    half = (boxes[int(at + 10)] + widerY) * absY;
                     enter = middle - half > enter ? middle - half : enter;
                     leave = middle + half < leave ? middle + half : leave;
-                    middle = (pair.highZ - fromZ) * inverseZ;
-                    half = (pair.highHalfZ + widerZ) * absZ;
+                    middle = (boxes[int(at + 8)] - fromZ) * inverseZ;
+                    half = (boxes[int(at + 11)] + widerZ) * absZ;
                     enter = middle - half > enter ? middle - half : enter;
                     leave = middle + half < leave ? middle + half : leave;
                     if (enterLow <= leaveLow)
                     {
                         if (enter > leave)
                         {
-                            leaf = pair.lowLeaf;
-                            pair = pair.low;
+                            node = low;
                             continue;
                         }
                         var isHighFirst:Boolean = enter < enterLow;
                         if (stands)
                         {
-                            place = 2 * fromZ - pair.highZ - pair.lowZ;
-                            if (pair.axis == 0)
+                            place = 2 * fromZ - boxes[int(at + 8)] - boxes[int(at + 2)];
+                            var axis:int = tree.axisOf(node);
+                            if (axis == 0)
                             {
-                                place = 2 * fromX - pair.highX - pair.lowX;
+                                place = 2 * fromX - boxes[int(at + 6)] - boxes[at];
                             }
-                            else if (pair.axis == 1)
+                            else if (axis == 1)
                             {
-                                place = 2 * fromY - pair.highY - pair.lowY;
+                                place = 2 * fromY - boxes[int(at + 7)] - boxes[int(at + 1)];
                             }
                             isHighFirst = place >= 0;
                         }
                         if (isHighFirst)
                         {
-                            pairs[top] = pair.low;
-                            leaves[top] = pair.lowLeaf;
+                            nodes[top] = low;
                             enters[top] = enterLow;
-                            leaf = pair.highLeaf;
-                            pair = pair.high;
+                            node = low + 1;
                         }
                         else
                         {
-                            pairs[top] = pair.high;
-                            leaves[top] = pair.highLeaf;
+                            nodes[top] = low + 1;
                             enters[top] = enter;
-                            leaf = pair.lowLeaf;
-                            pair = pair.low;
+                            node = low;
                         }
                         top++;
                         continue;
                     }
                     if (enter <= leave)
                     {
-                        leaf = pair.highLeaf;
-                        pair = pair.high;
+                        node = low + 1;
                         continue;
                     }
                 }
@@ -201,8 +200,7 @@ package starlogo.hierarchy
                     top--;
                 }
                 while (enters[top] > limit);
-                pair = pairs[top];
-                leaf = leaves[top];
+                node = nodes[top];
             }
         }
     }

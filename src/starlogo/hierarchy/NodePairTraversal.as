@@ -29,8 +29,8 @@ package starlogo.hierarchy
         public var least:Number;
 
         /** The best pair of nodes. Undefined if none is found. */
-        public var firstA:HierarchyNode = null;
-        public var firstB:HierarchyNode = null;
+        public var firstA:int = 0;
+        public var firstB:int = 0;
 
         /** The least bound that there can be. A pair with this bound ends the search. */
         protected var lowest:Number = 0;
@@ -41,8 +41,8 @@ package starlogo.hierarchy
         /** A lower bound of the current pair's time or distance. Before <code>estimate()</code>, the parent pair's lower bound. */
         protected var bound:Number;
 
-        /** The pairs still to visit. */
-        protected var nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
+        /** The pairs of nodes still to visit. */
+        protected var nodes:Vector.<int> = new Vector.<int>();
 
         // The bounds of these pairs.
         private var _bounds:Vector.<Number> = new Vector.<Number>();
@@ -51,48 +51,49 @@ package starlogo.hierarchy
          * Finds the best pair of nodes that decide.
          *
          * @param pose the pose of the second tree's nodes in the first model's space
-         * @param a the root of the first tree
+         * @param treeA the first tree
          * @param depthA how many of its levels are visited
-         * @param b the root of the second tree
+         * @param treeB the second tree
          * @param depthB how many of its levels are visited
          * @param leaves decides about such nodes; null if their boxes decide
          * @return whether there is such a pair
          */
-        public function find(pose:RelativePose, a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, leaves:LeafTest):Boolean
+        public function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, leaves:LeafTest):Boolean
         {
             // Writing an object to a field costs Adobe's VM more than comparing it first.
             if (this.pose !== pose)
             {
                 this.pose = pose;
             }
-            var stack:Vector.<HierarchyNode> = nodes;
+            var lowA:Vector.<int> = treeA.low;
+            var lowB:Vector.<int> = treeB.low;
+            var stopA:Vector.<int> = treeA.stop;
+            var stopB:Vector.<int> = treeB.stop;
+            var a:int = 0;
+            var b:int = 0;
+            var stack:Vector.<int> = nodes;
             var bounds:Vector.<Number> = _bounds;
             var scale:Number = pose.placement.size;
             var top:int = 0;
             var visits:int = 1;
             least = Infinity;
             bound = lowest;
-            begin(a, b);
+            begin(treeA, treeB);
             estimate(a, b);
             while (true)
             {
                 if (bound < least)
                 {
-                    var aEnds:Boolean = a.stopDepth >= depthA;
-                    var bEnds:Boolean = b.stopDepth >= depthB;
+                    var aEnds:Boolean = stopA[a] >= depthA;
+                    var bEnds:Boolean = stopB[b] >= depthB;
                     if (!aEnds || !bEnds)
                     {
                         // The better of the two pairs with a child comes first.
-                        var dividesA:Boolean = bEnds || !aEnds && a.radius >= scale * b.radius;
-                        var divided:HierarchyNode = dividesA ? a : b;
-                        if (divided.low == null)
-                        {
-                            divided.goesBelow(dividesA ? depthA : depthB);
-                        }
-                        var otherA:HierarchyNode = dividesA ? a.low : a;
-                        var otherB:HierarchyNode = dividesA ? b : b.low;
-                        a = dividesA ? a.high : a;
-                        b = dividesA ? b : b.high;
+                        var dividesA:Boolean = bEnds || !aEnds && isLarger(treeA.boxes, 6 * a, treeB.boxes, 6 * b, scale);
+                        var otherA:int = dividesA ? lowA[a] : a;
+                        var otherB:int = dividesA ? b : lowB[b];
+                        a = dividesA ? otherA + 1 : a;
+                        b = dividesA ? b : otherB + 1;
                         var above:Number = bound;
                         estimate(otherA, otherB);
                         var other:Number = bound;
@@ -101,7 +102,7 @@ package starlogo.hierarchy
                         visits += 2;
                         if (other < bound)
                         {
-                            var node:HierarchyNode = a;
+                            var node:int = a;
                             a = otherA;
                             otherA = node;
                             node = b;
@@ -120,7 +121,7 @@ package starlogo.hierarchy
                         }
                         continue;
                     }
-                    settle(a, b, leaves);
+                    settle(treeA, a, treeB, b, leaves);
                     if (bound < least)
                     {
                         least = bound;
@@ -141,13 +142,25 @@ package starlogo.hierarchy
             return false;
         }
 
-        /** Prepares the traversal of two trees. */
-        protected function begin(a:HierarchyNode, b:HierarchyNode):void
+        // Whether the sphere around a box is at least as large as the sphere around another one, whose numbers are scaled.
+        private static function isLarger(boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, scale:Number):Boolean
+        {
+            var aX:Number = boxesA[int(a + 3)];
+            var aY:Number = boxesA[int(a + 4)];
+            var aZ:Number = boxesA[int(a + 5)];
+            var bX:Number = boxesB[int(b + 3)];
+            var bY:Number = boxesB[int(b + 4)];
+            var bZ:Number = boxesB[int(b + 5)];
+            return aX * aX + aY * aY + aZ * aZ >= scale * scale * (bX * bX + bY * bY + bZ * bZ);
+        }
+
+        /** Prepares the traversal of two trees. The nodes of later calls are theirs. */
+        protected function begin(a:BoxTree, b:BoxTree):void
         {
         }
 
         /** Sets <code>bound</code> for a pair of nodes. A bound that is not less than <code>least</code> need not be exact. */
-        protected function estimate(a:HierarchyNode, b:HierarchyNode):void
+        protected function estimate(a:int, b:int):void
         {
         }
 
@@ -155,7 +168,7 @@ package starlogo.hierarchy
          * Sets <code>bound</code> to the time or distance of a pair that decides. If it is not less than <code>least</code>, it need not be
          * exact.
          */
-        protected function settle(a:HierarchyNode, b:HierarchyNode, leaves:LeafTest):void
+        protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafTest):void
         {
         }
     }

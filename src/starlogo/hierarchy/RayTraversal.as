@@ -19,58 +19,67 @@ package starlogo.hierarchy
     {
         private var _ray:Ray;
         private var _standing:RelativePose = new RelativePose();
-        private var _origin:HierarchyNode = new HierarchyNode();
+        private var _origin:BoxTree = BoxTree.ofOneNode();
+        private var _boxes:Vector.<Number>;
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
         /**
          * Narrows a ray to the part behind its first hit.
          *
-         * @param root the tree's root
+         * @param tree the tree
          * @param depth how many of its levels are visited
          * @param ray in the tree's space; its beginning becomes the hit, with the normal there
          * @return whether there is a hit; if not, the ray stays as it was
          */
-        public function findHit(root:HierarchyNode, depth:int, ray:Ray):Boolean
+        public function findHit(tree:BoxTree, depth:int, ray:Ray):Boolean
         {
             _ray = ray;
             lowest = ray.from;
-            if (!find(_standing, root, depth, _origin, 1, null))
+            if (!find(_standing, tree, depth, _origin, 1, null))
             {
                 return false;
             }
             ray.faceBack();
             if (least > ray.from)
             {
-                rayBox(ray, firstA.writeBox(_box));
+                rayBox(ray, tree.writeBox(firstA, _box));
             }
             ray.from = least;
             return true;
         }
 
         /** @inheritDoc */
-        override protected function estimate(a:HierarchyNode, b:HierarchyNode):void
+        override protected function begin(a:BoxTree, b:BoxTree):void
+        {
+            _boxes = a.boxes;
+        }
+
+        /** @inheritDoc */
+        override protected function estimate(a:int, b:int):void
         {
             // For each axis, as Ray.cutAlong(). A call for each would take most of the time.
             var ray:Ray = _ray;
+            var boxes:Vector.<Number> = _boxes;
+            var at:int = 6 * a;
             var enter:Number = bound;
             var leave:Number = ray.to;
-            var offset:Number = ray.x - a.x;
+            var offset:Number = ray.x - boxes[at];
             var speed:Number = ray.directionX == 0 ? 0 : ray.directionX;
-            var reach:Number = speed < 0 ? -a.halfX : a.halfX;
+            var reach:Number = speed < 0 ? -boxes[int(at + 3)] : boxes[int(at + 3)];
             var place:Number = (reach - offset) / speed;
             leave = place < leave ? place : leave;
             place = (-reach - offset) / speed;
             enter = place > enter ? place : enter;
-            offset = ray.y - a.y;
+            offset = ray.y - boxes[int(at + 1)];
             speed = ray.directionY == 0 ? 0 : ray.directionY;
-            reach = speed < 0 ? -a.halfY : a.halfY;
+            reach = speed < 0 ? -boxes[int(at + 4)] : boxes[int(at + 4)];
             place = (reach - offset) / speed;
             leave = place < leave ? place : leave;
             place = (-reach - offset) / speed;
             enter = place > enter ? place : enter;
-            offset = ray.z - a.z;
+            offset = ray.z - boxes[int(at + 2)];
             speed = ray.directionZ == 0 ? 0 : ray.directionZ;
-            reach = speed < 0 ? -a.halfZ : a.halfZ;
+            reach = speed < 0 ? -boxes[int(at + 5)] : boxes[int(at + 5)];
             place = (reach - offset) / speed;
             leave = place < leave ? place : leave;
             place = (-reach - offset) / speed;

@@ -22,8 +22,8 @@ package starlogo.hierarchy
      */
     public final class StructureLeaf extends LeafTest
     {
-        /** The only node, in the space of its own axes. */
-        public var node:HierarchyNode = new HierarchyNode();
+        /** The tree of one node, in the space of the structure's own axes. Its level is 0. */
+        public var tree:BoxTree = BoxTree.ofOneNode();
 
         /** That space's pose in the first model's space, and the structure's motion from there. */
         public var pose:RelativePose = new RelativePose();
@@ -36,13 +36,6 @@ package starlogo.hierarchy
         private var _axis:Vector3D = new Vector3D();
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
-
-        /** Creates a leaf without a structure. */
-        public function StructureLeaf()
-        {
-            node.x = node.y = node.z = 0;
-            node.end = 1;
-        }
 
         /**
          * Begins with a structure.
@@ -95,10 +88,10 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
+        override public function touch(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
         {
             var motion:RelativeMotion = pose.motion;
-            a.writeBox(_box);
+            treeA.writeBox(a, _box);
             if (motion === RelativeMotion.NONE)
             {
                 return intersects(_box, moved);
@@ -127,7 +120,7 @@ package starlogo.hierarchy
             relative.r22 = placed.axisZ.z;
             var distance:Number = Math.abs(box.center.x) + Math.abs(box.center.y) + Math.abs(box.center.z);
             var margin:Number = Tolerances.ROUNDING * (box.halfX + box.halfY + box.halfZ + distance);
-            node.setHalfExtents(box.halfX + margin, box.halfY + margin, box.halfZ + margin);
+            tree.setOnlyBox(box.halfX + margin, box.halfY + margin, box.halfZ + margin);
         }
 
         // The node is the box around the extents in the structure's model's space.
@@ -140,7 +133,7 @@ package starlogo.hierarchy
             setMiddle(_axis);
             pose.placement.copyRotation(placement);
             pose.placement.isIdentity = false;
-            node.setHalfExtents((extents[1] - extents[0]) / 2, (extents[3] - extents[2]) / 2, (extents[5] - extents[4]) / 2);
+            tree.setOnlyBox((extents[1] - extents[0]) / 2, (extents[3] - extents[2]) / 2, (extents[5] - extents[4]) / 2);
         }
 
         private function beginCapsule(capsule:Capsule, placed:Capsule):void
@@ -193,8 +186,7 @@ package starlogo.hierarchy
         private function setExtents(radius:Number, half:Number):void
         {
             var reach:Number = radius + Tolerances.EXTENTS * (radius + half);
-            node.setHalfExtents(reach, reach, reach + half);
-            node.radius = reach + half;
+            tree.setOnlyBox(reach, reach, reach + half);
         }
     }
 }

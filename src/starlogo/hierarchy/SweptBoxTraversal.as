@@ -18,9 +18,15 @@ package starlogo.hierarchy
     {
         private var _sweep:BoxSweep = new BoxSweep();
 
+        // The boxes of both trees.
+        private var _boxesA:Vector.<Number>;
+        private var _boxesB:Vector.<Number>;
+
         /** @inheritDoc */
-        override protected function begin(a:HierarchyNode, b:HierarchyNode):void
+        override protected function begin(a:BoxTree, b:BoxTree):void
         {
+            _boxesA = a.boxes;
+            _boxesB = b.boxes;
             var relative:Placement = pose.placement;
             var motion:RelativeMotion = pose.motion;
             _sweep.axes.readAxes(relative, 1);
@@ -32,13 +38,13 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function estimate(a:HierarchyNode, b:HierarchyNode):void
+        override protected function estimate(a:int, b:int):void
         {
             sweep(a, b, false);
         }
 
         /** @inheritDoc */
-        override protected function settle(a:HierarchyNode, b:HierarchyNode, leaves:LeafTest):void
+        override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafTest):void
         {
             if (leaves == null)
             {
@@ -46,28 +52,32 @@ package starlogo.hierarchy
                 return;
             }
             leaves.least = least < 1 ? least : 1;
-            bound = leaves.touch(a, b) ? leaves.least : RelativeMotion.NEVER;
+            bound = leaves.touch(treeA, a, treeB, b) ? leaves.least : RelativeMotion.NEVER;
         }
 
         // Sets the bound to the first time at which no face separates two boxes. If withEdges is true, no edge separates them then either.
         // If that time is not before the least time, sets the bound to RelativeMotion.NEVER.
-        private function sweep(a:HierarchyNode, b:HierarchyNode, withEdges:Boolean):void
+        private function sweep(a:int, b:int, withEdges:Boolean):void
         {
             var boxes:BoxSweep = _sweep;
             var relative:Placement = pose.placement;
             var scale:Number = relative.size;
-            var bX:Number = b.x * scale;
-            var bY:Number = b.y * scale;
-            var bZ:Number = b.z * scale;
-            boxes.x = relative.r00 * bX + relative.r01 * bY + relative.r02 * bZ + relative.x - a.x;
-            boxes.y = relative.r10 * bX + relative.r11 * bY + relative.r12 * bZ + relative.y - a.y;
-            boxes.z = relative.r20 * bX + relative.r21 * bY + relative.r22 * bZ + relative.z - a.z;
-            boxes.aX = a.halfX;
-            boxes.aY = a.halfY;
-            boxes.aZ = a.halfZ;
-            boxes.bX = b.halfX * scale;
-            boxes.bY = b.halfY * scale;
-            boxes.bZ = b.halfZ * scale;
+            var numbers:Vector.<Number> = _boxesB;
+            var at:int = 6 * b;
+            var bX:Number = numbers[at] * scale;
+            var bY:Number = numbers[int(at + 1)] * scale;
+            var bZ:Number = numbers[int(at + 2)] * scale;
+            boxes.bX = numbers[int(at + 3)] * scale;
+            boxes.bY = numbers[int(at + 4)] * scale;
+            boxes.bZ = numbers[int(at + 5)] * scale;
+            numbers = _boxesA;
+            at = 6 * a;
+            boxes.x = relative.r00 * bX + relative.r01 * bY + relative.r02 * bZ + relative.x - numbers[at];
+            boxes.y = relative.r10 * bX + relative.r11 * bY + relative.r12 * bZ + relative.y - numbers[int(at + 1)];
+            boxes.z = relative.r20 * bX + relative.r21 * bY + relative.r22 * bZ + relative.z - numbers[int(at + 2)];
+            boxes.aX = numbers[int(at + 3)];
+            boxes.aY = numbers[int(at + 4)];
+            boxes.aZ = numbers[int(at + 5)];
             boxes.latest = least < 1 ? least : 1;
             boxes.meetFaces();
             if (withEdges && boxes.time != RelativeMotion.NEVER)

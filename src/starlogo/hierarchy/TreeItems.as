@@ -5,7 +5,7 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * The items of a hierarchy until it is divided to the end: its triangles or its vertices. Keeps an order in which the items of each
+     * The items of a tree while it is made: its triangles or its vertices. Keeps an order in which the items of each
      * node stand side by side. Divides the items of a node in two.
      *
      * @private
@@ -30,7 +30,7 @@ package starlogo.hierarchy
         /** The axis of the last division: 0, 1 or 2. */
         public var axis:int;
 
-        private var _hierarchy:Hierarchy;
+        private var _tree:BoxTree;
 
         // The extents of each item, by its index: minX, minY, minZ, maxX, maxY, maxZ.
         private var _extents:Vector.<Number>;
@@ -42,19 +42,15 @@ package starlogo.hierarchy
         private var _split:Number;
 
         /**
-         * @param hierarchy has the items. If they have no order yet, they are in the order of their indices
+         * @param tree has the items. It does not have their order yet. They begin in the order of their indices
          */
-        public function TreeItems(hierarchy:Hierarchy)
+        public function TreeItems(tree:BoxTree)
         {
-            _hierarchy = hierarchy;
-            order = hierarchy.order;
-            if (order == null)
+            _tree = tree;
+            order = new Vector.<int>(tree.itemCount, true);
+            for (var i:int = 0; i < order.length; i++)
             {
-                order = new Vector.<int>(hierarchy.itemCount, true);
-                for (var i:int = 0; i < order.length; i++)
-                {
-                    order[i] = i;
-                }
+                order[i] = i;
             }
         }
 
@@ -62,8 +58,8 @@ package starlogo.hierarchy
         public function measure(first:int, end:int):void
         {
             _extents ||= new Vector.<Number>(6 * order.length, true);
-            var vertices:Vector.<Number> = _hierarchy.vertices;
-            var triangles:Vector.<uint> = _hierarchy.triangles;
+            var vertices:Vector.<Number> = _tree.vertices;
+            var triangles:Vector.<uint> = _tree.triangles;
             var extents:Vector.<Number> = _extents;
             var minX:Number = bounds[0];
             var minY:Number = bounds[1];
@@ -242,38 +238,6 @@ package starlogo.hierarchy
             _last = last;
             _waiting = waiting;
             return left > 0;
-        }
-
-        /**
-         * Writes the extents of some items together: minX, minY, minZ, maxX, maxY, maxZ.
-         *
-         * @param hierarchy has the items
-         * @param first index of the first of them in the hierarchy's order
-         * @param end index after the last of them
-         * @param out receives the extents
-         * @param at index at which they begin
-         */
-        public static function writeBounds(hierarchy:Hierarchy, first:int, end:int, out:Vector.<Number>, at:int = 0):void
-        {
-            var corners:int = hierarchy.hasTriangles ? 3 : 1;
-            for (var along:int = 0; along < 3; along++)
-            {
-                var least:Number = Infinity;
-                var largest:Number = -Infinity;
-                for (var i:int = first; i < end; i++)
-                {
-                    var item:int = corners * hierarchy.order[i];
-                    for (var corner:int = item; corner < item + corners; corner++)
-                    {
-                        var vertex:int = hierarchy.hasTriangles ? hierarchy.triangles[corner] : corner;
-                        var coordinate:Number = hierarchy.vertices[int(3 * vertex + along)];
-                        least = coordinate < least ? coordinate : least;
-                        largest = coordinate > largest ? coordinate : largest;
-                    }
-                }
-                out[int(at + along)] = least;
-                out[int(at + along + 3)] = largest;
-            }
         }
 
         // Twice the centre of an item's extents along an axis.

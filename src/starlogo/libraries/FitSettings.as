@@ -13,7 +13,7 @@ package starlogo.libraries
     public final class FitSettings
     {
         /** Increase it whenever an algorithm of the engine gives other results for the same settings. */
-        private static const REVISION:int = 9;
+        private static const REVISION:int = 10;
 
         /**
          * The settings for structures; null if structures are not wanted, or cannot be kept.

@@ -141,7 +141,7 @@ package starlogo.libraries
          */
         engine function builderOf(vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchyBuilder
         {
-            return new SolidHierarchyBuilder(new SolidHierarchy(vertices, triangles, minVerticesToSplit, maxDepth, splitByMean), prepareExact);
+            return new SolidHierarchyBuilder(vertices, triangles, minVerticesToSplit, maxDepth, splitByMean, prepareExact);
         }
 
         private static function requirePositive(setting:String, value:int):void

@@ -101,7 +101,7 @@ package starlogo.libraries
             if (hierarchy != null)
             {
                 fits.tree = CookedFile.newBytes();
-                TreeWriter.write(hierarchy, fits.tree);
+                TreeWriter.write(hierarchy.tree, fits.tree);
                 fits.tree.position = 0;
                 fits.surface = hierarchy.isPrepared ? hierarchy.surface : null;
             }

@@ -113,7 +113,7 @@ package starlogo.libraries
             }
             if (hierarchy != null && _fits.hasHierarchy)
             {
-                hierarchy.useStored(new TreeReader(_fits.tree, hierarchy.hierarchy), _fits.surface);
+                hierarchy.useStored(new TreeReader(_fits.tree, hierarchy.hierarchy.tree, hierarchy.maxDepth), _fits.surface);
             }
         }
 

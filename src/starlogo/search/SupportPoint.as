@@ -9,7 +9,7 @@ package starlogo.search
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.solid.SolidHierarchy;
 
     use namespace engine;
@@ -33,12 +33,11 @@ package starlogo.search
         private var _body:Body;
         private var _depth:int;
 
-        // The triangles' corners if they decide; otherwise null. Their first reader prepares them, which changes the nodes below the thesis's
-        // leaves. So they are read before a visit begins.
+        // The triangles' corners if they decide; otherwise null.
         private var _corners:Vector.<Number>;
 
         // The nodes still to visit, the next one last, and how far each may reach. Trees may be too deep for recursion.
-        private var _nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
+        private var _nodes:Vector.<int> = new Vector.<int>();
         private var _limits:Vector.<Number> = new Vector.<Number>();
 
         // The direction in the model's space, the farthest support so far, and the least support of points that count as the farthest.
@@ -80,7 +79,7 @@ package starlogo.search
             }
             else
             {
-                visitFrom(_body.shape.hierarchy.root);
+                visit(_body.shape.hierarchy.tree);
             }
             support = at.x * direction.x + at.y * direction.y + at.z * direction.z + at.size * _best;
         }
@@ -102,7 +101,7 @@ package starlogo.search
             }
             else
             {
-                collectFrom(_body.shape.hierarchy.root);
+                collect(_body.shape.hierarchy.tree);
             }
             var at:Placement = _body.placement;
             var x:Number = at.size * (_low.x + _high.x) / 2;
@@ -113,24 +112,26 @@ package starlogo.search
             point.z = at.z + at.r20 * x + at.r21 * y + at.r22 * z;
         }
 
-        // Finds how far a node and its descendants reach.
-        private function visitFrom(root:HierarchyNode):void
+        // Finds how far a tree reaches.
+        private function visit(tree:BoxTree):void
         {
-            _nodes[0] = root;
+            _nodes[0] = 0;
             _limits[0] = Infinity;
             for (var top:int = 0; top >= 0; top--)
             {
-                var node:HierarchyNode = _nodes[top];
-                var limit:Number = Math.min(_limits[top], supportOf(node.writeBox(_box)));
+                var node:int = _nodes[top];
+                var limit:Number = Math.min(_limits[top], supportOf(tree.writeBox(node, _box)));
                 if (limit <= _best)
                 {
                     continue;
                 }
-                if (node.goesBelow(_depth))
+                if (tree.stop[node] < _depth)
                 {
-                    var along:Number = node.splitAxis == 0 ? _direction.x : node.splitAxis == 1 ? _direction.y : _direction.z;
-                    _nodes[top] = along > 0 ? node.low : node.high;
-                    _nodes[top + 1] = along > 0 ? node.high : node.low;
+                    var low:int = tree.low[node];
+                    var axis:int = tree.axisOf(node);
+                    var along:Number = axis == 0 ? _direction.x : axis == 1 ? _direction.y : _direction.z;
+                    _nodes[top] = along > 0 ? low : low + 1;
+                    _nodes[top + 1] = along > 0 ? low + 1 : low;
                     _limits[top] = _limits[top + 1] = limit;
                     top += 2;
                 }
@@ -140,36 +141,36 @@ package starlogo.search
                 }
                 else
                 {
-                    reachTo(node);
+                    reachTo(tree.first[node], tree.end[node]);
                 }
             }
         }
 
-        private function reachTo(leaf:HierarchyNode):void
+        private function reachTo(first:int, end:int):void
         {
             var farthest:Number = _best;
-            for (var i:int = 9 * leaf.first; i < 9 * leaf.end; i += 3)
+            for (var i:int = 9 * first; i < 9 * end; i += 3)
             {
                 farthest = Math.max(farthest, _corners[i] * _direction.x + _corners[int(i + 1)] * _direction.y + _corners[int(i + 2)] * _direction.z);
             }
             _best = farthest;
         }
 
-        // Adds the farthest points of a node and its descendants.
-        private function collectFrom(root:HierarchyNode):void
+        // Adds the farthest points of a tree.
+        private function collect(tree:BoxTree):void
         {
-            _nodes[0] = root;
+            _nodes[0] = 0;
             for (var top:int = 0; top >= 0; top--)
             {
-                var node:HierarchyNode = _nodes[top];
-                if (supportOf(node.writeBox(_box)) < _least)
+                var node:int = _nodes[top];
+                if (supportOf(tree.writeBox(node, _box)) < _least)
                 {
                     continue;
                 }
-                if (node.goesBelow(_depth))
+                if (tree.stop[node] < _depth)
                 {
-                    _nodes[top] = node.high;
-                    _nodes[top + 1] = node.low;
+                    _nodes[top] = tree.low[node] + 1;
+                    _nodes[top + 1] = tree.low[node];
                     top += 2;
                 }
                 else if (_corners == null)
@@ -178,14 +179,14 @@ package starlogo.search
                 }
                 else
                 {
-                    addCorners(node);
+                    addCorners(tree.first[node], tree.end[node]);
                 }
             }
         }
 
-        private function addCorners(leaf:HierarchyNode):void
+        private function addCorners(first:int, end:int):void
         {
-            for (var i:int = 9 * leaf.first; i < 9 * leaf.end; i += 3)
+            for (var i:int = 9 * first; i < 9 * end; i += 3)
             {
                 _added.setTo(_corners[i], _corners[int(i + 1)], _corners[int(i + 2)]);
                 if (along(_added) >= _least)

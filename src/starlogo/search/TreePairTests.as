@@ -4,7 +4,7 @@ package starlogo.search
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
-    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.solid.TreeDistanceQuery;
     import starlogo.solid.TreeImpactQuery;
     import starlogo.solid.TreeOverlapQuery;
@@ -112,7 +112,7 @@ package starlogo.search
         public function depthOf(body:Body):int
         {
             var depth:int = body.depth == 0 ? maxDepth : body.depth;
-            return exact || depth > HierarchyNode.LARGEST_DEPTH ? HierarchyNode.LARGEST_DEPTH : depth;
+            return exact || depth > BoxTree.LARGEST_DEPTH ? BoxTree.LARGEST_DEPTH : depth;
         }
 
         /** Writes the numbers of tests, and sets them to 0. */

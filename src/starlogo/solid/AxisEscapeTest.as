@@ -3,9 +3,8 @@ package starlogo.solid
     import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.MovingBoxTraversal;
-    import starlogo.hierarchy.PackedTree;
     import starlogo.intersection.TriangleTest;
 
     use namespace engine;
@@ -19,10 +18,10 @@ package starlogo.solid
         private var _boxes:MovingBoxTraversal = new MovingBoxTraversal();
 
         /** Whether a ray from the point along one of the six directions of the axes meets no leaf of the tree. */
-        public function hasOpenSide(point:Vector3D, root:HierarchyNode, tree:PackedTree):Boolean
+        public function hasOpenSide(point:Vector3D, tree:BoxTree):Boolean
         {
             // Corners may move when seams are welded.
-            var margin:Number = 8 * Tolerances.WELDING * (root.radius + Math.abs(root.x) + Math.abs(root.y) + Math.abs(root.z));
+            var margin:Number = 8 * Tolerances.WELDING * (tree.radius + Math.abs(tree.boxes[0]) + Math.abs(tree.boxes[1]) + Math.abs(tree.boxes[2]));
             _boxes.setPlace(point.x, point.y, point.z, margin);
             for (var i:int = 5; i >= 0; i--)
             {

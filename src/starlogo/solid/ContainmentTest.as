@@ -8,7 +8,7 @@ package starlogo.solid
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.RelativePose;
 
     use namespace engine;
@@ -46,11 +46,11 @@ package starlogo.solid
             // A getter is a call, and every pair that does not touch comes here.
             var solidA:Solid = a.readySolid == null ? a.solid : a.readySolid;
             var solidB:Solid = b.readySolid == null ? b.solid : b.readySolid;
-            var rootA:HierarchyNode = a.root;
-            var rootB:HierarchyNode = b.root;
+            var treeA:BoxTree = a.tree;
+            var treeB:BoxTree = b.tree;
             var size:Number = pose.placement.size;
-            return (solidA.isClosed && solidB.leastPartExtent * size <= 2 * rootA.radius && hasPartInside(rootA, solidA, solidB, pose.placement, false))
-                || (solidB.isClosed && solidA.leastPartExtent <= 2 * rootB.radius * size && hasPartInside(rootB, solidB, solidA, pose.placement, true));
+            return (solidA.isClosed && solidB.leastPartExtent * size <= 2 * treeA.radius && hasPartInside(treeA, solidA, solidB, pose.placement, false))
+                || (solidB.isClosed && solidA.leastPartExtent <= 2 * treeB.radius * size && hasPartInside(treeB, solidB, solidA, pose.placement, true));
         }
 
         /**
@@ -91,7 +91,7 @@ package starlogo.solid
         // Whether a part of the inner model is inside of the outer one. If isOfFirst, the inner model is the first one, otherwise the
         // second one. The numbers transform a point of the inner model into the outer model's space, relative to the middle of its root's
         // box.
-        private function hasPartInside(root:HierarchyNode, outer:Solid, inner:Solid, relative:Placement, isOfFirst:Boolean):Boolean
+        private function hasPartInside(tree:BoxTree, outer:Solid, inner:Solid, relative:Placement, isOfFirst:Boolean):Boolean
         {
             var scale:Number = isOfFirst ? 1 / relative.size : relative.size;
             var m00:Number = relative.r00 * scale;
@@ -112,16 +112,17 @@ package starlogo.solid
                 moveY = -m10 * relative.x - m11 * relative.y - m12 * relative.z;
                 moveZ = -m20 * relative.x - m21 * relative.y - m22 * relative.z;
             }
-            moveX -= root.x;
-            moveY -= root.y;
-            moveZ -= root.z;
+            var box:Vector.<Number> = tree.boxes;
+            moveX -= box[0];
+            moveY -= box[1];
+            moveZ -= box[2];
             isPointOfSecond = isOfFirst;
             var points:Vector.<Number> = inner.partPoints;
             var length:int = points.length;
             var stride:int = 3 * Solid.POINTS_PER_PART;
-            var halfX:Number = root.halfX;
-            var halfY:Number = root.halfY;
-            var halfZ:Number = root.halfZ;
+            var halfX:Number = box[3];
+            var halfY:Number = box[4];
+            var halfZ:Number = box[5];
             var x:Number = 0;
             var y:Number = 0;
             var z:Number = 0;
@@ -153,9 +154,9 @@ package starlogo.solid
                 }
                 if (at == end)
                 {
-                    innerPoint.x = x + root.x;
-                    innerPoint.y = y + root.y;
-                    innerPoint.z = z + root.z;
+                    innerPoint.x = x + box[0];
+                    innerPoint.y = y + box[1];
+                    innerPoint.z = z + box[2];
                     if (outer.isInside(innerPoint))
                     {
                         return true;

@@ -4,7 +4,7 @@ package starlogo.solid
     import starlogo.convex.ConvexPair;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
-    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
 
@@ -42,21 +42,20 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
+        override public function touch(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
         {
-            _triangles.move(b);
-            var count:int = b.end - b.first;
+            var count:int = _triangles.move(treeB, b);
             for (var i:int = 0; i < count && points.distance > 0; i++)
             {
-                addTriangle(a, i);
+                addTriangle(treeA.first[a], treeA.end[a], i);
             }
             var isNearer:Boolean = points.distance < least;
             least = points.distance;
             return isNearer;
         }
 
-        // Adds each triangle of a leaf of the first model, paired with a triangle of the second.
-        private function addTriangle(a:HierarchyNode, triangle:int):void
+        // Adds each triangle of a range of the first model, paired with a triangle of the second.
+        private function addTriangle(first:int, end:int, triangle:int):void
         {
             var solid:Solid = _triangles.solidA;
             var corners:Vector.<Number> = _triangles.moved;
@@ -72,9 +71,8 @@ package starlogo.solid
             var limit:Number = _squared;
             var isProjected:Boolean = false;
             extents = solid.extents;
-            var end:int = a.end;
             _b.setTriangle(corners, at);
-            for (var i:int = a.first; i < end; i++)
+            for (var i:int = first; i < end; i++)
             {
                 extent = 6 * i;
                 var squared:Number = 0;

@@ -3,7 +3,7 @@ package starlogo.solid
     import starlogo.convex.ConvexPair;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
-    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.areTrianglesApart;
@@ -26,13 +26,12 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
+        override public function touch(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
         {
-            _triangles.move(b);
-            var count:int = b.end - b.first;
+            var count:int = _triangles.move(treeB, b);
             for (var i:int = 0; i < count; i++)
             {
-                if (touchesSome(i, a))
+                if (touchesSome(i, treeA.first[a], treeA.end[a]))
                 {
                     return true;
                 }
@@ -40,8 +39,8 @@ package starlogo.solid
             return false;
         }
 
-        // Whether a triangle of the second model touches a triangle in a leaf of the first.
-        private function touchesSome(triangle:int, a:HierarchyNode):Boolean
+        // Whether a triangle of the second model touches a triangle in a range of the first.
+        private function touchesSome(triangle:int, first:int, end:int):Boolean
         {
             var solid:Solid = _triangles.solidA;
             var at:int = 6 * triangle;
@@ -67,10 +66,9 @@ package starlogo.solid
             extents = solid.extents;
             var planes:Vector.<Number> = solid.planes;
             var off:Number = gap + solid.flatness;
-            var end:int = a.end;
             _b.setTriangle(corners, corner);
             _b.margin += _triangles.gap;
-            for (var i:int = a.first; i < end; i++)
+            for (var i:int = first; i < end; i++)
             {
                 at = 6 * i;
                 if (extents[at] > maxX || extents[int(at + 3)] < minX || extents[int(at + 1)] > maxY

@@ -3,7 +3,7 @@ package starlogo.solid
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
-    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.ConvexTriangle;
@@ -43,10 +43,11 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
+        override public function touch(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
         {
             var isNearer:Boolean = false;
-            for (var i:int = a.first; i < a.end && _nearest.distance > 0; i++)
+            var end:int = treeA.end[a];
+            for (var i:int = treeA.first[a]; i < end && _nearest.distance > 0; i++)
             {
                 if (squaredGap(_extents, _solid.corners, 9 * i) < _nearest.distance * _nearest.distance)
                 {

@@ -8,7 +8,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
-    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.MovingBoxTraversal;
     import starlogo.hierarchy.RelativePose;
@@ -71,7 +71,7 @@ package starlogo.solid
             _solid = model.facets;
             _motion = motion;
             _test.begin(structure, pose.placement);
-            _test.shape.margin += pose.gap + Touching.marginOfSurface(model.root.radius);
+            _test.shape.margin += pose.gap + Touching.marginOfSurface(model.tree.radius);
             _test.structure.extentsInto(_extents);
             var extents:Vector.<Number> = _extents;
             var gap:Number = _test.shape.margin;
@@ -137,11 +137,11 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
+        override public function touch(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
         {
             var wasFound:Boolean = _isFound;
             var before:Number = least;
-            look(a.first, a.end);
+            look(treeA.first[a], treeA.end[a]);
             least = Math.max(0, least);
             return least < before || _isFound != wasFound;
         }

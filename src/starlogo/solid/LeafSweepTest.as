@@ -5,7 +5,7 @@ package starlogo.solid
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
-    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
 
@@ -42,9 +42,11 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
+        override public function touch(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
         {
-            _triangles.move(b);
+            var count:int = _triangles.move(treeB, b);
+            var first:int = treeA.first[a];
+            var end:int = treeA.end[a];
             var gap:Number = _triangles.outerGap;
             var solid:Solid = _triangles.solidA;
             var motion:RelativeMotion = _motion;
@@ -55,7 +57,7 @@ package starlogo.solid
             var extents:Vector.<Number> = solid.extents;
             // Higher indices come first, as in the traversal. So if several triangles touch at the same time, the result does not depend on
             // where leaves end.
-            for (var k:int = b.end - b.first - 1; k >= 0; k--)
+            for (var k:int = count - 1; k >= 0; k--)
             {
                 // the extents of the triangle during its motion until <code>latest</code>
                 var span:int = 6 * k;
@@ -76,7 +78,7 @@ package starlogo.solid
                 maxZ = way > 0 ? maxZ + way : maxZ;
                 _b.setTriangle(corners, 9 * k);
                 _b.margin += _triangles.gap;
-                for (var i:int = a.end - 1; i >= a.first; i--)
+                for (var i:int = end - 1; i >= first; i--)
                 {
                     var extent:int = 6 * i;
                     if (extents[extent] > maxX || extents[int(extent + 3)] < minX || extents[int(extent + 1)] > maxY
@@ -97,7 +99,7 @@ package starlogo.solid
                     {
                         least = latest = impact;
                         _firstA = 9 * i;
-                        _firstB = 9 * (b.first + k);
+                        _firstB = 9 * (treeB.first[b] + k);
                         if (impact == 0)
                         {
                             return true;

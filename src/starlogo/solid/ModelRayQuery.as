@@ -3,7 +3,6 @@ package starlogo.solid
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.engine;
-    import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.MovingBoxTraversal;
     import starlogo.hierarchy.RayTraversal;
     import starlogo.intersection.ray.Ray;
@@ -56,13 +55,13 @@ package starlogo.solid
             {
                 return findTriangle(hierarchy, ray);
             }
-            return _nodes.findHit(hierarchy.root, exact ? int.MAX_VALUE : depth, ray);
+            return _nodes.findHit(hierarchy.tree, exact ? int.MAX_VALUE : depth, ray);
         }
 
         private function findTriangle(hierarchy:SolidHierarchy, ray:Ray):Boolean
         {
             var solid:Solid = hierarchy.facets;
-            _triangles.begin(ray, solid.corners, reachOf(hierarchy.root));
+            _triangles.begin(ray, solid.corners, reachOf(hierarchy.tree.boxes));
             _boxes.setPlace(ray.x, ray.y, ray.z, 0);
             _boxes.setMotion(ray.directionX, ray.directionY, ray.directionZ);
             _boxes.from = ray.from;
@@ -72,7 +71,7 @@ package starlogo.solid
             {
                 return false;
             }
-            triangle = hierarchy.order[found];
+            triangle = hierarchy.tree.order[found];
             ray.from = _triangles.least;
             ray.faceBack();
             _face.setTriangleNormal(solid.corners, 9 * found);
@@ -85,10 +84,10 @@ package starlogo.solid
         }
 
         // The radius of a sphere about the model's origin that encloses all triangles. The rounding error is relative to it.
-        private static function reachOf(root:HierarchyNode):Number
+        private static function reachOf(boxes:Vector.<Number>):Number
         {
-            var reach:Number = Math.max(Math.abs(root.x) + root.halfX, Math.abs(root.y) + root.halfY);
-            return Math.sqrt(3) * Math.max(reach, Math.abs(root.z) + root.halfZ);
+            var reach:Number = Math.max(Math.abs(boxes[0]) + boxes[3], Math.abs(boxes[1]) + boxes[4]);
+            return Math.sqrt(3) * Math.max(reach, Math.abs(boxes[2]) + boxes[5]);
         }
     }
 }

@@ -4,7 +4,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
-    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.RelativePose;
 
     use namespace engine;
@@ -46,22 +46,23 @@ package starlogo.solid
             solidA = a.facets;
             solidB = b.facets;
             _first = -1;
-            gap = pose.gap + Touching.marginOfSurface(a.root.radius + b.root.radius * pose.placement.size);
+            gap = pose.gap + Touching.marginOfSurface(a.tree.radius + b.tree.radius * pose.placement.size);
             outerGap = 2 * gap + Tolerances.EXTENTS * (Math.abs(pose.motion.x) + Math.abs(pose.motion.y) + Math.abs(pose.motion.z));
         }
 
-        /** Computes the triangles of a leaf of the second model. If the leaf is the same as the last one, they are kept. */
-        public function move(leaf:HierarchyNode):void
+        /** Computes the triangles of a leaf of the second model, and returns their number. If the leaf is the same as the last one, they are kept. */
+        public function move(tree:BoxTree, leaf:int):int
         {
-            if (leaf.first == _first)
+            var first:int = tree.first[leaf];
+            var count:int = tree.end[leaf] - first;
+            if (first == _first)
             {
-                return;
+                return count;
             }
-            _first = leaf.first;
-            pose.placement.movePoints(solidB.corners, 9 * leaf.first, 9 * leaf.end, moved);
+            _first = first;
+            pose.placement.movePoints(solidB.corners, 9 * first, 9 * (first + count), moved);
             var corners:Vector.<Number> = moved;
             var spans:Vector.<Number> = extents;
-            var count:int = leaf.end - leaf.first;
             if (spans.length < 6 * count)
             {
                 spans.length = 6 * count;
@@ -70,6 +71,7 @@ package starlogo.solid
             {
                 writeTriangleExtents(corners, 9 * i, spans, 6 * i);
             }
+            return count;
         }
     }
 }

@@ -5,9 +5,8 @@ package starlogo.solid
     import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.MovingBoxTraversal;
-    import starlogo.hierarchy.PackedTree;
     import starlogo.intersection.TriangleTest;
 
     use namespace engine;
@@ -22,7 +21,7 @@ package starlogo.solid
         public static const POINTS_PER_PART:int = 6;
 
         /** The boxes around the triangles. */
-        public var tree:PackedTree = null;
+        public var tree:BoxTree;
 
         /** The triangles' corners: nine numbers each. */
         public var corners:Vector.<Number>;
@@ -65,8 +64,6 @@ package starlogo.solid
         private var _extents:Vector.<Number> = null;
         private var _face:ContactPoint = new ContactPoint();
 
-        private var _root:HierarchyNode;
-        private var _order:Vector.<int>;
         private var _reach:Number; // a distance from the origin that contains all triangles
         private var _boxes:MovingBoxTraversal = new MovingBoxTraversal();
 
@@ -81,20 +78,17 @@ package starlogo.solid
         private var _c:Number;
         private var _isBackward:Boolean;
 
-        /**
-         * @param root the node around all triangles
-         * @param order the indices of the triangles, in the hierarchy's order
-         */
-        public function Solid(root:HierarchyNode, order:Vector.<int>)
+        /** @param tree the boxes around the triangles */
+        public function Solid(tree:BoxTree)
         {
-            _root = root;
-            _order = order;
-            _axis = root.halfX <= root.halfY && root.halfX <= root.halfZ ? 0 : (root.halfY <= root.halfZ ? 1 : 2);
+            var box:Vector.<Number> = tree.boxes;
+            this.tree = tree;
+            _axis = box[3] <= box[4] && box[3] <= box[5] ? 0 : (box[4] <= box[5] ? 1 : 2);
             _axisB = (_axis + 1) % 3;
             _axisC = (_axis + 2) % 3;
-            _reach = root.radius + Math.abs(root.x) + Math.abs(root.y) + Math.abs(root.z);
+            _reach = tree.radius + Math.abs(box[0]) + Math.abs(box[1]) + Math.abs(box[2]);
             flatness = Tolerances.PLANES * _reach;
-            corners = new Vector.<Number>(9 * order.length, true);
+            corners = new Vector.<Number>(9 * tree.order.length, true);
             least = Infinity;
         }
 
@@ -132,7 +126,7 @@ package starlogo.solid
         /** One more than the number of a triangle's piece, negative if the triangle is reversed; 0 without area. */
         public function sideOf(triangle:int):int
         {
-            return surface.signedPieces[_order[triangle]];
+            return surface.signedPieces[tree.order[triangle]];
         }
 
         /** Places the planes of a range of triangles. Must be called for all triangles before the planes are read. */
@@ -189,11 +183,10 @@ package starlogo.solid
          */
         public function wind(x:Number, y:Number, z:Number):void
         {
-            var root:HierarchyNode = _root;
             _a = _axis == 0 ? x : (_axis == 1 ? y : z);
             _b = _axis == 0 ? y : (_axis == 1 ? z : x);
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
-            _isBackward = _axis == 0 ? x < root.x : (_axis == 1 ? y < root.y : z < root.z);
+            _isBackward = _a < tree.boxes[_axis];
             var margin:Number = surface.widestSeam + Tolerances.ROUNDING * _reach;
             _boxes.setPlace(x, y, z, margin);
             _boxes.setAxis(_axis, _isBackward ? -1 : 1);

@@ -1,14 +1,13 @@
 package starlogo.solid
 {
     import starlogo.engine;
-    import starlogo.hierarchy.HierarchyBuilder;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     use namespace engine;
 
     /**
-     * Prepares a hierarchy for exact tests, in steps. First come the triangles: boxes down to a few of them, and their corners in this order.
+     * Prepares a hierarchy for exact tests, in steps. First come the corners of the triangles in the order of the tree.
      * Then comes their inside: the surface that they make, its cavities, and the outermost points of its parts. If the surface is known
      * already, most of the work is not needed.
      */
@@ -45,13 +44,12 @@ package starlogo.solid
         public function SolidBuilder(hierarchy:SolidHierarchy, findsInside:Boolean)
         {
             _hierarchy = hierarchy;
-            _order = hierarchy.order;
+            _order = hierarchy.tree.order;
             _surface = hierarchy.surface;
             _solid = hierarchy.readyFacets;
             if (_solid == null)
             {
-                _solid = new Solid(hierarchy.root, _order);
-                add(new HierarchyBuilder(hierarchy));
+                _solid = new Solid(hierarchy.tree);
                 sliced(placeCorners).call(keepTriangles);
             }
             if (findsInside && _surface == null)
@@ -76,13 +74,12 @@ package starlogo.solid
 
         private function keepTriangles():void
         {
-            _solid.tree = _hierarchy.tree;
             _hierarchy.readyFacets = _solid;
         }
 
         private function newSurface():Steps
         {
-            _builder = new SurfaceBuilder(_hierarchy.vertices, _hierarchy.triangles);
+            _builder = new SurfaceBuilder(_hierarchy.tree.vertices, _hierarchy.tree.triangles);
             _surface = _builder.surface;
             return _builder;
         }
@@ -94,7 +91,7 @@ package starlogo.solid
             _solid.windings = new Vector.<int>(_surface.pieceStates.length, true);
             if (_surface.widestSeam > 0)
             {
-                _welding = new Welding(_hierarchy.vertices);
+                _welding = new Welding(_hierarchy.tree.vertices);
                 _solid.placesAt = new Vector.<int>(_order.length, true);
                 add(_welding);
                 sliced(weld);

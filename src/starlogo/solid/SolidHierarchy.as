@@ -2,13 +2,15 @@ package starlogo.solid
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
-    import starlogo.hierarchy.Hierarchy;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.HierarchyNode;
     import starlogo.steps.finish;
 
     use namespace engine;
 
     /**
-     * A model's hierarchy, together with the solid that its triangles make. For the engine.
+     * A model's tree, together with the solid that its triangles make. The tree does not change. The solid is prepared when it is first needed, or when the
+     * model is loaded. For the engine.
      *
      * <p>The package solid says how two models meet whose hierarchies, and for exact tests whose triangles, decide: whether they overlap, when they
      * first touch, how far they are apart. A query for each of these (TreeOverlapQuery, TreeImpactQuery, TreeDistanceQuery) finds pairs of leaves
@@ -17,8 +19,11 @@ package starlogo.solid
      *
      * @private
      */
-    public final class SolidHierarchy extends Hierarchy
+    public final class SolidHierarchy
     {
+        /** @private The tree of the model's triangles or vertices. */
+        engine var tree:BoxTree;
+
         private static const OPEN:AxisEscapeTest = new AxisEscapeTest();
 
         /** @private The surface, or null if nothing is known of it. */
@@ -30,11 +35,26 @@ package starlogo.solid
         /** The value of <code>facets</code>, or null if that is not prepared yet. */
         internal var readyFacets:Solid = null;
 
-        /** @inheritDoc */
-        public function SolidHierarchy(vertices:Vector.<Number>, triangles:Vector.<uint>, minVerticesToSplit:int, maxDepth:int,
-                splitByMean:Boolean)
+        // Null until a client asks for it.
+        private var _root:HierarchyNode = null;
+
+        /** @param tree the tree of the model's triangles or vertices. Its nodes may be made later */
+        public function SolidHierarchy(tree:BoxTree)
         {
-            super(vertices, triangles, minVerticesToSplit, maxDepth, splitByMean);
+            this.tree = tree;
+        }
+
+        /** @private The root, as clients see it. */
+        engine function get root():HierarchyNode
+        {
+            _root ||= HierarchyNode.of(tree, 0);
+            return _root;
+        }
+
+        /** @private Whether the tree is one of triangles; otherwise it is one of vertices. */
+        engine function get hasTriangles():Boolean
+        {
+            return tree.triangles != null;
         }
 
         /**
@@ -63,11 +83,12 @@ package starlogo.solid
          */
         internal function isInside(middle:Vector3D, radius:Number):Boolean
         {
-            var isOutside:Boolean = !hasTriangles || Math.abs(middle.x - root.x) > root.halfX - radius
-                || Math.abs(middle.y - root.y) > root.halfY - radius || Math.abs(middle.z - root.z) > root.halfZ - radius;
+            var box:Vector.<Number> = tree.boxes;
+            var isOutside:Boolean = !hasTriangles || Math.abs(middle.x - box[0]) > box[3] - radius || Math.abs(middle.y - box[1]) > box[4] - radius
+                || Math.abs(middle.z - box[2]) > box[5] - radius;
             if (!isOutside && readySolid == null)
             {
-                isOutside = OPEN.hasOpenSide(middle, root, facets.tree);
+                isOutside = OPEN.hasOpenSide(middle, tree);
             }
             return !isOutside && solid.isClosed && readySolid.isInside(middle);
         }
@@ -83,11 +104,11 @@ package starlogo.solid
          */
         internal function writeCorners(first:int, end:int, welded:Vector.<int>, out:Vector.<Number>, to:int):void
         {
-            var vertices:Vector.<Number> = this.vertices;
-            var triangles:Vector.<uint> = this.triangles;
+            var vertices:Vector.<Number> = tree.vertices;
+            var triangles:Vector.<uint> = tree.triangles;
             for (var i:int = first; i < end; i++)
             {
-                var corner:int = 3 * order[i];
+                var corner:int = 3 * tree.order[i];
                 for (var last:int = corner + 3; corner < last; corner++)
                 {
                     var at:int = triangles[corner];
@@ -106,7 +127,7 @@ package starlogo.solid
 
         /**
          * @private The corners of the triangles, in the order of the hierarchy: nine numbers each. Only for models with triangles. The first call
-         *     prepares the triangles, which changes the nodes below the thesis's leaves. So call it before a visit of these nodes begins.
+         *     prepares them.
          */
         engine function get corners():Vector.<Number>
         {

@@ -1,6 +1,7 @@
 package starlogo.solid
 {
     import starlogo.engine;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.HierarchyBuilder;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -9,7 +10,7 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Builds a model's hierarchy in steps, and on request prepares its triangles for exact tests. For the engine. Clients use the
+     * Makes a model's tree in steps, and on request prepares its triangles for exact tests. For the engine. Clients use the
      * HierarchiesLibrary.
      *
      * @private
@@ -19,22 +20,35 @@ package starlogo.solid
         /** The hierarchy. It is complete after the last step. */
         public var hierarchy:SolidHierarchy;
 
+        /** A node of the tree on this level is a leaf of the thesis. */
+        public var maxDepth:int;
+
         /** Whether no step is left. */
         public var isDone:Boolean = false;
 
+        private var _minVerticesToSplit:int;
+        private var _splitByMean:Boolean;
         private var _stored:Steps = null;
 
         /**
          * Creates a builder that has not begun yet.
          *
-         * @param hierarchy without nodes; receives them
+         * @param vertices x, y, z of each
+         * @param triangles three vertex indices each, or null if the vertices are the items
+         * @param minVerticesToSplit a node with at most this many vertices is a leaf of the thesis
+         * @param maxDepth a node on this level is a leaf of the thesis
+         * @param splitByMean whether to split at the mean, down to the thesis's leaves
          * @param preparesExact whether to prepare the triangles for exact tests and rays now; otherwise the first of these does
          */
-        public function SolidHierarchyBuilder(hierarchy:SolidHierarchy, preparesExact:Boolean = false)
+        public function SolidHierarchyBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>, minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean,
+                preparesExact:Boolean = false)
         {
-            this.hierarchy = hierarchy;
+            hierarchy = new SolidHierarchy(new BoxTree(vertices, triangles));
+            _minVerticesToSplit = minVerticesToSplit;
+            this.maxDepth = maxDepth;
+            _splitByMean = splitByMean;
             begin(readStored).begin(divide);
-            if (preparesExact && hierarchy.hasTriangles)
+            if (preparesExact && triangles != null)
             {
                 begin(newSolid);
             }
@@ -43,7 +57,7 @@ package starlogo.solid
         /**
          * Uses stored results, which saves most of the work. Must be called before the first step.
          *
-         * @param tree makes the nodes again; not begun yet. If it makes none, the items are divided as usual
+         * @param tree makes the tree again; not begun yet. If it makes none, the items are divided as usual
          * @param surface null if nothing is known of it
          */
         public function useStored(tree:Steps, surface:SurfaceTopology):void
@@ -86,12 +100,12 @@ package starlogo.solid
 
         private function divide():Steps
         {
-            if (hierarchy.root != null)
+            if (hierarchy.tree.isMade)
             {
                 return null;
             }
             _stored = null;
-            return new HierarchyBuilder(hierarchy);
+            return new HierarchyBuilder(hierarchy.tree, _minVerticesToSplit, maxDepth, _splitByMean);
         }
 
         private function newSolid():Steps

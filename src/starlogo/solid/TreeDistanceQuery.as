@@ -81,7 +81,7 @@ package starlogo.solid
         private function measureTree(a:SolidHierarchy, depthA:int, b:SolidHierarchy, depthB:int, isExact:Boolean):void
         {
             _boxes.structure = null;
-            _boxes.find(_pose, a.root, depthA, b.root, depthB, isExact ? _trianglePairs.begin(a, b, _pose) : null);
+            _boxes.find(_pose, a.tree, depthA, b.tree, depthB, isExact ? _trianglePairs.begin(a, b, _pose) : null);
         }
 
         private function measureStructure(a:SolidHierarchy, depthA:int, b:BoundingStructure, isExact:Boolean):void
@@ -94,7 +94,7 @@ package starlogo.solid
             }
             _leaf.begin(b, _pose);
             _boxes.structure = _leaf.moved;
-            _boxes.find(_leaf.pose, a.root, depthA, _leaf.node, 1, decider);
+            _boxes.find(_leaf.pose, a.tree, depthA, _leaf.tree, 1, decider);
         }
     }
 }

@@ -129,8 +129,8 @@ package starlogo.solid
             }
             else
             {
-                var b:BoundingStructure = pair.b == null ? pair.structureB : pair.b.root.writeBox(_boxB);
-                findContactOf(pair.a.root.writeBox(_boxA), pair.placementA, b, motion, out);
+                var b:BoundingStructure = pair.b == null ? pair.structureB : pair.b.tree.writeBox(0, _boxB);
+                findContactOf(pair.a.tree.writeBox(0, _boxA), pair.placementA, b, motion, out);
             }
         }
 
@@ -176,7 +176,7 @@ package starlogo.solid
             _pose.relateMotion(pair.placementA, motion);
             if (b != null)
             {
-                _boxes.find(_pose, a.root, pair.depthA, b.root, pair.depthB, isExact ? _trianglePairs.begin(a, b, _pose) : null);
+                _boxes.find(_pose, a.tree, pair.depthA, b.tree, pair.depthB, isExact ? _trianglePairs.begin(a, b, _pose) : null);
                 _pose.motion.time = _boxes.least;
                 return;
             }
@@ -191,7 +191,7 @@ package starlogo.solid
                 }
             }
             _leaf.begin(pair.structureB, _pose);
-            _boxes.find(_leaf.pose, a.root, pair.depthA, _leaf.node, 1, isExact ? _triangles : _leaf.decider);
+            _boxes.find(_leaf.pose, a.tree, pair.depthA, _leaf.tree, 1, isExact ? _triangles : _leaf.decider);
             _pose.motion.time = _boxes.least;
         }
 
@@ -200,8 +200,8 @@ package starlogo.solid
         {
             if (!pair.isExact)
             {
-                var b:BoundingStructure = pair.b == null ? pair.structureB : _boxes.firstB.writeBox(_boxB);
-                findContactOf(_boxes.firstA.writeBox(_boxA), pair.placementA, b, motion, out);
+                var b:BoundingStructure = pair.b == null ? pair.structureB : pair.b.tree.writeBox(_boxes.firstB, _boxB);
+                findContactOf(pair.a.tree.writeBox(_boxes.firstA, _boxA), pair.placementA, b, motion, out);
                 return;
             }
             var decider:LeafTest = pair.b == null ? _triangles : _trianglePairs;

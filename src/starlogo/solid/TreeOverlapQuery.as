@@ -5,7 +5,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTraversal;
-    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.StructureLeaf;
@@ -86,20 +86,20 @@ package starlogo.solid
                 decider = _trianglePairs.begin(a, b, pose);
                 depthA = depthB = int.MAX_VALUE;
             }
-            var second:HierarchyNode;
+            var second:BoxTree;
             if (b != null)
             {
-                second = b.root;
+                second = b.tree;
             }
             else
             {
                 _leaf.begin(structureB, pose);
                 decider = _leaf.decider;
                 pose = _leaf.pose;
-                second = _leaf.node;
+                second = _leaf.tree;
             }
             // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
-            return _boxes.find(pose, a.root, depthA, second, depthB, decider)
+            return _boxes.find(pose, a.tree, depthA, second, depthB, decider)
                 || ((_boxes.rootsOverlapped || decider != null) && isOneInside(a, b, structureB));
         }
 
@@ -140,7 +140,7 @@ package starlogo.solid
                 return _triangles.find();
             }
             _leaf.begin(structureB, _pose);
-            return _boxes.find(_leaf.pose, a.root, int.MAX_VALUE, _leaf.node, 1, _triangles);
+            return _boxes.find(_leaf.pose, a.tree, int.MAX_VALUE, _leaf.tree, 1, _triangles);
         }
     }
 }

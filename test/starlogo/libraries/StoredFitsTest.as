@@ -11,7 +11,6 @@ package starlogo.libraries
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
-    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
     import starlogo.collision.Collider;
     import starlogo.engine;
@@ -123,18 +122,15 @@ package starlogo.libraries
             assertEquals(LibraryContents.of(_greatLand, "sphere"), LibraryContents.of(land, "sphere"));
         }
 
-        // So it is what earlier versions of the engine write and read.
         [Test]
-        public function aFileWithoutAHullHasTheFirstVersion():void
+        public function filesOfOtherVersionsAreRefused():void
         {
-            var model:Model = bear();
-            var plain:ByteArray = _greatLand.bake(model);
-            _greatLand.loadHulls = true;
-            var baked:ByteArray = _greatLand.bake(model);
-            assertEquals("1, 2", plain[4] + ", " + baked[4]);
-            take(_greatLand, model, plain);
-            assertTrue(_greatLand.boundingStructures.hull("bear") is Hull);
-            assertEquals(_greatLand.bake(model).length, baked.length);
+            var baked:ByteArray = _greatLand.bake(bear());
+            for each (var version:int in [1, 2, 4])
+            {
+                baked[4] = version;
+                assertThrows(ModelError, /"bear".*another version of the engine: cook it again/, CookedModel.fromBytes, "bear", baked);
+            }
         }
 
         [Test]

@@ -140,7 +140,7 @@ package starlogo.solid
             var ray:Ray = new Ray();
             // one alone, and none that has an area
             var one:SolidHierarchy = hierarchyOf(new Model("one", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2]));
-            ray.aim(new Vector3D(one.vertices[0], one.vertices[1], -2), new Vector3D(0, 0, 1));
+            ray.aim(new Vector3D(one.tree.vertices[0], one.tree.vertices[1], -2), new Vector3D(0, 0, 1));
             assertEquals("through its corner", 2, distanceAt(one, 1, true, ray));
             var line:SolidHierarchy = hierarchyOf(new Model("line", new <Number>[0, 0, 0, 1, 0, 0, 2, 0, 0], new <uint>[0, 1, 2]));
             ray.aim(new Vector3D(0.1, 0, -2), new Vector3D(0, 0, 1));
@@ -217,7 +217,7 @@ package starlogo.solid
 
         private static function hierarchyOf(model:Model):SolidHierarchy
         {
-            var builder:SolidHierarchyBuilder = new SolidHierarchyBuilder(new SolidHierarchy(model.vertices, model.triangles, 5, 10, false));
+            var builder:SolidHierarchyBuilder = new SolidHierarchyBuilder(model.vertices, model.triangles, 5, 10, false);
             finish(builder);
             return builder.hierarchy;
         }
@@ -249,11 +249,11 @@ package starlogo.solid
 
         private function pointInside(hierarchy:SolidHierarchy):Vector3D
         {
-            var root:HierarchyNode = hierarchy.root;
+            var box:Vector.<Number> = hierarchy.tree.boxes;
             var point:Vector3D = new Vector3D();
             do
             {
-                point.setTo(root.x + root.halfX * _random.between(-1, 1), root.y + root.halfY * _random.between(-1, 1), root.z + root.halfZ * _random.between(-1, 1));
+                point.setTo(box[0] + box[3] * _random.between(-1, 1), box[1] + box[4] * _random.between(-1, 1), box[2] + box[5] * _random.between(-1, 1));
             }
             while (!hierarchy.solid.isInside(point));
             return point;

@@ -8,6 +8,7 @@ package starlogo.solid
     import starlogo.collision.HierarchicalCollider;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;
@@ -44,13 +45,13 @@ package starlogo.solid
             {
                 var hierarchy:SolidHierarchy = hierarchyOf(model, 4);
                 hierarchy.prepare();
-                var isListed:Vector.<Boolean> = new Vector.<Boolean>(hierarchy.order.length, true);
-                for each (var triangle:int in hierarchy.order)
+                var isListed:Vector.<Boolean> = new Vector.<Boolean>(hierarchy.tree.order.length, true);
+                for each (var triangle:int in hierarchy.tree.order)
                 {
                     assertTrue(!isListed[triangle]);
                     isListed[triangle] = true;
                 }
-                check(hierarchy.root, hierarchy.solid.extents);
+                check(hierarchy.tree, 0, hierarchy.solid.extents);
             }
         }
 
@@ -69,7 +70,7 @@ package starlogo.solid
             assertTrue(hierarchy.root.isLeaf);
             assertNull(hierarchy.root.left);
             assertEquals(37, hierarchy.root.triangleCount);
-            assertEquals(8, check(hierarchy.root, hierarchy.solid.extents));
+            assertEquals(8, check(hierarchy.tree, 0, hierarchy.solid.extents));
         }
 
         // Halfway along x, each division takes the needle that begins first away from all others.
@@ -87,14 +88,19 @@ package starlogo.solid
             var hierarchy:SolidHierarchy = hierarchyOf(new Model("needles", vertices, triangles), 10);
             assertEquals("one at a time", 1, hierarchy.root.left.triangleCount);
             hierarchy.prepare();
-            check(hierarchy.root, hierarchy.solid.extents);
-            var deepest:int = deepestUnder(hierarchy.root);
+            check(hierarchy.tree, 0, hierarchy.solid.extents);
+            var deepest:int = deepestOf(hierarchy.tree);
             assertTrue(deepest + " levels", deepest > 20 && deepest <= Tolerances.NESTED_LEVELS + 12);
         }
 
-        private static function deepestUnder(node:HierarchyNode):int
+        private static function deepestOf(tree:BoxTree):int
         {
-            return node.goesBelow(int.MAX_VALUE) ? Math.max(deepestUnder(node.low), deepestUnder(node.high)) : node.level;
+            var deepest:int = 0;
+            for (var node:int = 0; node < tree.low.length; node++)
+            {
+                deepest = Math.max(deepest, tree.levelOf(node));
+            }
+            return deepest;
         }
 
         [Test]
@@ -123,32 +129,38 @@ package starlogo.solid
         }
 
         // How many leaves there are below a node.
-        private static function check(node:HierarchyNode, extents:Vector.<Number>):int
+        private static function check(tree:BoxTree, node:int, extents:Vector.<Number>):int
         {
-            assertTrue(node.end > node.first);
-            for (var i:int = node.first; i < node.end; i++)
+            var box:Vector.<Number> = tree.boxes.slice(6 * node, 6 * node + 6);
+            var low:int = tree.low[node];
+            var isLeaf:Boolean = tree.stop[node] >= BoxTree.LARGEST_DEPTH;
+            assertTrue(tree.end[node] > tree.first[node]);
+            for (var i:int = tree.first[node]; i < tree.end[node]; i++)
             {
-                assertTrue(node.x - node.halfX < extents[6 * i] && node.y - node.halfY < extents[6 * i + 1] && node.z - node.halfZ < extents[6 * i + 2]);
-                assertTrue(node.x + node.halfX > extents[6 * i + 3] && node.y + node.halfY > extents[6 * i + 4] && node.z + node.halfZ > extents[6 * i + 5]);
+                for (var axis:int = 0; axis < 3; axis++)
+                {
+                    assertTrue(box[axis] - box[axis + 3] < extents[6 * i + axis]);
+                    assertTrue(box[axis] + box[axis + 3] > extents[6 * i + axis + 3]);
+                }
             }
-            if (!node.goesBelow(int.MAX_VALUE))
+            if (low == 0)
             {
-                assertNull(node.high);
-                assertTrue("triangles: " + (node.end - node.first), node.end - node.first <= MOST);
+                assertEquals(int.MAX_VALUE, tree.stop[node]);
+                assertTrue("triangles: " + (tree.end[node] - tree.first[node]), tree.end[node] - tree.first[node] <= MOST);
                 return 1;
             }
-            assertEquals(node.first, node.low.first);
-            assertEquals(node.low.end, node.high.first);
-            assertEquals(node.end, node.high.end);
-            assertEquals(node.level + 1, node.low.level);
-            assertEquals(node.isLeaf ? HierarchyNode.LARGEST_DEPTH : node.level, node.stopDepth);
-            assertTrue("below a leaf are leaves", !node.isLeaf || node.low.isLeaf && node.high.isLeaf);
-            return check(node.low, extents) + check(node.high, extents);
+            assertEquals(tree.first[node], tree.first[low]);
+            assertEquals(tree.end[low], tree.first[low + 1]);
+            assertEquals(tree.end[node], tree.end[low + 1]);
+            assertEquals(tree.levelOf(node) + 1, tree.levelOf(low));
+            assertEquals(isLeaf ? BoxTree.LARGEST_DEPTH : tree.levelOf(node), tree.stop[node]);
+            assertTrue("below a leaf are leaves", !isLeaf || tree.stop[low] >= BoxTree.LARGEST_DEPTH && tree.stop[low + 1] >= BoxTree.LARGEST_DEPTH);
+            return check(tree, low, extents) + check(tree, low + 1, extents);
         }
 
         private static function describe(node:HierarchyNode):String
         {
-            var text:String = [node.level, node.bounds.volume, node.vertexCount, node.triangleIndices()].join(" ");
+            var text:String = [node.bounds.volume, node.vertexCount, node.triangleIndices()].join(" ");
             return node.isLeaf ? text : text + "(" + describe(node.left) + describe(node.right) + ")";
         }
 
@@ -167,7 +179,7 @@ package starlogo.solid
 
         private static function hierarchyOf(model:Model, maxDepth:int):SolidHierarchy
         {
-            return new SolidHierarchyBuilder(new SolidHierarchy(model.vertices, model.triangles, 5, maxDepth, false)).finished;
+            return new SolidHierarchyBuilder(model.vertices, model.triangles, 5, maxDepth, false).finished;
         }
     }
 }

@@ -2,7 +2,7 @@ package starlogo.solid
 {
     import starlogo.GreatLand;
     import starlogo.engine;
-    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.BoxTree;
 
     use namespace engine;
 
@@ -19,12 +19,17 @@ package starlogo.solid
             }
             var solid:Solid = hierarchy.solid;
             return [solid.isClosed, solid.surface.signedPieces, solid.surface.pieceStates, solid.surface.widestSeam, solid.places, solid.placesAt, solid.leastPartExtent, solid.partPoints, solid.corners,
-                    solid.extents, solid.planes, axesUnder(hierarchy.root)].join("\n");
+                    solid.extents, solid.planes, axesOf(hierarchy.tree)].join("\n");
         }
 
-        private static function axesUnder(node:HierarchyNode):String
+        private static function axesOf(tree:BoxTree):String
         {
-            return !node.goesBelow(int.MAX_VALUE) ? "." : node.splitAxis + axesUnder(node.low) + axesUnder(node.high);
+            var axes:Array = [];
+            for (var node:int = 0; node < tree.low.length; node++)
+            {
+                axes.push(tree.low[node] == 0 ? "." : tree.axisOf(node));
+            }
+            return axes.join("");
         }
     }
 }

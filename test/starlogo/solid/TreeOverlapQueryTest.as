@@ -16,7 +16,6 @@ package starlogo.solid
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxTraversal;
-    import starlogo.hierarchy.Hierarchy;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.intersects;
@@ -67,7 +66,7 @@ package starlogo.solid
                 var gap:Number = step * Math.pow(2, -53);
                 beside.x = 2 * half + gap;
                 var between:Number = beside.x - 2 * half;
-                var margin:Number = Touching.marginOfPlace(beside.x, 0, 0) + Touching.marginOfSurface(2 * cube.root.radius);
+                var margin:Number = Touching.marginOfPlace(beside.x, 0, 0) + Touching.marginOfSurface(2 * cube.tree.radius);
                 var reach:Number = margin + Tolerances.CORES * 2 * triangle.size;
                 if (between > 0.99 * margin && between < 0.99 * reach)
                 {
@@ -107,19 +106,19 @@ package starlogo.solid
             var random:SeededRandom = new SeededRandom(2117);
             var pose:RelativePose = new RelativePose();
             var boxes:BoxTraversal = new BoxTraversal();
-            var bear:Hierarchy = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
-            var ball:Hierarchy = hierarchyOf(BuiltInModel.sphere());
+            var bear:SolidHierarchy = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
+            var ball:SolidHierarchy = hierarchyOf(BuiltInModel.sphere());
             var count:int = Effort.choose(300, 30000);
             var hits:int = 0;
             for (var i:int = 0; i < count; i++)
             {
-                var a:Hierarchy = random.pick([bear, ball]);
-                var b:Hierarchy = random.pick([bear, ball]);
+                var a:SolidHierarchy = random.pick([bear, ball]);
+                var b:SolidHierarchy = random.pick([bear, ball]);
                 pose.relate(randomPlacement(random), randomPlacement(random));
                 var depthA:int = random.integer(1, 6);
                 var depthB:int = random.integer(1, 6);
                 var answer:Boolean = someOverlap(pose, deciding(a.root, depthA, []), deciding(b.root, depthB, []));
-                assertEquals("pair " + i, answer, boxes.find(pose, a.root, depthA, b.root, depthB, null));
+                assertEquals("pair " + i, answer, boxes.find(pose, a.tree, depthA, b.tree, depthB, null));
                 hits += answer ? 1 : 0;
             }
             assertTrue(hits + " of " + count, hits > count / 4 && hits < count * 3 / 4);
@@ -127,12 +126,12 @@ package starlogo.solid
 
         private static function deciding(node:HierarchyNode, depth:int, out:Array):Array
         {
-            if (node.stopDepth >= depth)
+            if (node.isLeaf || depth == 1)
             {
                 out.push(node.bounds);
                 return out;
             }
-            return deciding(node.high, depth, deciding(node.low, depth, out));
+            return deciding(node.right, depth - 1, deciding(node.left, depth - 1, out));
         }
 
         private static function someOverlap(pose:RelativePose, a:Array, b:Array):Boolean

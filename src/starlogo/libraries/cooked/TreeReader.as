@@ -3,19 +3,16 @@ package starlogo.libraries.cooked
     import flash.errors.EOFError;
     import flash.utils.ByteArray;
     import starlogo.engine;
-    import starlogo.hierarchy.Hierarchy;
-    import starlogo.hierarchy.HierarchyNode;
-    import starlogo.hierarchy.PackedTree;
-    import starlogo.hierarchy.TreeItems;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.models.cooked.VarInt;
     import starlogo.steps.StepSequence;
 
     use namespace engine;
 
     /**
-     * Restores a hierarchy from the bytes of a TreeWriter. Only the division of the items is read. The boxes are computed again, in a
-     * fraction of the time that dividing takes. So the hierarchy encloses the model, even if the bytes are wrong. If the bytes are right,
-     * the hierarchy equals the written one to the last bit.
+     * Restores a tree from the bytes of a TreeWriter. Only the division of the items is read. The boxes are computed again, in a
+     * fraction of the time that dividing takes. So the tree encloses the model, even if the bytes are wrong. If the bytes are right,
+     * the tree equals the written one to the last bit.
      *
      * @private
      */
@@ -23,50 +20,45 @@ package starlogo.libraries.cooked
     {
         private static const ITEMS_PER_STEP:int = 1500;
         private static const NODES_PER_STEP:int = 300;
-        private static const NUMBERS_PER_NODE:int = 5;
 
         // This is added to the axis of a node that is divided below the thesis's tree.
         private static const BELOW:int = 3;
 
         private var _bytes:ByteArray;
-        private var _hierarchy:Hierarchy;
+        private var _tree:BoxTree;
+        private var _maxDepth:int;
         private var _order:Vector.<int>;
         private var _isRefused:Boolean = false;
 
-        // _plan has five numbers for each node: its first item, the end of its items, its level, its right child (0 for a leaf), and its
-        // axis, plus BELOW if the node is divided below the thesis's tree. The left child is the next node. _extents has the extents of
-        // each node.
-        private var _plan:Vector.<int> = new Vector.<int>();
+        // The nodes that still have to be read, the next one last.
+        private var _waiting:Vector.<int> = new Vector.<int>();
+
+        // The extents of each node, and the number of nodes that are not measured or enclosed yet.
         private var _extents:Vector.<Number>;
-
-        // the nodes whose right child has not come yet
-        private var _open:Vector.<int> = new Vector.<int>();
-
-        // the node that was measured or made last
-        private var _node:int;
-        private var _nodes:Vector.<HierarchyNode>;
+        private var _left:int;
 
         /**
          * @param bytes the record, read from its position on
-         * @param hierarchy receives the order of its items and its root. It stays as it is if the record does not divide these items
+         * @param tree without nodes; receives them, and the order of its items. It stays without nodes if the record does not divide these items
+         * @param maxDepth a node on this level is a leaf of the thesis
          */
-        public function TreeReader(bytes:ByteArray, hierarchy:Hierarchy)
+        public function TreeReader(bytes:ByteArray, tree:BoxTree, maxDepth:int)
         {
             _bytes = bytes;
-            _hierarchy = hierarchy;
+            _tree = tree;
+            _maxDepth = maxDepth;
             call(addParts);
         }
 
         private function addParts():void
         {
-            var count:int = _hierarchy.itemCount;
+            var count:int = _tree.itemCount;
             _order = new Vector.<int>(count, true);
             var isListed:Vector.<Boolean> = new Vector.<Boolean>(count, true);
-            addToPlan(0, count, 1);
             slices(count, ITEMS_PER_STEP, function(first:int, end:int):void
                 {
                     readOrder(first, end, isListed);
-                }).repeat(readDivisions).repeat(measureNodes).repeat(makeNodes);
+                }).call(beginTree).repeat(readNodes).repeat(measureNodes).repeat(encloseNodes);
         }
 
         /** @inheritDoc */
@@ -79,6 +71,7 @@ package starlogo.libraries.cooked
             catch (error:EOFError)
             {
                 _isRefused = true;
+                _tree.clear();
             }
             return false;
         }
@@ -103,49 +96,47 @@ package starlogo.libraries.cooked
             }
         }
 
-        private function addToPlan(first:int, end:int, level:int):void
+        private function beginTree():void
         {
-            _plan.push(first, end, level, 0, 0);
+            _tree.order = _order;
+            _tree.addRoot();
+            _waiting.push(0);
         }
 
-        // The children of a node must divide its items between them. Below the thesis's leaves, deep nodes must be divided as a HierarchyBuilder
-        // divides them, so that a file cannot make a tree as deep as the number of its items.
-        private function readDivisions():Boolean
+        private function readNodes():Boolean
         {
-            for (var i:int = 0; i < NODES_PER_STEP; i++)
+            for (var i:int = 0; i < NODES_PER_STEP && _waiting.length > 0; i++)
             {
-                var at:int = _plan.length - NUMBERS_PER_NODE;
-                var code:int = VarInt.read(_bytes);
-                if (code > 0)
+                if (!readNode(_waiting.pop(), VarInt.read(_bytes)))
                 {
-                    var first:int = _plan[at];
-                    var level:int = _plan[at + 2];
-                    var middle:int = first + (code - 1) / 6;
-                    var division:int = (code - 1) % 6;
-                    _isRefused = middle <= first || middle >= _plan[at + 1] || (division < BELOW ? level >= _hierarchy.maxDepth
-                            : PackedTree.isHalved(level) && middle != (first + _plan[at + 1]) >> 1);
-                    _plan[at + 4] = division;
-                    _open.push(at);
-                    addToPlan(first, middle, level + 1);
-                }
-                else if (code == 0 && _open.length > 0)
-                {
-                    var parent:int = _open.pop();
-                    _plan[parent + 3] = _plan.length / NUMBERS_PER_NODE;
-                    addToPlan(_plan[at + 1], _plan[parent + 1], _plan[parent + 2] + 1);
-                }
-                else
-                {
-                    _isRefused = code < 0;
-                    _node = _plan.length / NUMBERS_PER_NODE;
-                    _extents = new Vector.<Number>(6 * _node, true);
-                    return false;
-                }
-                if (_isRefused)
-                {
+                    _isRefused = true;
+                    _tree.clear();
                     return false;
                 }
             }
+            _left = _tree.low.length;
+            return _waiting.length > 0;
+        }
+
+        // Reads a node. Returns whether its code is right: the children must divide its items between them, and a node without children must be
+        // small. Below the thesis's leaves, deep nodes must be divided as a HierarchyBuilder divides them, so that a file cannot make a tree as deep
+        // as the number of its items.
+        private function readNode(node:int, code:int):Boolean
+        {
+            if (code <= 0)
+            {
+                return code == 0 && !_tree.isLarge(node);
+            }
+            var first:int = _tree.first[node];
+            var end:int = _tree.end[node];
+            var middle:int = first + (code - 1) / 6;
+            var division:int = (code - 1) % 6;
+            if (middle <= first || middle >= end || (division < BELOW ? _tree.levelOf(node) >= _maxDepth : _tree.isHalved(node) && middle != (first + end) >> 1))
+            {
+                return false;
+            }
+            var low:int = _tree.divide(node, division % BELOW, middle, division >= BELOW);
+            _waiting.push(low + 1, low);
             return true;
         }
 
@@ -153,30 +144,28 @@ package starlogo.libraries.cooked
         private function measureNodes():Boolean
         {
             var items:int = 0;
-            _hierarchy.order = _order;
-            while (_node > 0 && items < ITEMS_PER_STEP)
+            _extents ||= new Vector.<Number>(6 * _left, true);
+            while (_left > 0 && items < ITEMS_PER_STEP)
             {
-                _node--;
-                var at:int = NUMBERS_PER_NODE * _node;
-                var right:int = _plan[int(at + 3)];
-                if (right > 0)
+                _left--;
+                var low:int = _tree.low[_left];
+                if (low > 0)
                 {
-                    unite(6 * _node, 6 * _node + 6, 6 * right);
+                    unite(6 * _left, 6 * low, 6 * low + 6);
                     items += 2;
                 }
                 else
                 {
-                    TreeItems.writeBounds(_hierarchy, _plan[at], _plan[int(at + 1)], _extents, 6 * _node);
-                    items += _plan[int(at + 1)] - _plan[at];
+                    _tree.writeExtents(_tree.first[_left], _tree.end[_left], _extents, 6 * _left);
+                    items += _tree.end[_left] - _tree.first[_left];
                 }
             }
-            if (_node > 0)
+            if (_left > 0)
             {
                 return true;
             }
-            _node = _plan.length / NUMBERS_PER_NODE;
-            _hierarchy.setExtents(_extents);
-            _nodes = new Vector.<HierarchyNode>(_node);
+            _left = _tree.low.length;
+            _tree.setExtents(_extents);
             return false;
         }
 
@@ -190,24 +179,19 @@ package starlogo.libraries.cooked
             }
         }
 
-        private function makeNodes():Boolean
+        private function encloseNodes():Boolean
         {
-            var end:int = Math.max(0, _node - NODES_PER_STEP);
-            while (_node > end)
+            var end:int = Math.max(0, _left - NODES_PER_STEP);
+            while (_left > end)
             {
-                _node--;
-                var at:int = NUMBERS_PER_NODE * _node;
-                var node:HierarchyNode = _hierarchy.makeNode(_plan[int(at + 2)], _plan[at], _plan[int(at + 1)], _extents, 6 * _node);
-                _nodes[_node] = node;
-                var right:int = _plan[int(at + 3)];
-                if (right > 0)
-                {
-                    var division:int = _plan[int(at + 4)];
-                    node.divide(division % BELOW, _nodes[int(_node + 1)], _nodes[right], division < BELOW ? node.level : HierarchyNode.LARGEST_DEPTH);
-                }
+                _left--;
+                _tree.enclose(_left, _extents, 6 * _left);
             }
-            _hierarchy.root = _nodes[0];
-            return _node > 0;
+            if (_left == 0)
+            {
+                _tree.finish();
+            }
+            return _left > 0;
         }
     }
 }

@@ -2,14 +2,13 @@ package starlogo.libraries.cooked
 {
     import flash.utils.ByteArray;
     import starlogo.engine;
-    import starlogo.hierarchy.Hierarchy;
-    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.models.cooked.VarInt;
 
     use namespace engine;
 
     /**
-     * Writes how a hierarchy divides its items. A TreeReader computes the boxes from that.
+     * Writes how a tree divides its items. A TreeReader computes the boxes from that.
      *
      * @private
      */
@@ -26,31 +25,31 @@ package starlogo.libraries.cooked
          * root down, low before high. A node without children is 0. Any other node is the sum of: 1; its axis; 3 if the node is a leaf of
          * the thesis's tree or below one; 6 times the number of items on its low side.
          *
-         * @param hierarchy the tree
+         * @param tree the tree
          * @param out takes the bytes, at its position; little-endian
          */
-        public static function write(hierarchy:Hierarchy, out:ByteArray):void
+        public static function write(tree:BoxTree, out:ByteArray):void
         {
-            var width:int = widthFor(hierarchy.order.length);
-            for each (var item:int in hierarchy.order)
+            var width:int = widthFor(tree.order.length);
+            for each (var item:int in tree.order)
             {
                 for (var bits:int = 0; bits < 8 * width; bits += 8)
                 {
                     out.writeByte(item >> bits);
                 }
             }
-            var stack:Vector.<HierarchyNode> = new <HierarchyNode>[hierarchy.root];
-            while (stack.length > 0)
+            var waiting:Vector.<int> = new <int>[0];
+            while (waiting.length > 0)
             {
-                var node:HierarchyNode = stack.pop();
-                if (!node.goesBelow(int.MAX_VALUE))
+                var node:int = waiting.pop();
+                var low:int = tree.low[node];
+                if (low == 0)
                 {
                     VarInt.write(0, out);
                     continue;
                 }
-                VarInt.write(1 + node.splitAxis + (node.isLeaf ? 3 : 0) + 6 * (node.low.end - node.first), out);
-                stack.push(node.high, node.low);
-                node.forgetChildren();
+                VarInt.write(1 + tree.axisOf(node) + (tree.stop[node] >= BoxTree.LARGEST_DEPTH ? 3 : 0) + 6 * (tree.end[low] - tree.first[low]), out);
+                waiting.push(low + 1, low);
             }
         }
     }

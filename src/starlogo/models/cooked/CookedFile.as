@@ -21,8 +21,6 @@ package starlogo.models.cooked
      *   end  the fingerprint of all bytes before it
      * </pre>
      *
-     * <p>A file without a hull has version 1. It has four sections, which begin at 80.</p>
-     *
      * @private
      */
     public final class CookedFile extends StepSequence
@@ -49,28 +47,32 @@ package starlogo.models.cooked
         public static const SECTIONS:int = 5;
 
         private static const MAGIC:int = 0x4B4F4F43;
-        private static const VERSION:int = 2;
-
-        // the number of sections of each version
-        private static const SECTIONS_OF:Vector.<int> = new <int>[0, 4, SECTIONS];
+        private static const VERSION:int = 3;
 
         private static const LENGTH_AT:int = 8;
         private static const TABLE:int = 16;
         private static const ENTRY_LENGTH:int = 16;
+        private static const HEAD_LENGTH:int = TABLE + SECTIONS * ENTRY_LENGTH;
         private static const WORDS_PER_STEP:int = 4000;
 
         /** Whether the file is complete and unchanged, when no step is left. */
         public var isWhole:Boolean = false;
 
+        /** Whether another version of the engine has made the file. */
+        public var isOfOtherVersion:Boolean = false;
+
         private var _bytes:ByteArray = newBytes();
         private var _whole:Fingerprint = new Fingerprint();
-        private var _sectionCount:int = 0;
 
         /** @param bytes a possible cooked file; it is copied; only its position and byte order change; null for no file */
         public function CookedFile(bytes:ByteArray)
         {
-            _sectionCount = bytes != null && isCooked(bytes) ? sectionsIn(bytes) : 0;
-            if (_sectionCount > 0)
+            if (bytes == null || !isCooked(bytes))
+            {
+                return;
+            }
+            isOfOtherVersion = bytes.readInt() != VERSION;
+            if (!isOfOtherVersion && hasRightLength(bytes))
             {
                 _bytes.writeBytes(bytes);
                 _bytes.position = 0;
@@ -95,11 +97,10 @@ package starlogo.models.cooked
         public static function write(settings:Vector.<Fingerprint>, sections:Vector.<ByteArray>):ByteArray
         {
             var out:ByteArray = newBytes();
-            var version:int = sections[HULL].length == 0 ? 1 : VERSION;
             out.writeInt(MAGIC);
-            out.writeInt(version);
+            out.writeInt(VERSION);
             out.length = out.position = TABLE;
-            for (var i:int = 0; i < SECTIONS_OF[version]; i++)
+            for (var i:int = 0; i < SECTIONS; i++)
             {
                 var wanted:Fingerprint = settings[i] || new Fingerprint();
                 wanted.writeTo(out);
@@ -154,11 +155,11 @@ package starlogo.models.cooked
          */
         public function section(index:int, wanted:Fingerprint):ByteArray
         {
-            if (!isWhole || index >= _sectionCount)
+            if (!isWhole)
             {
                 return null;
             }
-            var start:int = headLength;
+            var start:int = HEAD_LENGTH;
             for (var i:int = 0; i < index; i++)
             {
                 start += lengthOf(i);
@@ -188,9 +189,9 @@ package starlogo.models.cooked
 
         private function check():void
         {
-            var rest:Number = _bytes.length - headLength - Fingerprint.LENGTH;
+            var rest:Number = _bytes.length - HEAD_LENGTH - Fingerprint.LENGTH;
             var isSealed:Boolean = _whole.isNextOf(_bytes);
-            for (var i:int = 0; i < _sectionCount; i++)
+            for (var i:int = 0; i < SECTIONS; i++)
             {
                 var length:int = lengthOf(i);
                 rest = length < 0 ? NaN : rest - length;
@@ -198,19 +199,11 @@ package starlogo.models.cooked
             isWhole = isSealed && rest >= 0 && rest < Fingerprint.LENGTH;
         }
 
-        private function get headLength():int
+        // Whether a file whose version was read has the length that it says.
+        private static function hasRightLength(bytes:ByteArray):Boolean
         {
-            return TABLE + _sectionCount * ENTRY_LENGTH;
-        }
-
-        // The number of sections of a file whose magic number was read; 0 if it is of another version or length.
-        private static function sectionsIn(bytes:ByteArray):int
-        {
-            var version:int = bytes.readInt();
             var length:int = bytes.length;
-            var isKnown:Boolean = version > 0 && version <= VERSION && length % Fingerprint.LENGTH == 0 && length <= ModelBudget.BYTES
-                && bytes.readInt() == length && length >= TABLE + SECTIONS_OF[version] * ENTRY_LENGTH + Fingerprint.LENGTH;
-            return isKnown ? SECTIONS_OF[version] : 0;
+            return length % Fingerprint.LENGTH == 0 && length <= ModelBudget.BYTES && bytes.readInt() == length && length >= HEAD_LENGTH + Fingerprint.LENGTH;
         }
     }
 }

@@ -62,7 +62,8 @@ package starlogo.models.cooked
         {
             refuseIf(_asked != null && cooked.isWhole && !cooked.isFor(_asked), name, "the cooked file is for another up axis, transform or scaling");
             _bytes = cooked.section(CookedFile.MODEL, null);
-            refuseIf(_bytes == null, name, "the cooked file is damaged, or of another version: cook it again");
+            refuseIf(cooked.isOfOtherVersion, name, "the cooked file is of another version of the engine: cook it again");
+            refuseIf(_bytes == null, name, "the cooked file is damaged: cook it again");
             scaling = Model.SCALINGS[readCount(Model.SCALINGS.length - 1)];
             var form:int = readCount(CookedShape.DOUBLE);
             var hasTransform:Boolean = readCount(1) == 1;

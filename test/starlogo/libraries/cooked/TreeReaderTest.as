@@ -1,11 +1,10 @@
 package starlogo.libraries.cooked
 {
     import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertNotNull;
-    import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
-    import starlogo.hierarchy.HierarchyNode;
-    import starlogo.solid.SolidHierarchy;
+    import starlogo.hierarchy.BoxTree;
     import support.ChainOfNodes;
 
     use namespace engine;
@@ -18,34 +17,29 @@ package starlogo.libraries.cooked
         [Test]
         public function aChainBelowTheLeavesIsRefused():void
         {
-            assertNull(ChainOfNodes.read(100000, 10, BELOW, true).root);
+            assertFalse(ChainOfNodes.read(100000, 10, BELOW, true).isMade);
         }
 
         [Test]
         public function aChainThatEndsEarlyIsRead():void
         {
             // 60 levels of one item each, then what is left
-            var hierarchy:SolidHierarchy = ChainOfNodes.read(60, 10, BELOW, true);
-            assertNotNull(hierarchy.root);
-            assertEquals(60, levelsOf(hierarchy));
-            assertNull("too many by one", ChainOfNodes.read(67, 10, BELOW, true).root);
+            var tree:BoxTree = ChainOfNodes.read(60, 10, BELOW, true);
+            assertTrue(tree.isMade);
+            assertEquals(60, levelsOf(tree));
+            assertFalse("too many by one", ChainOfNodes.read(67, 10, BELOW, true).isMade);
         }
 
         [Test]
         public function theThesissLevelsHaveTheLimitOfTheLibrary():void
         {
             assertEquals(2000, levelsOf(ChainOfNodes.read(2000, 2000, 0, true)));
-            assertNull(ChainOfNodes.read(2000, 1999, 0, true).root);
+            assertFalse(ChainOfNodes.read(2000, 1999, 0, true).isMade);
         }
 
-        private static function levelsOf(hierarchy:SolidHierarchy):int
+        private static function levelsOf(tree:BoxTree):int
         {
-            var node:HierarchyNode = hierarchy.root;
-            while (node.high != null)
-            {
-                node = node.high;
-            }
-            return node.level;
+            return tree.levelOf(tree.low.length - 1);
         }
     }
 }

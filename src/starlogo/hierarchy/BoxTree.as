@@ -1,0 +1,348 @@
+package starlogo.hierarchy
+{
+    import starlogo.bounding.Box;
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.VertexBounds;
+    import flash.geom.Vector3D;
+
+    use namespace engine;
+
+    /**
+     * A model's tree of boxes (thesis §4.3). Its items are the model's triangles, or its vertices if it has no triangles.
+     *
+     * <p>The package hierarchy keeps, builds and visits such trees. A HierarchyBuilder makes a tree of a model's items. A NodePairTraversal visits
+     * pairs of nodes of two trees, and a MovingBoxTraversal visits the nodes that a box or ray meets. Read this class first, then
+     * HierarchyBuilder, then NodePairTraversal.</p>
+     *
+     * <p>A node is an index into the columns. The root is 0. The two children of a node stand side by side, after their parent. The columns do
+     * not change once the tree is made. Clients see a node as a HierarchyNode.</p>
+     *
+     * <p>A tree of triangles goes on below the thesis's leaves, down to a few triangles, for exact tests. Only a visit without a depth limit
+     * reaches these nodes.</p>
+     *
+     * @private
+     */
+    public final class BoxTree
+    {
+        /** The largest depth limit. A visit with it ends at the thesis's leaves. A visit with int.MAX_VALUE has no limit and goes on below them. */
+        public static const LARGEST_DEPTH:int = int.MAX_VALUE - 1;
+
+        // A node with more triangles is divided.
+        private static const LEAF_SIZE:int = 8;
+
+        /** The model's vertices: x, y, z of each. */
+        public var vertices:Vector.<Number>;
+
+        /** The model's triangles, three vertex indices each; null if the vertices are the items. */
+        public var triangles:Vector.<uint>;
+
+        /** The indices of the items. The items of a node stand side by side. */
+        public var order:Vector.<int> = null;
+
+        /** Six numbers for each node: the middle of its box (x, y, z), and half of the box's extents. */
+        public var boxes:Vector.<Number> = new Vector.<Number>();
+
+        /** For each node, its child on the low side of the split. The other child is the next node. 0 if the node has no children. */
+        public var low:Vector.<int> = new Vector.<int>();
+
+        /** For each node, the index of its first item in the order. */
+        public var first:Vector.<int> = new Vector.<int>();
+
+        /** For each node, the index after its last item in the order. */
+        public var end:Vector.<int> = new Vector.<int>();
+
+        /**
+         * For each node, the largest depth limit for which a visit does not go below it: the node's level; LARGEST_DEPTH for a leaf of the
+         * thesis; int.MAX_VALUE without children.
+         */
+        public var stop:Vector.<int> = new Vector.<int>();
+
+        /** Whether the nodes are made. From then on the tree does not change. */
+        public var isMade:Boolean = false;
+
+        /** The radius of the sphere around the root's box. */
+        public var radius:Number = 0;
+
+        // For each node, four times its level plus the axis along which it is split. The root's level is 1.
+        private var _splits:Vector.<int> = new Vector.<int>();
+
+        // How far the model extends from its origin. The rounding error is relative to it.
+        private var _reach:Number = 0;
+
+        /**
+         * Creates a tree without nodes. A HierarchyBuilder or a TreeReader makes them.
+         *
+         * @param vertices x, y, z of each
+         * @param triangles three vertex indices each, or null if the vertices are the items
+         */
+        public function BoxTree(vertices:Vector.<Number>, triangles:Vector.<uint>)
+        {
+            this.vertices = vertices;
+            this.triangles = triangles;
+        }
+
+        /** A tree of one node, level 0, whose box has no extents. */
+        public static function ofOneNode():BoxTree
+        {
+            var tree:BoxTree = new BoxTree(new <Number>[0, 0, 0], null);
+            tree.addNode(0, 1, 0);
+            tree.finish();
+            return tree;
+        }
+
+        /** Whether the items are triangles; otherwise they are vertices. */
+        public function get hasTriangles():Boolean
+        {
+            return triangles != null;
+        }
+
+        /** The number of items. */
+        public function get itemCount():int
+        {
+            return hasTriangles ? triangles.length / 3 : vertices.length / 3;
+        }
+
+        /** The axis along which a node is split: 0, 1 or 2. */
+        public function axisOf(node:int):int
+        {
+            return _splits[node] & 3;
+        }
+
+        /** The level of a node. The root has 1. */
+        public function levelOf(node:int):int
+        {
+            return _splits[node] >> 2;
+        }
+
+        /** The axis along which the box of a node is longest: 0, 1 or 2. */
+        public function longestAxisOf(node:int):int
+        {
+            var halfX:Number = boxes[int(6 * node + 3)];
+            var halfY:Number = boxes[int(6 * node + 4)];
+            var halfZ:Number = boxes[int(6 * node + 5)];
+            if (halfX >= halfY && halfX >= halfZ)
+            {
+                return 0;
+            }
+            return halfY >= halfZ ? 1 : 2;
+        }
+
+        /** Sets an axis-aligned box to the box of a node, and returns it. */
+        public function writeBox(node:int, box:Box):Box
+        {
+            var at:int = 6 * node;
+            var center:Vector3D = box.center;
+            center.x = boxes[at];
+            center.y = boxes[int(at + 1)];
+            center.z = boxes[int(at + 2)];
+            box.halfX = boxes[int(at + 3)];
+            box.halfY = boxes[int(at + 4)];
+            box.halfZ = boxes[int(at + 5)];
+            return box;
+        }
+
+        /** Whether a node without children has so many triangles that it must be divided. */
+        public function isLarge(node:int):Boolean
+        {
+            return hasTriangles && end[node] - first[node] > LEAF_SIZE;
+        }
+
+        /**
+         * Whether a node below the thesis's leaves is divided in the middle of its items, wherever they are. So these levels are few, even if a
+         * division by place takes one item at a time.
+         */
+        public function isHalved(node:int):Boolean
+        {
+            return levelOf(node) >= Tolerances.NESTED_LEVELS;
+        }
+
+        /** The number of vertices of a node's items. Each vertex is counted once. */
+        public function countVertices(node:int):int
+        {
+            return countUpTo(node, int.MAX_VALUE);
+        }
+
+        /** Whether a node's items have more vertices than a number. It looks only at as many items as that takes. */
+        public function hasMoreVertices(node:int, number:int):Boolean
+        {
+            return countUpTo(node, number) > number;
+        }
+
+        // Counts the vertices of items, until there are more than a number.
+        private function countUpTo(node:int, most:int):int
+        {
+            var isCounted:Object = {};
+            var last:int = end[node];
+            var count:int = hasTriangles ? 0 : last - first[node];
+            for (var i:int = first[node]; hasTriangles && i < last && count <= most; i++)
+            {
+                var corner:int = 3 * order[i];
+                for (var beyond:int = corner + 3; corner < beyond; corner++)
+                {
+                    if (isCounted[triangles[corner]] == undefined)
+                    {
+                        isCounted[triangles[corner]] = true;
+                        count++;
+                    }
+                }
+            }
+            return count;
+        }
+
+        /**
+         * Writes the extents of some items together: minX, minY, minZ, maxX, maxY, maxZ.
+         *
+         * @param from index of the first of them in the order
+         * @param to index after the last of them
+         * @param out receives the extents
+         * @param at index at which they begin
+         */
+        public function writeExtents(from:int, to:int, out:Vector.<Number>, at:int = 0):void
+        {
+            var corners:int = hasTriangles ? 3 : 1;
+            for (var along:int = 0; along < 3; along++)
+            {
+                var least:Number = Infinity;
+                var largest:Number = -Infinity;
+                for (var i:int = from; i < to; i++)
+                {
+                    var item:int = corners * order[i];
+                    for (var corner:int = item; corner < item + corners; corner++)
+                    {
+                        var vertex:int = hasTriangles ? triangles[corner] : corner;
+                        var coordinate:Number = vertices[int(3 * vertex + along)];
+                        least = coordinate < least ? coordinate : least;
+                        largest = coordinate > largest ? coordinate : largest;
+                    }
+                }
+                out[int(at + along)] = least;
+                out[int(at + along + 3)] = largest;
+            }
+        }
+
+        /** For makers of trees: adds the root, without children. */
+        engine function addRoot():void
+        {
+            addNode(0, itemCount, 1);
+        }
+
+        /** For makers of trees: removes all nodes of a tree that cannot be made. */
+        engine function clear():void
+        {
+            boxes.length = low.length = first.length = end.length = stop.length = _splits.length = 0;
+        }
+
+        /**
+         * For makers of trees: gives a node two children. They have no boxes yet.
+         *
+         * @param axis the axis along which it is split
+         * @param middle the index in the order of the high child's first item
+         * @param isBelow whether the node is a leaf of the thesis's tree, or below one
+         * @return the low child
+         */
+        engine function divide(node:int, axis:int, middle:int, isBelow:Boolean):int
+        {
+            var level:int = levelOf(node);
+            var child:int = low.length;
+            low[node] = child;
+            stop[node] = isBelow ? LARGEST_DEPTH : level;
+            _splits[node] = level << 2 | axis;
+            addNode(first[node], middle, level + 1);
+            addNode(middle, end[node], level + 1);
+            return child;
+        }
+
+        /**
+         * For makers of trees: sets the extents of the whole model. Must be called before <code>enclose()</code>.
+         *
+         * @param extents begins with minX, minY, minZ, maxX, maxY, maxZ
+         * @throws ArgumentError if a coordinate is larger than 1e60
+         */
+        engine function setExtents(extents:Vector.<Number>):void
+        {
+            for (var i:int = 0; i < 6; i++)
+            {
+                _reach = Math.max(_reach, Math.abs(extents[i]));
+            }
+            VertexBounds.requireWithin(_reach);
+            _reach *= Math.sqrt(3);
+        }
+
+        /**
+         * For makers of trees: sets a node's box. It is larger than the node's part by a margin. So everything that touches the surface touches
+         * the boxes, and boxes are inside of their parents' boxes in spite of rounding.
+         *
+         * @param extents contains the extents of the part: minX, minY, minZ, maxX, maxY, maxZ
+         * @param at index at which they begin
+         */
+        engine function enclose(node:int, extents:Vector.<Number>, at:int = 0):void
+        {
+            var margin:Number = _reach * (Tolerances.SURFACES + Tolerances.NESTING * Math.max(1, Tolerances.NESTED_LEVELS - levelOf(node)));
+            var minX:Number = extents[at];
+            var minY:Number = extents[int(at + 1)];
+            var minZ:Number = extents[int(at + 2)];
+            var halfX:Number = 0.5 * (extents[int(at + 3)] - minX);
+            var halfY:Number = 0.5 * (extents[int(at + 4)] - minY);
+            var halfZ:Number = 0.5 * (extents[int(at + 5)] - minZ);
+            setBox(node, minX + halfX, minY + halfY, minZ + halfZ, halfX + margin, halfY + margin, halfZ + margin);
+        }
+
+        // Sets the numbers of a node's box.
+        private function setBox(node:int, x:Number, y:Number, z:Number, halfX:Number, halfY:Number, halfZ:Number):void
+        {
+            var at:int = 6 * node;
+            boxes[at] = x;
+            boxes[int(at + 1)] = y;
+            boxes[int(at + 2)] = z;
+            boxes[int(at + 3)] = halfX;
+            boxes[int(at + 4)] = halfY;
+            boxes[int(at + 5)] = halfZ;
+        }
+
+        /** Sets half of the extents of the only box, whose middle is the origin. Only for a tree of one node that stands for a structure. */
+        internal function setOnlyBox(halfX:Number, halfY:Number, halfZ:Number):void
+        {
+            setBox(0, 0, 0, 0, halfX, halfY, halfZ);
+            radius = Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
+        }
+
+        /** For makers of trees: ends the making. The columns get their final length. */
+        engine function finish():void
+        {
+            var numbers:Vector.<Number> = new Vector.<Number>(boxes.length, true);
+            for (var i:int = 0; i < numbers.length; i++)
+            {
+                numbers[i] = boxes[i];
+            }
+            boxes = numbers;
+            low = trimmed(low);
+            first = trimmed(first);
+            end = trimmed(end);
+            stop = trimmed(stop);
+            _splits = trimmed(_splits);
+            isMade = true;
+            radius = Math.sqrt(numbers[3] * numbers[3] + numbers[4] * numbers[4] + numbers[5] * numbers[5]);
+        }
+
+        private function addNode(from:int, to:int, level:int):void
+        {
+            boxes.push(0, 0, 0, 0, 0, 0);
+            low.push(0);
+            first.push(from);
+            end.push(to);
+            stop.push(int.MAX_VALUE);
+            _splits.push(level << 2);
+        }
+
+        private static function trimmed(column:Vector.<int>):Vector.<int>
+        {
+            var copy:Vector.<int> = new Vector.<int>(column.length, true);
+            for (var i:int = 0; i < copy.length; i++)
+            {
+                copy[i] = column[i];
+            }
+            return copy;
+        }
+    }
+}

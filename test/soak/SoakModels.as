@@ -116,7 +116,7 @@ package soak
                 chooseFlags();
                 load(loader, _random.chance(0.2) ? "passing " + ++_passing : LOADED[place]);
             }
-            else if (_random.chance(0.05))
+            else if (_random.chance(0.1))
             {
                 loader.cancel();
                 _counts.add("loads cancelled");

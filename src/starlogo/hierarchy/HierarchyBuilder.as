@@ -67,7 +67,12 @@ package starlogo.hierarchy
         private function takeItems():void
         {
             _items = new TreeItems(_tree);
-            slices(_items.order.length, ITEMS_PER_STEP, _items.measure).call(beginRoot).repeat(divide).call(_tree.finish);
+            slices(_items.order.length, ITEMS_PER_STEP, _items.measure).call(beginRoot).repeat(divide).call(finish);
+        }
+
+        private function finish():void
+        {
+            _tree.finish();
         }
 
         private function beginRoot():void

@@ -307,22 +307,17 @@ package starlogo.hierarchy
             radius = Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
         }
 
-        /** For makers of trees: ends the making. The columns get their final length. */
+        /** For makers of trees: ends the making. The columns are copied, because lists that grew have room to spare. */
         engine function finish():void
         {
-            var numbers:Vector.<Number> = new Vector.<Number>(boxes.length, true);
-            for (var i:int = 0; i < numbers.length; i++)
-            {
-                numbers[i] = boxes[i];
-            }
-            boxes = numbers;
-            low = trimmed(low);
-            first = trimmed(first);
-            end = trimmed(end);
-            stop = trimmed(stop);
-            _splits = trimmed(_splits);
+            boxes = boxes.slice();
+            low = low.slice();
+            first = first.slice();
+            end = end.slice();
+            stop = stop.slice();
+            _splits = _splits.slice();
             isMade = true;
-            radius = Math.sqrt(numbers[3] * numbers[3] + numbers[4] * numbers[4] + numbers[5] * numbers[5]);
+            radius = Math.sqrt(boxes[3] * boxes[3] + boxes[4] * boxes[4] + boxes[5] * boxes[5]);
         }
 
         private function addNode(from:int, to:int, level:int):void
@@ -333,16 +328,6 @@ package starlogo.hierarchy
             end.push(to);
             stop.push(int.MAX_VALUE);
             _splits.push(level << 2);
-        }
-
-        private static function trimmed(column:Vector.<int>):Vector.<int>
-        {
-            var copy:Vector.<int> = new Vector.<int>(column.length, true);
-            for (var i:int = 0; i < copy.length; i++)
-            {
-                copy[i] = column[i];
-            }
-            return copy;
         }
     }
 }

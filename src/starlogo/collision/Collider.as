@@ -30,6 +30,11 @@ package starlogo.collision
      */
     public class Collider extends BaseCollider
     {
+        // The phases of a frame.
+        private static const IDLE:int = 0;
+        private static const SEARCHING:int = 1;
+        private static const HANDLING:int = 2;
+
         /** @private Chooses the shapes of agents, for questions too. */
         engine var choice:AgentShapes;
 
@@ -39,16 +44,16 @@ package starlogo.collision
         /** @private The search that the collider makes. */
         engine var search:CollisionSearch;
 
-        /** @private Whether a frame of its Collision is being searched, also if a BaseCollider around it calls findCollisions. */
-        engine var isInFrame:Boolean = false;
-
         // The Collision that has it, or null; the search for other calls of findCollisions, or null.
         private var _owner:Object = null;
         private var _extraSearch:CollisionSearch = null;
 
-        // The search whose contacts contactOf gives: the last one. While a frame's handlers run, the frame is held, and it is the frame's.
+        // What the Collision does with it. While it searches for a frame, a BaseCollider around this one may call findCollisions. While handlers
+        // run, contactOf sees the frame.
+        private var _phase:int = IDLE;
+
+        // The search whose contacts contactOf gives.
         private var _seen:CollisionSearch;
-        private var _isFrameHeld:Boolean = false;
 
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _found:FoundPairs = new FoundPairs();
@@ -95,7 +100,7 @@ package starlogo.collision
                 throw new ArgumentError("agents must not be null");
             }
             var asked:CollisionSearch = search;
-            if (_owner != null && !isInFrame)
+            if (_owner != null && _phase != SEARCHING)
             {
                 // the game's own call must not change where the next frame's motions begin
                 _extraSearch ||= new CollisionSearch(choice, narrowPhase);
@@ -106,7 +111,7 @@ package starlogo.collision
             input.agents = agents;
             input.interests = interests;
             find(asked, input, _found, false);
-            if (!_isFrameHeld)
+            if (_phase != HANDLING)
             {
                 _seen = asked;
             }
@@ -180,19 +185,28 @@ package starlogo.collision
             _seen = search;
         }
 
+        /** @private Begins to search for a frame of its Collision. */
+        engine function beginFrame():void
+        {
+            _phase = SEARCHING;
+        }
+
         /** @private Keeps the frame for contactOf while its handlers run, whatever they search, and whatever they do to the ground or the edges. */
         engine function holdFrame():void
         {
+            _phase = HANDLING;
             seeFrame();
-            _isFrameHeld = true;
             search.holdWorld();
         }
 
         /** @private The frame is over. */
-        engine function releaseFrame():void
+        engine function endFrame():void
         {
-            _isFrameHeld = false;
-            search.releaseWorld();
+            if (_phase == HANDLING)
+            {
+                search.releaseWorld();
+            }
+            _phase = IDLE;
         }
 
         /** @private */

@@ -287,7 +287,11 @@ package starlogo.collision
                 _hasFailed = true;
                 _input.agents = listed;
                 _input.takePart = asked == null ? null : _filteredList.takePart;
-                findPairs(system, collider);
+                if (collider != null)
+                {
+                    collider.beginFrame();
+                }
+                findPairs(system);
                 keepList(listed, system.equivalentCollider);
                 if (collider != null)
                 {
@@ -301,8 +305,7 @@ package starlogo.collision
                 _updating = null;
                 if (collider != null)
                 {
-                    collider.isInFrame = false;
-                    collider.releaseFrame();
+                    collider.endFrame();
                 }
                 release(system);
             }
@@ -415,22 +418,13 @@ package starlogo.collision
             return new <Agent>[terrain == null ? null : terrain.agent, bounds == null ? null : bounds.agent];
         }
 
-        private function findPairs(system:BaseCollider, collider:Collider):void
+        private function findPairs(system:BaseCollider):void
         {
             var start:Number = getTimer();
             var agentCount:int = _input.agents.length;
-            // a game's own BaseCollider may call findCollisions of the collider in it
-            if (collider != null)
-            {
-                collider.isInFrame = true;
-            }
             _input.interests = _handlers.interests;
             system.findPairs(_input, _calls.pairs);
             _input.agents = null;
-            if (collider != null)
-            {
-                collider.isInFrame = false;
-            }
             _statistics.copyFrom(system.statistics);
             _statistics.agents = agentCount;
             _statistics.collisions = _calls.pairs.count;

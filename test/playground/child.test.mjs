@@ -11,7 +11,7 @@ before(async () => {
 after(() => site.close());
 
 const SMALL = { viewport: { width: 1366, height: 625 } };
-const LESSONS = ['blocks', 'helmet', 'wing', 'main', 'fast', 'starts', 'room', 'near', 'see', 'hunt'];
+const LESSONS = ['blocks', 'helmet', 'wing', 'main', 'fast', 'starts', 'room', 'near', 'see', 'hunt', 'jump'];
 /** Opens one of the page's or of the user's programs. */
 async function choose(page, name) {
 	await page.evaluate((wanted) => globalThis.playground.programs.choose(wanted), name);

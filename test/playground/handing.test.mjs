@@ -326,7 +326,7 @@ test('an address of another browser, a mistyped one and a broken link say so, an
 		await page.goto(`${site.url}#${address}`);
 		await page.waitForSelector('.gallery .problem');
 		assert.match(await page.textContent('.gallery .problem'), text);
-		assert.equal(await page.locator('.gallery ol').first().locator('li').count(), 10);
+		assert.equal(await page.locator('.gallery ol').first().locator('li').count(), 11);
 	}
 	assert.deepEqual(said, []);
 	await leave();
@@ -361,7 +361,7 @@ test('a program is printed on a page of its own: with its name, its picture and 
 	// one from a link, and a name that is none
 	await go(page, 'teach/no-such-page');
 	await page.waitForSelector('.sheet .problem');
-	assert.equal(await page.locator('.sheet tbody tr').count(), 10);
+	assert.equal(await page.locator('.sheet tbody tr').count(), 11);
 	assert.deepEqual(said, []);
 	await leave();
 });

@@ -33,10 +33,10 @@ const { outputFiles: [{ text }] } = buildSync({
 export const parts = await import(pathToFileURL(write('playground-world.mjs', text)));
 
 /** The turtle and the wall, which are made by the page. */
-export const made = new Map(['turtle', 'wall'].map((name) => [name, parts[name]()]));
+export const made = new Map(Object.entries(parts.MADE).map(([name, make]) => [name, make()]));
 
 /** The models of all shapes that programs have, by their names. */
-export const models = new Map([...made, ['sphere', parts.BuiltInModel.sphere()], ['cylinder', parts.BuiltInModel.cylinder()], ...FILES.map((file) => {
+export const models = new Map([...made, ['sphere', parts.BuiltInModel.sphere()], ['cube', parts.BuiltInModel.cube()], ['cylinder', parts.BuiltInModel.cylinder()], ...FILES.map((file) => {
 	const [name] = file.split('.');
 	const bytes = new Uint8Array(readFileSync(path.join(root, 'assets', file)));
 	return [name, file.endsWith('.obj') ? parts.ObjModel.fromBytes(name, bytes) : parts.ColladaModel.fromBytes(name, bytes)];

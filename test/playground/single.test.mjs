@@ -30,14 +30,14 @@ const newPage = (options = {}) => openPage({ browser, url: pathToFileURL(path.jo
 const at = (hash) => `${pathToFileURL(path.join(stick, NAME)).href}${hash}`;
 const done = (page) => page.waitForFunction(() => /^Done! .{20}/.test(document.querySelector('.why').textContent));
 
-test('without a server, all ten lessons are solved', { skip }, async () => {
+test('without a server, all eleven lessons are solved', { skip }, async () => {
 	const { page, said } = await newPage();
 	await page.goto(at(''));
 	await ready(page, 'play');
 	assert.equal(await page.locator('.silent').count(), 0, 'what is said where no script arrives is gone');
 	await page.locator('.gallery .next').click();
 	const names = await page.evaluate(() => globalThis.playground.programs.groups[0].entries.map(({ id }) => id.replace('lesson-', '')));
-	assert.equal(names.length, 10);
+	assert.equal(names.length, 11);
 	for (const [i, name] of names.entries()) {
 		await page.waitForFunction((number) => document.querySelector('.lesson')?.textContent.startsWith(`Lesson ${number} of 10`), i + 1);
 		// a file with the solution on the teacher's sheet, in the lesson
@@ -50,8 +50,8 @@ test('without a server, all ten lessons are solved', { skip }, async () => {
 		if (i < 9) await press(page, 'Next');
 	}
 	await press(page, 'Lessons and games');
-	assert.equal(await page.locator('.gallery .tick').count(), 10);
-	// the teacher's page plays all ten again, from the file that hands them in
+	assert.equal(await page.locator('.gallery .tick').count(), 11);
+	// the teacher's page plays all eleven again, from the file that hands them in
 	await page.locator('.gallery').getByRole('button', { name: 'Hand in…' }).click();
 	await page.getByRole('dialog').getByLabel('Name').fill('Ada');
 	const work = await saved(page, () => press(page, 'Save a file'));
@@ -59,7 +59,7 @@ test('without a server, all ten lessons are solved', { skip }, async () => {
 	await ready(page, 'teach');
 	await page.setInputFiles('input[type=file]', { name: 'Ada.json', mimeType: 'application/json', buffer: Buffer.from(work) });
 	await page.waitForSelector('[data-checked="class"]');
-	assert.equal(await page.locator('.class tbody .done').count(), 10);
+	assert.equal(await page.locator('.class tbody .done').count(), 11);
 	assert.deepEqual(said, []);
 	await page.context().close();
 });

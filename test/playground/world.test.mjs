@@ -437,7 +437,7 @@ const SYSTEMS = ['unit spheres', 'tightest fits', 'hierarchies', 'combination', 
 const NONE = [];
 
 /** The systems in which a solved lesson is done, and those in which it is done as it is given. Of the others all and none. */
-const SOLVED = { helmet: SYSTEMS.slice(1), wing: ['hierarchies', 'exact'], main: ['combination'] };
+const SOLVED = { helmet: SYSTEMS.slice(1), wing: ['hierarchies', 'exact'], main: ['combination'], jump: SYSTEMS.slice(1) };
 const GIVEN = { helmet: SYSTEMS.slice(1), wing: ['hierarchies', 'exact'] };
 const LESSONS = Object.keys(parts.LESSONS);
 const LONGEST_LESSON = 1900;
@@ -501,6 +501,11 @@ const MISTAKES = {
 		['other', (scripts) => scripts.push(script('starlogo_each', 'bears', say(value('starlogo_can_see', {}, { AGENT: value('starlogo_nearest', { BREED: 'bears' }, { DISTANCE: number(10) }) }))))], ['none', (scripts) => parts.append(scripts, 'starlogo_start', without('bears'))]],
 	hunt: [['straight'], ['none', (scripts) => parts.append(scripts, 'starlogo_start', without('bears'))],
 		['late', (scripts) => inEach(scripts, 'bears', { type: 'starlogo_face', inputs: { AGENT: nearestTurtle } }, forward(0.005))]],
+	jump: [['air'], ['through', (scripts) => parts.append(scripts, 'starlogo_each', parts.notation.fall)],
+		['gap', (scripts) => {
+			parts.append(scripts, 'starlogo_each', parts.notation.fall);
+			parts.append(scripts, 'starlogo_start', parts.notation.solid('platforms'));
+		}], ['changed', (scripts) => parts.append(scripts, 'starlogo_start', without('coins'))]],
 };
 
 test('a wrong solution of a lesson is told what is wrong with it, and a right one is not', () => {
@@ -532,7 +537,7 @@ test('a wrong solution of a lesson is told what is wrong with it, and a right on
 
 test('all lessons are tried, and begin with a system in which they are not done yet', () => {
 	assert.deepEqual(LESSONS, Object.keys(parts.texts.lessons.list));
-	assert.equal(LESSONS.length, 10);
+	assert.equal(LESSONS.length, 11);
 	for (const name of LESSONS) {
 		assert.ok(!GIVEN[name]?.includes(played(parts.LESSONS[name].program, 0).collisions.systemName), name);
 	}
@@ -652,6 +657,18 @@ const PLAYERS = {
 	},
 };
 const LONGEST_GAME = 180 * 60;
+PLAYERS.jump = (world) => {
+	const [[person], [lift], [turtle], [house]] = ['people', 'lifts', 'turtles', 'houses'].map((breed) => all(world, breed));
+	const coins = all(world, 'coins').sort((a, b) => a.x - b.x);
+	const to = coins[0] ?? house;
+	world.releaseAll();
+	const below = world.walking.standsOn(person);
+	world.press(to.x > person.x ? 'right' : 'left');
+	const gap = below && to.x > person.x && person.x > below.x + below.size / 2 - 0.35;
+	const isLiftNear = person.x > -4 && person.x < -2 ? lift.x < -0.6 : true;
+	if (gap && !isLiftNear) world.releaseAll();
+	if ((gap && isLiftNear) || (below && Math.abs(to.x - person.x) < 1.3 && to.z > person.z + 0.9) || (turtle && below && Math.abs(turtle.x - person.x) < 1.6 && Math.abs(turtle.z - person.z) < 0.5)) world.press('space');
+};
 
 for (const name of Object.keys(PLAYERS)) {
 	test(`the game ${name} has a goal, is won by who plays it with keys, and not by who does nothing`, () => {
@@ -668,6 +685,68 @@ for (const name of Object.keys(PLAYERS)) {
 		assert.equal(world.ended?.how, 'won', `${world.ended?.text} after ${world.seconds} s, score ${world.score}`);
 	});
 }
+
+test('agents fall onto solid breeds, jump, are carried and turn at the edge; set back by frames, it goes the same way again', () => {
+	const solid = (BREED, ON = 'on') => ({ type: 'starlogo_solid', fields: { BREED, ON } });
+	const walk = (steps) => ({ type: 'starlogo_walk', inputs: { STEPS: number(steps) } });
+	const if_ = (condition, ...blocks) => ({ type: 'controls_if', inputs: { IF0: condition, DO0: { block: chain(...blocks) } } });
+	const fall = { type: 'starlogo_fall' };
+	const world = played(program(
+		start(solid('platforms'), create(1, 'platforms', 'platform', { type: 'starlogo_size', inputs: { SIZE: number(4) } }, go(0, 0, 2)), create(1, 'heroes', 'cube', go(0, 0, 5))),
+		each('platforms', forward(0.02)),
+		each('heroes', fall, walk(0)),
+		parts.notation.key('space', 'pressed', 'heroes', { type: 'starlogo_jump', inputs: { HEIGHT: number(2) } }),
+		parts.notation.key('down', 'pressed', 'heroes', solid('platforms', 'off')),
+	), 60);
+	const [platform, hero] = world.agents;
+	const near = (a, b, by = 1e-6) => assert.ok(Math.abs(a - b) < by, `${a}, not ${b}`);
+	near(hero.z, 3);
+	assert.equal(world.walking.standsOn(hero), platform);
+	const before = hero.x - platform.x;
+	for (let i = 0; i < 30; i++) world.step();
+	near(hero.x - platform.x, before, 0.021);
+	assert.ok(hero.x > 0.5, 'carried');
+	world.press('space');
+	const way = () => Array.from({ length: 60 }, () => {
+		world.step();
+		world.releaseAll();
+		return `${hero.x} ${hero.z} ${hero.rise}`;
+	});
+	const first = way();
+	near(Math.max(...first.map((each) => Number(each.split(' ')[1]))), 5, 0.01);
+	near(hero.z, 3);
+	world.history.show(60);
+	world.press('space');
+	assert.deepEqual(way(), first);
+	world.press('down');
+	for (let i = 0; i < 60; i++) world.step();
+	near(hero.z, 0);
+	world.history.show(60);
+	assert.deepEqual(world.walker.solidBreeds, ['platforms']);
+
+	const ways = Object.fromEntries(['stopAt', 'bounceOff', 'wrapAt'].map((HOW) => {
+		const [turtle] = played(program(start(create(1, 'turtles', 'cube', go(11, 0, 0))), each('turtles', forward(0.1), { type: 'starlogo_edge', fields: { HOW } }, if_(value('starlogo_at_edge', { EDGE: 'east' }), { type: 'starlogo_colour', fields: { WHO: 'me' }, inputs: { COLOUR: value('starlogo_pick', { COLOUR: 'red' }) } }))), 20).agents;
+		return [HOW, [turtle.x.toFixed(1), Math.round(Math.cos((turtle.heading * Math.PI) / 180)), turtle.color !== -1]];
+	}));
+	assert.deepEqual(ways, { stopAt: ['11.5', 1, true], bounceOff: ['10.0', -1, true], wrapAt: ['-11.0', 1, true] });
+});
+
+test('blocks tell which side was hit, how fast, and what is ahead', () => {
+	const scoreOf = (VALUE) => ({ type: 'starlogo_score_set', inputs: { SCORE: VALUE } });
+	const told = (VALUE, place = go(-3, 0, 0), way = forward(0.1)) => played(program(
+		start(create(1, 'walls', 'cube'), create(1, 'turtles', 'cube', place)), each('turtles', way),
+		parts.notation.touch('turtles', 'walls', { type: 'controls_if', inputs: { IF0: VALUE, DO0: { block: scoreOf(value('starlogo_touch', { TOUCH: 'speed' })) } } }),
+	), 40).score;
+	const side = (WHO, SIDE) => value('starlogo_side', { WHO, SIDE });
+	assert.ok(Math.abs(told(side('me', 'front')) - 0.1) < 1e-9);
+	assert.ok(told(side('collidee', 'back')) > 0);
+	assert.equal(told(side('collidee', 'top')), null);
+	assert.ok(told(side('collidee', 'top'), go(0, 0, 3), { type: 'starlogo_up', inputs: { STEPS: number(-0.08) } }) > 0);
+	const ahead = played(program(start(create(1, 'walls', 'cube'), create(1, 'turtles', 'cube', go(-3, 0, 0))),
+		each('turtles', scoreOf(value('starlogo_free', { BREED: 'walls' }, { DISTANCE: number(5) })), { type: 'starlogo_ask', inputs: { AGENT: value('starlogo_ahead', { BREED: 'walls' }, { DISTANCE: number(1) }), ...inside(forward(9)) } })), 1);
+	assert.ok(Math.abs(ahead.score - 2) < 1e-6);
+	assert.equal(ahead.agents[0].x, 0, 'the wall is farther away than 1');
+});
 
 test('who slides along something that leans stays on the ground', () => {
 	const world = played(program(start(create(1, 'people', 'person'), create(1, 'trees', 'tree', { type: 'starlogo_go', inputs: { X: number(3), Y: number(0.3), Z: number(0) } })),
@@ -752,6 +831,14 @@ const everything = () => {
 			{ type: 'starlogo_goal', fields: { TEXT: 'A "goal"' } }, { type: 'starlogo_limit', fields: { TEXT: 'late' }, inputs: { SECONDS: number(4.5) } }, { type: 'starlogo_sound', fields: { SOUND: 'ding' } }, { type: 'starlogo_note', inputs: { NOTE: number(64) } }, { type: 'starlogo_ground', fields: { GROUND: 'sea' } }, set('a', number(3)), set('b', op('POWER', number(-2), number(2))),
 		),
 		{ type: 'starlogo_touch_start', fields: { BREED: 'climbers', OTHER: '*terrain' }, inputs: inside(paint('me', any)) },
+		start({ type: 'starlogo_solid', fields: { BREED: 'platforms', ON: 'on' } }, create(3, 'platforms', 'platform', grow(number(6)), go(-6, 6, 0.3)), create(1, 'heroes', 'person', go(-8, 6, 4)), create(1, 'coins', 'coin', go(-6, 6, 1.7))),
+		{ type: 'starlogo_touch_start', fields: { BREED: 'heroes', OTHER: '*edge' }, inputs: inside(paint('me', any)) },
+		{ type: 'starlogo_touch_start', fields: { BREED: 'heroes', OTHER: 'coins' }, inputs: inside({ type: 'controls_if', inputs: { IF0: value('starlogo_side', { WHO: 'me', SIDE: 'front' }), DO0: { block: grow(value('starlogo_touch', { TOUCH: 'z' })) } } }, { type: 'starlogo_push' }, { type: 'starlogo_say', inputs: { TEXT: value('starlogo_touch', { TOUCH: 'speed' }) } }) },
+		each('heroes', { type: 'starlogo_walk', inputs: { STEPS: number(0.11) } }, { type: 'starlogo_fall' }, { type: 'starlogo_edge', fields: { HOW: 'bounceOff' } },
+			{ type: 'controls_if', inputs: { IF0: value('starlogo_standing', { BREED: 'platforms' }), DO0: { block: { type: 'starlogo_jump', inputs: { HEIGHT: number(2) } } } } },
+			{ type: 'controls_if', inputs: { IF0: value('starlogo_at_edge', { EDGE: 'east' }), DO0: { block: paint('me', any) } } },
+			{ type: 'starlogo_ask', inputs: { AGENT: value('starlogo_ahead', { BREED: 'coins' }, { DISTANCE: number(4) }), ...inside({ type: 'starlogo_up', inputs: { STEPS: op('MULTIPLY', number(1e-7), value('starlogo_free', { BREED: 'anyone' }, { DISTANCE: number(2) })) } }) } },
+			{ type: 'starlogo_ask', inputs: { AGENT: value('starlogo_floor'), ...inside(paint('me', any)) } }),
 		each('climbers', forward(0.02), { type: 'controls_if', inputs: { IF0: value('starlogo_on_ground'), DO0: { block: paint('me', any) } } }, { type: 'starlogo_stand' }),
 		each('balls', forward(0.1), { type: 'starlogo_turn', fields: { DIRECTION: 'left' }, inputs: { DEGREES: op('MINUS', get('a'), number(-1)) } }, {
 			type: 'controls_if', extraState: { elseIfCount: 1, hasElse: true }, inputs: {

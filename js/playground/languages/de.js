@@ -19,7 +19,7 @@ export const texts = {
 	noWebGL: "Dieser Browser zeichnet hier kein 3D (WebGL ist abgeschaltet oder fehlt). Alles außer den Bildern funktioniert.",
 	shapes: {
 		sphere: "Kugel", cube: "Würfel", cylinder: "Zylinder", bear: "Bär", dragon: "Drache", seagull: "Möwe", tree: "Baum", kelp: "Seetang",
-		fortress: "Festung", spaceship: "Raumschiff", fireman: "Feuerwehrmann", person: "Mensch", turtle: "Schildkröte", wall: "Wand",
+		fortress: "Festung", spaceship: "Raumschiff", fireman: "Feuerwehrmann", person: "Mensch", turtle: "Schildkröte", wall: "Wand", platform: "Plattform", coin: "Münze", key: "Schlüssel", rock: "Fels", house: "Haus", car: "Auto",
 	},
 	systems: {
 		"unit spheres": "Einheitskugeln", "tightest fits": "Engste Hüllen", hierarchies: "Hierarchien", combination: "Kombination", exact: "Exakt",
@@ -61,7 +61,7 @@ export const texts = {
 		copyOf: (name) => `${name} (meins)`,
 		another: (name, number) => `${name} ${number}`,
 		examples: { helmet: "Der Helm des Feuerwehrmanns", wing: "Unter dem Flügel des Drachen", wall: "Neben der Mitte der Wand" },
-		games: { paintball: "Farbkugeln", chase: "Auf der Flucht", maze: "Irrgarten", space: "Weltraum", catch: "Perlenfischer", tag: "Fangen", pinball: "Flipper", hills: "Hügel" },
+		games: { paintball: "Farbkugeln", chase: "Auf der Flucht", maze: "Irrgarten", space: "Weltraum", catch: "Perlenfischer", tag: "Fangen", pinball: "Flipper", hills: "Hügel", jump: "Plattformen" },
 		title: "Name des Programms", new: "Neu", newName: "Mein Programm", keep: "Kopie speichern", keepNote: "Was du änderst, wird von selbst gespeichert", kept: "✓ gespeichert", keptNowhere: "nicht gespeichert",
 		save: "Herunterladen", open: "Öffnen …", share: "Link kopieren", link: "Link zu diesem Programm",
 		print: "Drucken", handedBy: (name, pupil) => `${name} (${pupil})`,
@@ -140,12 +140,12 @@ export const texts = {
 	breeds: {
 		bears: "Bären", turtles: "Schildkröten", seagulls: "Möwen", walls: "Wände", paintballs: "Farbkugeln", people: "Menschen", dragons: "Drachen", firemen: "Feuerwehrleute", trees: "Bäume", kelp: "Seetang",
 		fortresses: "Festungen", spaceships: "Raumschiffe", gems: "Goldkugeln", rocks: "Felsen", shots: "Schüsse", pearls: "Perlen", players: "Spieler", taggers: "Fänger", paddles: "Schläger", balls: "Bälle",
-		bumpers: "Prellböcke",
+		bumpers: "Prellböcke", platforms: "Plattformen", coins: "Münzen",
 	},
 	colours: { red: "Rot", orange: "Orange", yellow: "Gelb", green: "Grün", blue: "Blau", purple: "Lila", brown: "Braun", grey: "Grau", white: "Weiß", own: "die eigenen Farben" },
 	lessons: {
 		lesson: (number, of) => `Lektion ${number} von ${of}`,
-		challenge: "Jetzt du:", done: "Geschafft!", next: "Weiter", previous: "Zurück", leave: "Lektion verlassen", hint: "Ein Tipp", again: "Neu anfangen", notYet: "Noch nicht:", fold: "Zuklappen", unfold: "Aufklappen", all: "Alle zehn Lektionen sind geschafft.", onward: { games: "Zu den Spielen", change: "Ein Spiel ändern", own: "Ein eigenes machen" },
+		challenge: "Jetzt du:", done: "Geschafft!", next: "Weiter", previous: "Zurück", leave: "Lektion verlassen", hint: "Ein Tipp", again: "Neu anfangen", notYet: "Noch nicht:", fold: "Zuklappen", unfold: "Aufklappen", all: "Alle elf Lektionen sind geschafft.", onward: { games: "Zu den Spielen", change: "Ein Spiel ändern", own: "Ein eigenes machen" },
 	},
 	gallery: { handIn: "Abgeben …", nextPupil: "Jemand Neues …", title: "Lektionen und Spiele", open: "Lektionen und Spiele", games: "Spiele", begin: "Hier beginnen", here: "Hier geht es weiter", rename: (name) => `${name} umbenennen`, name: "Name", remove: (name) => `${name} löschen`, removed: (name) => `„${name}“ ist gelöscht.`, own: "Deine", models: "Deine Modelle",
 		removedModel: (name) => `Dieser Browser vergisst das Modell „${name}“, wenn die Seite geschlossen wird.`, lessons: "Lektionen", close: "Schließen" },

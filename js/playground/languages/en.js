@@ -24,7 +24,7 @@ export const texts = {
 	noWebGL: "This browser draws no 3D here (WebGL is off or missing). Everything but the pictures works.",
 	shapes: {
 		sphere: "Sphere", cube: "Cube", cylinder: "Cylinder", bear: "Bear", dragon: "Dragon", seagull: "Seagull", tree: "Tree", kelp: "Kelp",
-		fortress: "Fortress", spaceship: "Spaceship", fireman: "Fireman", person: "Person", turtle: "Turtle", wall: "Wall",
+		fortress: "Fortress", spaceship: "Spaceship", fireman: "Fireman", person: "Person", turtle: "Turtle", wall: "Wall", platform: "Platform", coin: "Coin", key: "Key", rock: "Rock", house: "House", car: "Car",
 	},
 	systems: {
 		"unit spheres": "Unit spheres", "tightest fits": "Tightest fits", hierarchies: "Hierarchies", combination: "Combination", exact: "Exact",
@@ -66,7 +66,7 @@ export const texts = {
 		copyOf: (name) => `${name} (mine)`,
 		another: (name, number) => `${name} ${number}`,
 		examples: { helmet: "The fireman's helmet", wing: "Under the dragon's wing", wall: "Beside the wall's middle" },
-		games: { paintball: "Paintball", chase: "Chase", maze: "Maze", space: "Space", catch: "Catch", tag: "Tag", pinball: "Pinball", hills: "Hills" },
+		games: { paintball: "Paintball", chase: "Chase", maze: "Maze", space: "Space", catch: "Catch", tag: "Tag", pinball: "Pinball", hills: "Hills", jump: "Platforms" },
 		title: "Name of the program", new: "New", newName: "My program", keep: "Save a copy", keepNote: "What you change is saved by itself", kept: "✓ saved", keptNowhere: "not saved",
 		save: "Download", open: "Open…", share: "Copy a link", link: "Link to this program",
 		print: "Print", handedBy: (name, pupil) => `${name} (${pupil})`,
@@ -145,12 +145,12 @@ export const texts = {
 	breeds: {
 		bears: "bears", turtles: "turtles", seagulls: "seagulls", walls: "walls", paintballs: "paintballs", people: "people", dragons: "dragons", firemen: "firemen", trees: "trees", kelp: "kelp",
 		fortresses: "fortresses", spaceships: "spaceships", gems: "gems", rocks: "rocks", shots: "shots", pearls: "pearls", players: "players", taggers: "taggers", paddles: "bats", balls: "balls",
-		bumpers: "bumpers",
+		bumpers: "bumpers", platforms: "platforms", coins: "coins",
 	},
 	colours: { red: "red", orange: "orange", yellow: "yellow", green: "green", blue: "blue", purple: "purple", brown: "brown", grey: "grey", white: "white", own: "its own colours" },
 	lessons: {
 		lesson: (number, of) => `Lesson ${number} of ${of}`,
-		challenge: "Your turn:", done: "Done!", next: "Next", previous: "Back", leave: "Leave the lesson", hint: "A hint", again: "Begin again", notYet: "Not yet:", fold: "Fold", unfold: "Unfold", all: "All ten lessons are done.", onward: { games: "To the games", change: "Change a game", own: "Make your own" },
+		challenge: "Your turn:", done: "Done!", next: "Next", previous: "Back", leave: "Leave the lesson", hint: "A hint", again: "Begin again", notYet: "Not yet:", fold: "Fold", unfold: "Unfold", all: "All eleven lessons are done.", onward: { games: "To the games", change: "Change a game", own: "Make your own" },
 	},
 	gallery: { handIn: "Hand in…", nextPupil: "New pupil…", title: "Lessons and games", open: "Lessons and games", games: "Games", begin: "Begin here", here: "Go on here", rename: (name) => `Rename ${name}`, name: "Name", remove: (name) => `Delete ${name}`, removed: (name) => `“${name}” is deleted.`, own: "Yours", models: "Your models",
 		removedModel: (name) => `This browser forgets the model “${name}” when the page is closed.`, lessons: "Lessons", close: "Close" },

@@ -1,6 +1,7 @@
 /** The actions and values of single blocks: functions that act on a world. Nothing here needs Blockly or a page. */
 import { Collision } from "starlogo-collision";
 import { plain, texts } from "../shared/language.js";
+import { Being } from "./being.js";
 import { COLOURS } from "./colours.js";
 
 /** An error that a student made, and its block. */
@@ -53,6 +54,9 @@ function whom(block, world) {
 	return who;
 }
 
+/** The other agent of a collision block. */
+const touched = (block, world) => world.collidee ?? fail(texts.play.noCollidee(wordsOf(block.type)), block);
+
 export const STATEMENTS = {
 	starlogo_system: (block, world) => () => world.isSystemFixed || world.useSystem(block.fields.SYSTEM),
 	starlogo_hierarchical: (block, world) => () => world.traits.setHierarchical(whom(block, world), block.fields.ON === "on"),
@@ -71,7 +75,7 @@ export const STATEMENTS = {
 		const agent = value(block, "AGENT", world, null);
 		return () => world.face(me(block, world), agent());
 	},
-	starlogo_bounce: (block, world) => () => world.bounce(me(block, world), world.collidee ?? fail(texts.play.noCollidee(wordsOf(block.type)), block)),
+	starlogo_bounce: (block, world) => () => world.bounce(me(block, world), touched(block, world)),
 	starlogo_become: (block, world) => () => {
 		for (const agent of world.subjects(whom(block, world))) world.become(agent, block.fields.BREED);
 	},
@@ -140,7 +144,7 @@ export const STATEMENTS = {
 	starlogo_back: (block, world) => () => world.goBack(me(block, world), world.collidee),
 	starlogo_mound: (block, world) => {
 		const [high, wide] = ["HEIGHT", "WIDTH"].map((name) => number(block, name, world));
-		world.needTerrain();
+		world.needTerrain(true);
 		return () => {
 			const { x, y } = me(block, world);
 			world.terrain.raiseMound(x, y, wide(), high());
@@ -148,7 +152,7 @@ export const STATEMENTS = {
 	},
 	starlogo_wall: (block, world) => {
 		const high = number(block, "HEIGHT", world);
-		world.needTerrain();
+		world.needTerrain(true);
 		return () => {
 			const { x, y } = me(block, world);
 			world.terrain.raiseWall(x, y, high());
@@ -157,6 +161,32 @@ export const STATEMENTS = {
 	starlogo_flat: (block, world) => {
 		world.needTerrain();
 		return () => world.terrain.reset();
+	},
+	starlogo_solid: (block, world) => () => world.setSolid(block.fields.BREED, block.fields.ON === "on"),
+	starlogo_push: (block, world) => () => world.contacts.pushAway(me(block, world), touched(block, world)),
+	starlogo_walk: (block, world) => {
+		const steps = number(block, "STEPS", world);
+		world.needTerrain();
+		return () => world.walk(me(block, world), steps());
+	},
+	starlogo_jump: (block, world) => {
+		const height = number(block, "HEIGHT", world);
+		world.needTerrain();
+		return () => {
+			const agent = me(block, world);
+			agent.rise = world.walking.jump(agent, height(), agent.rise);
+		};
+	},
+	starlogo_fall: (block, world) => {
+		world.needTerrain();
+		return () => {
+			const agent = me(block, world);
+			agent.rise = world.walking.fall(agent, agent.rise);
+		};
+	},
+	starlogo_edge: (block, world) => {
+		world.needEdges();
+		return () => world.edges[`${block.fields.HOW}Edge`](me(block, world));
 	},
 	starlogo_stand: (block, world) => {
 		world.needTerrain();
@@ -266,6 +296,43 @@ const VALUES = {
 		return () => {
 			const other = agent();
 			return other !== null && world.senses.canSee(me(block, world), other);
+		};
+	},
+	starlogo_side: (block, world) => () => {
+		const [agent, other] = [me(block, world), touched(block, world)];
+		return (block.fields.WHO === "me" ? world.contacts.sideHit(agent, other) : world.contacts.sideHit(other, agent)) === block.fields.SIDE;
+	},
+	starlogo_touch: (block, world) => () => {
+		const [agent, other] = [me(block, world), touched(block, world)];
+		return block.fields.TOUCH === "speed" ? world.speedOf(agent, other) : world.contacts.touchPoint(agent, other)[block.fields.TOUCH];
+	},
+	starlogo_ahead: (block, world) => {
+		const distance = number(block, "DISTANCE", world);
+		return () => world.senses.ahead(me(block, world), breedOf(block.fields.BREED), distance());
+	},
+	starlogo_free: (block, world) => {
+		const distance = number(block, "DISTANCE", world);
+		return () => Math.min(FAR, world.senses.distanceAhead(me(block, world), breedOf(block.fields.BREED), distance()));
+	},
+	starlogo_standing: (block, world) => {
+		world.needTerrain();
+		return () => {
+			const below = world.walking.standsOn(me(block, world));
+			return below !== null && (block.fields.BREED === "anyone" || below.breed === block.fields.BREED);
+		};
+	},
+	starlogo_floor: (block, world) => {
+		world.needTerrain();
+		return () => {
+			const below = world.walking.standsOn(me(block, world));
+			return below instanceof Being ? below : null;
+		};
+	},
+	starlogo_at_edge: (block, world) => {
+		world.needEdges();
+		return () => {
+			const edge = world.edges.edgeTouched(me(block, world));
+			return edge !== null && (block.fields.EDGE === "any" || block.fields.EDGE === edge);
 		};
 	},
 	starlogo_touching: (block, world) => () => world.senses.isTouching(me(block, world), breedOf(block.fields.BREED)),

@@ -15,5 +15,7 @@ export class Being extends Agent {
 	/** The frame of its last touch, and the frame in which that touch began. */
 	touched = -1;
 	hit = -1000;
+	/** Its upward speed, in patches a frame: more than 0 in a jump, less in a fall. */
+	rise = 0;
 	color = OWN_COLOURS;
 }

@@ -10,7 +10,7 @@ const dropdown = (name, list) => ({ type: "field_dropdown", name, options: list 
 /** The first shape of a breed's agents. */
 export const SHAPE_OF = {
 	bears: "bear", turtles: "turtle", seagulls: "seagull", walls: "wall", paintballs: "sphere", people: "person", dragons: "dragon", firemen: "fireman", trees: "tree", kelp: "kelp",
-	fortresses: "fortress", spaceships: "spaceship",
+	fortresses: "fortress", spaceships: "spaceship", platforms: "platform", coins: "coin",
 };
 /** The breeds in menus, also the user's own. Programs add theirs. */
 export const breeds = ["bears", "turtles", "seagulls", "walls", "paintballs"];
@@ -25,7 +25,8 @@ const newBreed = [words.newBreed, NEW_BREED];
 export const MENUS = {
 	BREED: () => [...breedOptions(), newBreed],
 	ANYONE: () => [...breedOptions(), [words.anyBreed, "anyone"], newBreed],
-	OTHER: () => [...breedOptions(), [words.anyBreed, "anyone"], [words.theGround, Collision.TERRAIN], newBreed],
+	OTHER: () => [...breedOptions(), [words.anyBreed, "anyone"], [words.theGround, Collision.TERRAIN], [words.theEdge, Collision.EDGE], newBreed],
+	FLOOR: () => [[words.anything, "anyone"], [words.theGround, Collision.TERRAIN], ...breedOptions()],
 	WHO: () => [[words.me, "me"], [words.collidee, "collidee"], ...breedOptions().map(([text, value]) => [words.allOf(text), value])],
 	SHAPE: () => shapes.map((name) => [texts.inSentence(nameOf(texts.shapes, name)), name]),
 };
@@ -54,6 +55,7 @@ const KEY = dropdown("KEY", options(words.keys));
 const breed = (name, kind = name) => menu(name, kind);
 const anyone = menu("BREED", "ANYONE");
 const text = (value) => ({ type: "field_input", name: "TEXT", text: value });
+const SIDE = dropdown("SIDE", options(words.sides));
 const AGENT = { type: "input_value", name: "AGENT", check: "Agent" };
 const COLOUR = { type: "input_value", name: "COLOUR", check: ["Colour", "Number"] };
 const input = (name) => ({ type: "input_value", name, check: "Number" });
@@ -96,6 +98,19 @@ export const DEFINITIONS = [
 	define("starlogo_back", "movement", [], STATEMENT),
 	define("starlogo_heading", "movement", [input("HEADING")], STATEMENT),
 	define("starlogo_stand", "movement", [], STATEMENT),
+	define("starlogo_solid", "collision", [breed("BREED"), ON], STATEMENT),
+	define("starlogo_push", "collision", [], STATEMENT),
+	define("starlogo_side", "collision", [ONE, SIDE], TRUTH),
+	define("starlogo_touch", "collision", [dropdown("TOUCH", options(words.touch))], NUMBER),
+	define("starlogo_walk", "movement", [input("STEPS")], STATEMENT),
+	define("starlogo_jump", "movement", [input("HEIGHT")], STATEMENT),
+	define("starlogo_fall", "movement", [], STATEMENT),
+	define("starlogo_edge", "movement", [dropdown("HOW", options(words.edgeWays))], STATEMENT),
+	define("starlogo_at_edge", "sense", [dropdown("EDGE", options(words.edges))], TRUTH),
+	define("starlogo_standing", "sense", [menu("BREED", "FLOOR")], TRUTH),
+	define("starlogo_floor", "sense", [], { output: "Agent" }),
+	define("starlogo_ahead", "sense", [anyone, input("DISTANCE")], { output: "Agent" }),
+	define("starlogo_free", "sense", [anyone, input("DISTANCE")], NUMBER),
 	define("starlogo_mound", "game", [input("HEIGHT"), input("WIDTH")], STATEMENT),
 	define("starlogo_wall", "game", [input("HEIGHT")], STATEMENT),
 	define("starlogo_flat", "game", [], STATEMENT),
@@ -170,12 +185,12 @@ export const TOOLBOX = {
 	kind: "categoryToolbox",
 	contents: [
 		category("events", block("starlogo_start"), block("starlogo_each"), block("starlogo_key"), block("starlogo_timer", { SECONDS: 1 }), block("starlogo_click")),
-		category("collisions", block("starlogo_collision"), block("starlogo_touch_start"), block("starlogo_touch_end"), block("starlogo_bounce"), block("starlogo_sweep"), block("starlogo_system"),
+		category("collisions", block("starlogo_collision"), block("starlogo_touch_start"), block("starlogo_touch_end"), block("starlogo_bounce"), block("starlogo_push"), block("starlogo_side"), block("starlogo_touch"), block("starlogo_solid", null, { BREED: "walls" }), block("starlogo_sweep"), block("starlogo_system"),
 			block("starlogo_hierarchical"), block("starlogo_depth", { DEPTH: 5 }), block("starlogo_collide_as"), block("starlogo_show")),
-		category("movement", block("starlogo_forward", { STEPS: 0.1 }), block("starlogo_until", { STEPS: 0.1 }), block("starlogo_turn", { DEGREES: 5 }), block("starlogo_face", { AGENT: NEAREST }),
-			block("starlogo_heading", { HEADING: 90 }), block("starlogo_up", { STEPS: 0.1 }), block("starlogo_go", { X: 0, Y: 0, Z: 0 }), block("starlogo_stand"), block("starlogo_scatter"), block("starlogo_back")),
+		category("movement", block("starlogo_forward", { STEPS: 0.1 }), block("starlogo_walk", { STEPS: 0.1 }), block("starlogo_jump", { HEIGHT: 3 }), block("starlogo_fall"), block("starlogo_until", { STEPS: 0.1 }), block("starlogo_turn", { DEGREES: 5 }), block("starlogo_face", { AGENT: NEAREST }),
+			block("starlogo_heading", { HEADING: 90 }), block("starlogo_up", { STEPS: 0.1 }), block("starlogo_go", { X: 0, Y: 0, Z: 0 }), block("starlogo_stand"), block("starlogo_edge"), block("starlogo_scatter"), block("starlogo_back")),
 		category("senses", block("starlogo_count", { DISTANCE: 5 }), block("starlogo_number_of", { COLOUR: "starlogo_pick" }), block(NEAREST, { DISTANCE: 10 }), block("starlogo_distance", { AGENT: NEAREST }),
-			block("starlogo_can_see", { AGENT: NEAREST }), block("starlogo_touching"), block("starlogo_on_ground"), block("starlogo_ground_height"), block("starlogo_key_down"), block("starlogo_mouse")),
+			block("starlogo_can_see", { AGENT: NEAREST }), block("starlogo_touching"), block("starlogo_ahead", { DISTANCE: 3 }), block("starlogo_free", { DISTANCE: 10 }), block("starlogo_standing"), block("starlogo_floor"), block("starlogo_at_edge"), block("starlogo_on_ground"), block("starlogo_ground_height"), block("starlogo_key_down"), block("starlogo_mouse")),
 		category("agents", block("starlogo_create", { COUNT: 1 }, { BREED: "bears", SHAPE: "bear" }), block("starlogo_hatch", null, { BREED: "paintballs", SHAPE: "sphere" }), block("starlogo_delete"), block("starlogo_ask", { AGENT: NEAREST }), block("starlogo_become"), block("starlogo_trait"), block("starlogo_agent")),
 		category("looks", block("starlogo_colour", { COLOUR: "starlogo_pick" }), block("starlogo_pick"), block("starlogo_any_colour"), block("starlogo_colour_of"), block("starlogo_size", { SIZE: 1 }), block("starlogo_say", { TEXT: words.hello }), block("starlogo_sound"), block("starlogo_note", { NOTE: 60 })),
 		category("game", block("starlogo_goal"), block("starlogo_score_change", { SCORE: 1 }), block("starlogo_score_set", { SCORE: 0 }), block("starlogo_score"), block("starlogo_clock"), block("starlogo_limit", { SECONDS: 60 }), block("starlogo_ground"), block("starlogo_mound", { HEIGHT: 2, WIDTH: 6 }), block("starlogo_wall", { HEIGHT: 1 }), block("starlogo_flat"), block("starlogo_end")),

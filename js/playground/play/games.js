@@ -1,8 +1,9 @@
 /** The page's games, in Blockly's notation. */
+import { Collision } from "starlogo-collision";
 import { texts } from "../shared/language.js";
 import {
-	aim, along, alongside, bounce, change, collision, colour, compare, count, create, each, end, field, folded, get, go, goal, ground, hatch, heading, key, limit, many, math, mound, move, nearest, number, numbers, paint,
-	program, remove, repeat, say, scatter, score, set, size, stand, start, step, sweep, timer, touch, trait, turn, up, when,
+	aim, along, alongside, bounce, change, collision, colour, compare, count, create, each, either, end, fall, field, folded, get, go, goal, ground, hatch, heading, jump, key, limit, many, math, mound, move, nearest, number, numbers, paint,
+	program, remove, repeat, say, scatter, score, set, side, size, solid, sound, stand, standing, start, step, sweep, timer, touch, trait, turn, up, walk, when,
 } from "./notation.js";
 
 const words = texts.programs;
@@ -181,4 +182,30 @@ const hills = program(
 	...walks("people", 0.1, "trees"),
 );
 
-export const GAMES = { paintball, chase, maze, space, catch: catching, tag, pinball, hills };
+const COINS = 5;
+const slab = (x, z, wide) => create(1, "platforms", "platform", size(wide), go(x, 0, z));
+const gold = (x, z) => create(1, "coins", "coin", size(0.8), go(x, 0, z));
+const beginning = go(-7.5, 0, 2);
+const jumping = program(
+	each("people", fall,
+		when(standing(Collision.TERRAIN), say(words.jump.again), beginning)),
+	key("space", "pressed", "people", jump(2.5), sound("jump")),
+	touch("people", "coins", remove("collidee"), change(1), sound("ding")),
+	touch("people", "turtles", either(side("me", "bottom"), [remove("collidee"), sound("pop")], [end("lost", words.jump.lost)])),
+	touch("people", "houses", either(compare("GTE", field("starlogo_score"), number(COINS)), [end("won", words.jump.won)], [say(words.jump.more)])),
+	each("lifts", move(0.03), when(compare("GT", trait("x"), number(1.4)), heading(180)), when(compare("LT", trait("x"), number(-1)), heading(0))),
+	each("turtles", walk(0.02), fall, when(compare("GT", trait("x"), number(6)), heading(180)), when(compare("LT", trait("x"), number(4)), heading(0))),
+	folded(start(
+		goal(words.jump.goal), score(number(0)), solid("platforms"), solid("lifts"),
+		slab(-7, 0.5, 3), slab(-3.5, 1, 2), slab(5, 1.2, 3.5), slab(8, 3, 2),
+		create(1, "lifts", "platform", size(2), go(0, 0, 1.2), paint("me", colour("blue"))),
+		create(1, "people", "person", size(1), beginning),
+		create(1, "turtles", "turtle", size(1), go(5, 0, 2.1)),
+		create(1, "houses", "house", size(1.2), go(8.3, 0, 3.5)),
+		gold(-6, 2.2), gold(-3.5, 2.4), gold(0.2, 2.8), gold(4, 2.9), gold(6.2, 3.4),
+	)),
+	folded(key("left", "held", "people", heading(180), walk(0.1))),
+	folded(key("right", "held", "people", heading(0), walk(0.1))),
+);
+
+export const GAMES = { paintball, chase, maze, space, catch: catching, tag, pinball, hills, jump: jumping };

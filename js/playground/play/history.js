@@ -2,7 +2,7 @@
 const MOST_FRAMES = 900;
 const MOST_AGENTS = 150000;
 
-const TRAITS = ["shape", "breed", "x", "y", "z", "heading", "pitch", "roll", "size", "color", "hierarchical", "traversalDepth", "collideAs", "sweeps", "born", "said", "touched", "hit", "isAlive"];
+const TRAITS = ["shape", "breed", "x", "y", "z", "heading", "pitch", "roll", "size", "color", "hierarchical", "traversalDepth", "collideAs", "sweeps", "born", "said", "rise", "touched", "hit", "isAlive"];
 const PLACED = new Set(["x", "y", "z"]);
 
 export class History {
@@ -62,6 +62,7 @@ export class History {
 		world.agents.splice(0, Infinity, ...agents);
 		Object.assign(world.state, state, { variables: { ...state.variables }, totals: new Map(state.totals), events: [...state.events], threads: state.threads.map((thread) => thread.copy()) });
 		world.useSystem(system);
+		world.walker.solidBreeds = state.solid;
 		world.collisions.collision.restore(bytes, listed);
 		this.shown = at;
 	}

@@ -6,7 +6,7 @@ import { Collision, CollisionBlocks } from "starlogo-collision";
 import { BUILT_IN } from "../shared/assets.js";
 import { INSTALL } from "../shared/names.js";
 import { COLOURS } from "./colours.js";
-import { BEING, ENGINE, HELPERS, hex } from "./javascriptparts.js";
+import { BEING, ENGINE, HELPERS, INSIDE_EDGES, hex } from "./javascriptparts.js";
 import { FRAMES_A_SECOND, HALF_WIDTH } from "./world.js";
 
 const INDENT = "\t";
@@ -14,9 +14,9 @@ const text = JSON.stringify;
 const NAME = /^[a-z_$][\w$]*$/i;
 
 /** The classes that a module may import from the package. */
-const CLASSES = ["Agent", "AgentFilter", "BuiltInModel", "Collision", "CollisionBlocks", "DetectionBlocks", "GreatLand", "Model", "Terrain", "TraitBlocks"];
+const CLASSES = ["Agent", "AgentFilter", "BuiltInModel", "Collision", "CollisionBlocks", "ContactBlocks", "DetectionBlocks", "GreatLand", "Model", "Terrain", "TerrainBlocks", "TraitBlocks", "WalkBlocks", "WorldBounds"];
 
-const RESERVED = { anyone: "Collision.ANY_BREED", [Collision.TERRAIN]: "Collision.TERRAIN" };
+const RESERVED = { anyone: "Collision.ANY_BREED", [Collision.TERRAIN]: "Collision.TERRAIN", [Collision.EDGE]: "Collision.EDGE" };
 const breedOf = (field) => RESERVED[field] ?? text(field);
 const systemOf = (program) => (CollisionBlocks.systemNames.includes(program.system) ? program.system : CollisionBlocks.TIGHTEST_FITS);
 
@@ -38,6 +38,8 @@ class Place {
 class Writer {
 	constructor(program) {
 		this.program = program;
+		const code = JSON.stringify(program);
+		this.forward = code.includes('"starlogo_solid"') ? "forwardAlongSolid" : "forward";
 		this.names = new Map((program.variables ?? []).map(({ id, name }) => [id, name]));
 	}
 
@@ -122,7 +124,7 @@ const STATEMENTS = {
 	starlogo_sound: ({ fields }) => [`// here the game plays the sound ${text(fields.SOUND)}`],
 	starlogo_note: (block, place, writer) => [`// here the game plays the note ${writer.value(block, "NOTE", place)}`],
 	starlogo_end: ({ fields }) => [`game.ended ??= { how: ${text(fields.HOW)}, text: ${text(fields.TEXT)} };`],
-	starlogo_forward: (block, place, writer) => [`forward(${place.me}, ${writer.value(block, "STEPS", place)});`],
+	starlogo_forward: (block, place, writer) => [`${writer.forward}(${place.me}, ${writer.value(block, "STEPS", place)});`],
 	starlogo_turn: (block, place, writer) => [`${place.me}.heading ${block.fields.DIRECTION === "left" ? "+=" : "-="} ${writer.value(block, "DEGREES", place)};`],
 	starlogo_up: (block, place, writer) => [`${place.me}.z += ${writer.value(block, "STEPS", place)};`],
 	starlogo_go: (block, place, writer) => [`${place.me}.jumpTo(${["X", "Y", "Z"].map((name) => writer.value(block, name, place)).join(", ")});`],
@@ -131,6 +133,12 @@ const STATEMENTS = {
 	starlogo_mound: (block, place, writer) => [`terrain.raiseMound(${place.me}.x, ${place.me}.y, ${writer.value(block, "WIDTH", place)}, ${writer.value(block, "HEIGHT", place)});`],
 	starlogo_wall: (block, place, writer) => [`terrain.raiseWall(${place.me}.x, ${place.me}.y, ${writer.value(block, "HEIGHT", place)});`],
 	starlogo_flat: () => ["terrain.reset();"],
+	starlogo_solid: ({ fields }) => [`walking().setSolid(${text(fields.BREED)}, ${fields.ON === "on"});`],
+	starlogo_push: (block, { me, collidee }) => [`contacts.pushAway(${me}, ${collidee});`],
+	starlogo_walk: (block, place, writer) => [`walk(${place.me}, ${writer.value(block, "STEPS", place)});`],
+	starlogo_jump: (block, place, writer) => [`${place.me}.rise = walking().jump(${place.me}, ${writer.value(block, "HEIGHT", place)}, ${place.me}.rise);`],
+	starlogo_fall: (block, { me }) => [`${me}.rise = walking().fall(${me}, ${me}.rise);`],
+	starlogo_edge: ({ fields }, { me }) => [`edges.${fields.HOW}Edge(${me});`],
 	starlogo_stand: (block, { me }) => [`${me}.z = groundBelow(${me});`],
 	starlogo_delete: (block, place, writer) => writer.whom(block, place, (agent) => `remove(${agent});`),
 	starlogo_size: (block, place, writer) => [`${place.me}.size = ${writer.value(block, "SIZE", place)};`],
@@ -197,6 +205,13 @@ const VALUES = {
 	starlogo_nearest: (block, place, writer) => `senses().nearestWithin(${place.me}, ${breedOf(block.fields.BREED)}, ${writer.value(block, "DISTANCE", place)})`,
 	starlogo_distance: (block, place, writer) => `distanceTo(${place.me}, ${writer.value(block, "AGENT", place, "null")})`,
 	starlogo_can_see: (block, place, writer) => `canSee(${place.me}, ${writer.value(block, "AGENT", place, "null")})`,
+	starlogo_side: ({ fields }, { me, collidee }) => `(contacts.sideHit(${fields.WHO === "me" ? `${me}, ${collidee}` : `${collidee}, ${me}`}) === ${text(fields.SIDE)})`,
+	starlogo_touch: ({ fields: { TOUCH } }, { me, collidee }) => (TOUCH === "speed" ? `speedOf(${me}, ${collidee})` : `contacts.touchPoint(${me}, ${collidee}).${TOUCH}`),
+	starlogo_ahead: (block, place, writer) => `senses().ahead(${place.me}, ${breedOf(block.fields.BREED)}, ${writer.value(block, "DISTANCE", place)})`,
+	starlogo_free: (block, place, writer) => `Math.min(1000000, senses().distanceAhead(${place.me}, ${breedOf(block.fields.BREED)}, ${writer.value(block, "DISTANCE", place)}))`,
+	starlogo_standing: ({ fields: { BREED } }, { me }) => (BREED === "anyone" ? `walking().isStanding(${me})` : `(walking().standsOn(${me})?.breed === ${breedOf(BREED)})`),
+	starlogo_floor: (block, { me }) => `floorOf(${me})`,
+	starlogo_at_edge: ({ fields: { EDGE } }, { me }) => (EDGE === "any" ? `(edges.edgeTouched(${me}) !== null)` : `(edges.edgeTouched(${me}) === ${text(EDGE)})`),
 	starlogo_touching: (block, place) => `senses().isTouching(${place.me}, ${breedOf(block.fields.BREED)})`,
 	starlogo_ground_height: (block, { me }) => `groundBelow(${me})`,
 	starlogo_on_ground: (block, { me }) => `senses().isTouching(${me}, Collision.TERRAIN)`,
@@ -260,7 +275,7 @@ export function javascriptOf(program, title, models, file = "game") {
 	const writer = new Writer(program);
 	const scripts = (program.blocks?.blocks ?? []).filter(({ type }) => type in EVENTS).map((block) => {
 		const isAlone = block.type === "starlogo_start";
-		const isPair = block.type in { starlogo_collision: 1, starlogo_touch_start: 1, starlogo_touch_end: 1 } && block.fields.OTHER !== Collision.TERRAIN;
+		const isPair = block.type in { starlogo_collision: 1, starlogo_touch_start: 1, starlogo_touch_end: 1 } && ![Collision.TERRAIN, Collision.EDGE].includes(block.fields.OTHER);
 		const place = new Place(isAlone ? "null" : "me", isPair ? "collidee" : "null");
 		const seconds = block.inputs?.SECONDS ? writer.value(block, "SECONDS", new Place("null", "null")) : "";
 		return `${EVENTS[block.type](block, seconds)}function* (${isAlone ? "" : isPair ? "me, collidee" : "me"}) {\n${writer.body(block, "DO", place).join("\n")}\n});`;
@@ -270,7 +285,8 @@ export function javascriptOf(program, title, models, file = "game") {
 	const addModels = [...shapes.filter((name) => BUILT_IN.includes(name)).map((name) => `greatLand.addModel(BuiltInModel.${name}());`), ...(brought.length > 0 ? ["for (const model of models()) greatLand.addModel(model);"] : [])];
 	const system = systemOf(program);
 	const main = [...addModels, ...scripts].join("\n");
-	const helpers = neededBy(`${main}\n${ENGINE}`);
+	const hasEdges = /\bedges\.|Collision\.EDGE/.test(main);
+	const helpers = neededBy(`${main}\n${ENGINE}`, hasEdges ? INSIDE_EDGES : {});
 	const has = (word) => new RegExp(`\\b${word}\\b`).test(`${main}\n${helpers.join("\n")}`);
 	const fill = (part) => part.replaceAll("/*old*/", has("areSensesOld") ? "\n\tareSensesOld = true;" : "").replaceAll("/*limit*/", has("game\\.limit") ? "\n\tif (game.limit && game.frame >= game.limit.until) game.ended ??= { how: \"lost\", text: game.limit.text };" : "").replaceAll("/*welcome*/", `${has("traits") ? "\n\ttraits.welcome(agent);" : ""}${has("sweeping") ? "\n\tagent.sweeps = sweeping[agent.breed] ?? agent.sweeps;" : ""}`);
 	const colours = Object.entries(COLOURS).filter(([name]) => has(`colours\\.${name}`)).map(([name, colour]) => `${name}: ${hex(colour)}`);
@@ -290,9 +306,12 @@ export function javascriptOf(program, title, models, file = "game") {
 	const blocks = [
 		"const collisions = new CollisionBlocks(greatLand, agents);",
 		...(system === CollisionBlocks.TIGHTEST_FITS ? [] : [`collisions.useCollisionSystem(${text(system)});`]),
-		...(has("terrain\\.") || has("(isTouching|when\\w+)\\([^,]+, Collision\\.TERRAIN") ? [`const terrain = new Terrain(${2 * HALF_WIDTH + 1}, ${2 * HALF_WIDTH + 1}, 1, ${-HALF_WIDTH}, ${-HALF_WIDTH});`, "collisions.collision.terrain = terrain;"] : []),
+		...(has("terrain\\.") || has("(isTouching|when\\w+)\\([^,]+, Collision\\.TERRAIN") || has("walker") ? [`const terrain = new Terrain(${2 * HALF_WIDTH + 1}, ${2 * HALF_WIDTH + 1}, 1, ${-HALF_WIDTH}, ${-HALF_WIDTH});`, "collisions.collision.terrain = terrain;"] : []),
 		...(has("traits") ? ["const traits = new TraitBlocks(agents);"] : []),
-		...(has("detection") ? ["const detection = new DetectionBlocks(collisions);", "let areSensesOld = true;"] : []),
+		...(has("detection") || has("walker") || hasEdges ? ["const detection = new DetectionBlocks(collisions);", "let areSensesOld = true;"] : []),
+		...(has("walker") ? ["const walker = new WalkBlocks(detection);"] : []),
+		...(has("contacts") ? ["const contacts = new ContactBlocks(collisions);"] : []),
+		...(hasEdges ? ["const edges = new TerrainBlocks(collisions, detection);", `collisions.collision.bounds = new WorldBounds(${-HALF_WIDTH}, ${-HALF_WIDTH}, -Infinity, ${HALF_WIDTH}, ${HALF_WIDTH}, Infinity);`] : []),
 		...(has("systemsOfNow") ? ["const systemsOfNow = new CollisionBlocks(greatLand, []);"] : []),
 	];
 	const whole = [main, BEING, ENGINE, ...helpers, ...blocks, brought.length > 0 ? "new Model" : "", "new GreatLand"].join("\n");
@@ -317,15 +336,16 @@ export function javascriptOf(program, title, models, file = "game") {
 }
 
 /** The helpers that a text names, and the helpers that these name. */
-function neededBy(code) {
+function neededBy(code, others) {
+	const helpers = { ...HELPERS, ...others };
 	const found = new Set();
 	const look = (part) => {
-		for (const [name, helper] of Object.entries(HELPERS)) {
+		for (const [name, helper] of Object.entries(helpers)) {
 			if (found.has(name) || !new RegExp(`\\b${name}\\(`).test(part)) continue;
 			found.add(name);
 			look(helper);
 		}
 	};
 	look(code);
-	return Object.keys(HELPERS).filter((name) => found.has(name)).map((name) => HELPERS[name]);
+	return Object.keys(helpers).filter((name) => found.has(name)).map((name) => helpers[name]);
 }

@@ -41,6 +41,30 @@ function senses() {
 	const angle = (agent.heading * Math.PI) / 180;
 	moveInside(agent, agent.x + steps * Math.cos(angle), agent.y + steps * Math.sin(angle));
 }`,
+	forwardAlongSolid: `function forwardAlongSolid(agent, steps) {
+	if (walking().solidBreeds.length === 0) return forward(agent, steps);
+	walking().forward(agent, steps);
+	moveInside(agent, agent.x, agent.y);
+}`,
+	walk: `function walk(agent, steps) {
+	walking().walk(agent, steps);
+	moveInside(agent, agent.x, agent.y);
+}`,
+	walking: `/** Walks, falls and jumps over the ground and solid agents, as they were when the frame began. */
+function walking() {
+	senses();
+	return walker;
+}`,
+	floorOf: `/** The agent below; null for the ground. */
+function floorOf(agent) {
+	const below = walking().standsOn(agent);
+	return below instanceof Being ? below : null;
+}`,
+	speedOf: `/** The steps of a frame that bring two agents together. */
+function speedOf(agent, other) {
+	const { normal } = collisions.collision.collisionSystem.contactOf(agent, other);
+	return Math.max(0, ["x", "y", "z"].reduce((sum, axis, i) => sum - normal[axis] * (agent[axis] - agent.before[i] - other[axis] + other.before[i]), 0));
+}`,
 	moveInside: `/** Who leaves the ground comes in on the other side. */
 function moveInside(agent, x, y) {
 	const [insideX, insideY] = [wrapped(x), wrapped(y)];
@@ -158,6 +182,13 @@ function whileKey(key, mode, breed, script) {
 }`,
 };
 
+/** The helpers of a world with edges. */
+export const INSIDE_EDGES = {
+	moveInside: `function moveInside(agent, x, y) {
+	agent.moveTo(x, y, agent.z);
+}`,
+};
+
 /** Part of every module, before anything runs. */
 export const BEING = `/** An agent, and what blocks ask about it. */
 class Being extends Agent {
@@ -165,6 +196,7 @@ class Being extends Agent {
 	born = 0;
 	before = [0, 0, 0, 0];
 	isAlive = true;
+	rise = 0; // its upward speed
 	said = "";
 }`;
 

@@ -5,7 +5,7 @@ import { recallList, rememberValue } from "../shared/memory.js";
 
 const words = texts.lessons;
 const KEY = "starlogo-playground.lessons";
-export const LESSON_NAMES = ["blocks", "helmet", "wing", "main", "fast", "starts", "room", "near", "see", "hunt"];
+export const LESSON_NAMES = ["blocks", "helmet", "wing", "main", "fast", "starts", "room", "near", "see", "hunt", "jump"];
 
 /** Remembers, in the browser, the lessons that were done and the games that were won. */
 class Ticks {

@@ -5,7 +5,7 @@
 import { CollisionBlocks } from "starlogo-collision";
 import { said } from "./actions.js";
 import {
-	change, collision, colour, compare, create, each, folded, get, go, heading, many, move, numbers, paint, program, remove, repeat, scatter, set, size, start, step, touch, trait, turn, up, when,
+	change, collision, colour, compare, create, each, folded, get, go, heading, many, move, numbers, paint, program, remove, repeat, scatter, set, size, start, step, touch, trait, turn, up, walk, when,
 } from "./notation.js";
 
 const touching = (world) => world.collisions.collision.statistics.collisions;
@@ -19,6 +19,8 @@ const ball = (large, ...blocks) => create(1, "paintballs", "sphere", size(large)
 const touchEnd = (BREED, OTHER, block) => ({ type: "starlogo_touch_end", fields: { BREED, OTHER }, inputs: { DO: { block } } });
 
 const ROOM = 4;
+/** The height of the coin above a platform. */
+const PLACE_OF_COIN = 3.2;
 const LONG = 600;
 /** The frame in which a game shows whether its program works. */
 const SOON = 90;
@@ -195,7 +197,35 @@ export const LESSONS = {
 			return world.frame > 3 * SOON && all(world, "bears").every(({ heading: at, before }) => at === before[3]) && all(world, "turtles").length > 5 ? "straight" : null;
 		},
 	},
+	jump: {
+		program: program(
+			each("bears", walk(0.05)),
+			start(
+				create(1, "platforms", "platform", size(4), go(-5, 0, 1)), create(1, "platforms", "platform", size(4), go(0.6, 0, 1)),
+				create(1, "coins", "coin", size(1), go(1.5, 0, PLACE_OF_COIN)), create(1, "bears", "bear", size(1.2), go(-6, 0, 3))),
+			touch("bears", "coins", remove("collidee"), change(1))),
+		isDone: (world, memory) => {
+			memory.isHonest ??= hasCoin(world);
+			const [bear] = all(world, "bears");
+			if (!memory.isHonest || !bear) return false;
+			memory.stood ??= new Set();
+			const below = world.walking.standsOn(bear);
+			if (below?.breed === "platforms") memory.stood.add(below);
+			memory.hasJumped ||= bear.rise > 0;
+			return memory.hasJumped && memory.stood.size === 2 && all(world, "coins").length === 0 && total(world, "bears", "coins") > 0;
+		},
+		wrong: (world, { isHonest }) => {
+			const [bear] = all(world, "bears");
+			if (!isHonest || !bear) return "changed";
+			if (world.frame > 2 * SOON && bear.z === 3) return "air";
+			if (bear.z > 1.9) return null;
+			return world.state.solid.includes("platforms") ? "gap" : "through";
+		},
+	},
 };
+
+/** Whether the coin of the lesson about jumping, and its bear, are as they were at the beginning. */
+const hasCoin = (world) => all(world, "bears").length === 1 && all(world, "coins").some(({ x, z }) => x === 1.5 && z === PLACE_OF_COIN) && all(world, "platforms").length === 2;
 
 const isBallPrecise = (world) => all(world, "paintballs").some(({ hierarchical }) => hierarchical);
 

@@ -27,6 +27,13 @@ export const key = (KEY, MODE, BREED, ...blocks) => ({ type: "starlogo_key", fie
 export const each = (BREED, ...blocks) => ({ type: "starlogo_each", fields: { BREED }, inputs: { DO: inside(...blocks) } });
 export const touch = (BREED, OTHER, ...blocks) => ({ type: "starlogo_touch_start", fields: { BREED, OTHER }, inputs: { DO: inside(...blocks) } });
 export const start = (...blocks) => ({ type: "starlogo_start", inputs: { DO: inside(...blocks) } });
+export const walk = (steps) => ({ type: "starlogo_walk", inputs: { STEPS: number(steps) } });
+export const jump = (high) => ({ type: "starlogo_jump", inputs: { HEIGHT: number(high) } });
+export const fall = { type: "starlogo_fall" };
+export const solid = (BREED) => ({ type: "starlogo_solid", fields: { BREED, ON: "on" } });
+export const standing = (BREED) => field("starlogo_standing", { BREED });
+export const side = (WHO, SIDE) => field("starlogo_side", { WHO, SIDE });
+export const either = (condition, first, second) => ({ type: "controls_ifelse", inputs: { IF0: condition, DO0: inside(...first), ELSE: inside(...second) } });
 export const remove = (WHO) => ({ type: "starlogo_delete", fields: { WHO } });
 
 export const program = (...scripts) => ({ blocks: { languageVersion: 0, blocks: scripts } });

@@ -105,8 +105,8 @@ export class Scene {
 
 	/** What the camera has to show of the ground; null for all of it. */
 	get #part() {
-		const { agents, terrain } = this.world;
-		return terrain ? null : this.#partOf(agents);
+		const { agents, hills } = this.world;
+		return hills ? null : this.#partOf(agents);
 	}
 
 	/** The agent that the camera follows if none was clicked. */
@@ -137,7 +137,7 @@ export class Scene {
 		const main = this.camera === "all" ? null : this.chosen ?? this.main;
 		if (main) stage.follow(main, this.#height(main), this.camera === "eyes");
 		stage.setGround(world.ground);
-		stage.showTerrain(world.terrain);
+		stage.showTerrain(world.hills);
 		stage.showAgents(this.camera === "follow" ? this.#notHiding(main, world) : world.agents, this.models, ({ hit }) => Math.max(0, BRIGHT * (1 - (frame - hit) / FLASH)));
 		const lines = [];
 		world.structures.lines(lines);
@@ -161,7 +161,7 @@ export class Scene {
 	/** A picture of agents, from behind one of them, or of all. */
 	#picture(world, width, height, main) {
 		this.stage.setGround(world.ground);
-		this.stage.showTerrain(world.terrain ?? null);
+		this.stage.showTerrain(world.hills ?? null);
 		this.stage.showMarks([], []);
 		this.stage.showSigns([]);
 		this.stage.clearLines("structures", "chosen");

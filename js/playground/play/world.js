@@ -1,5 +1,5 @@
 /** The game that a program plays: agents, keys, time, collisions. Nothing here draws. */
-import { AgentFilter, Collision, CollisionBlocks, DetectionBlocks, StructureBlocks, Terrain, TraitBlocks } from "starlogo-collision";
+import { AgentFilter, Collision, CollisionBlocks, ContactBlocks, DetectionBlocks, StructureBlocks, Terrain, TerrainBlocks, TraitBlocks, WalkBlocks, WorldBounds } from "starlogo-collision";
 import { texts } from "../shared/language.js";
 import { ProgramError, breedOf } from "./actions.js";
 import { Being } from "./being.js";
@@ -50,6 +50,9 @@ export class World {
 		this.traits = new TraitBlocks(this.agents);
 		this.structures = new StructureBlocks(this.collisions);
 		this.detection = new DetectionBlocks(this.collisions);
+		this.contacts = new ContactBlocks(this.collisions);
+		this.edges = new TerrainBlocks(this.collisions, this.detection);
+		this.walker = new WalkBlocks(this.detection);
 		// A separate system, because a system that has searched gives the contacts of its last search.
 		this.#now = new CollisionBlocks(greatLand, []);
 		this.history = new History(this);
@@ -58,9 +61,11 @@ export class World {
 
 	#forget(seed = SEED) {
 		/** The data of a frame that History keeps, in addition to the agents. */
-		this.state = { frame: 0, seed, sweeping: {}, variables: {}, threads: [], score: null, goal: null, limit: null, ground: MEADOW, ended: null, totals: new Map(), events: [], meetings: 0, touching: 0, made: 0, pairs: new Map() };
+		this.state = { frame: 0, seed, sweeping: {}, solid: [], variables: {}, threads: [], score: null, goal: null, limit: null, ground: MEADOW, ended: null, totals: new Map(), events: [], meetings: 0, touching: 0, made: 0, pairs: new Map() };
 		this.agents.length = this.sounds.length = 0;
-		this.collisions.collision.terrain = null;
+		this.collisions.collision.terrain = this.collisions.collision.bounds = null;
+		this.walker.solidBreeds = [];
+		this.hasHills = false;
 		this.#pressed.clear();
 		this.#clicked = null;
 		this.#areSensesOld = true;
@@ -102,7 +107,8 @@ export class World {
 		const add = { collision: "onCollision", touchStart: "whenTouchingStarts", touchEnd: "whenTouchingEnds" }[event];
 		if (!add) return;
 		if (fields.OTHER === Collision.TERRAIN) this.needTerrain();
-		// the ground is no agent for blocks
+		if (fields.OTHER === Collision.EDGE) this.needEdges();
+		// the ground and the edges are no agents for blocks
 		this.collisions[add](breedOf(fields.BREED), breedOf(fields.OTHER), (collider, collidee) => {
 			const start = performance.now();
 			this.#start(code, collider, collidee instanceof Being ? collidee : null);
@@ -269,12 +275,43 @@ export class World {
 		if (typeof whom === "string") this.state.sweeping = { ...this.state.sweeping, [whom]: isOn };
 	}
 
+	/** Makes a breed solid, or not. */
+	setSolid(breed, isOn) {
+		this.walker.setSolid(breed, isOn);
+		this.state.solid = this.walker.solidBreeds;
+	}
+
+	/** Walks, falls and jumps over the ground and solid agents, which are where they were when the frame began. */
+	get walking() {
+		return this.senses && this.walker;
+	}
+
+	walk(agent, steps) {
+		this.walking.walk(agent, steps);
+		this.#moveInside(agent, agent.x, agent.y);
+	}
+
 	forward(agent, steps) {
+		if (this.state.solid.length > 0) {
+			this.walking.forward(agent, steps);
+			this.#moveInside(agent, agent.x, agent.y);
+			return;
+		}
 		const angle = (agent.heading * Math.PI) / 180;
 		this.#moveInside(agent, agent.x + steps * Math.cos(angle), agent.y + steps * Math.sin(angle));
 	}
 
+	/** The steps of a frame that bring two agents together, along the normal of their contact. */
+	speedOf(agent, other) {
+		const { normal } = this.#system.contactOf(agent, other);
+		return Math.max(0, ["x", "y", "z"].reduce((sum, axis, i) => sum - normal[axis] * (agent[axis] - agent.before[i] - other[axis] + other.before[i]), 0));
+	}
+
 	#moveInside(agent, x, y) {
+		if (this.collisions.collision.bounds) {
+			agent.moveTo(x, y, agent.z);
+			return;
+		}
 		const wrappedX = wrapped(x);
 		const wrappedY = wrapped(y);
 		if (wrappedX === x && wrappedY === y) agent.moveTo(x, y, agent.z);
@@ -292,14 +329,25 @@ export class World {
 		this.#moveInside(agent, agent.x, agent.y);
 	}
 
-	/** The hills; null if the program has no block about them. */
+	/** The ground that agents stand on; null if the program has no block about it. */
 	get terrain() {
 		return this.collisions.collision.terrain;
 	}
 
-	/** Called when a block about hills is compiled, so that all frames of its game have them. */
-	needTerrain() {
+	/** The ground, if the program builds hills or walls on it; else null. */
+	get hills() {
+		return this.hasHills ? this.terrain : null;
+	}
+
+	/** Called when a block about the ground is compiled, so that all frames of its game have it. */
+	needTerrain(hasHills = false) {
+		this.hasHills ||= hasHills;
 		this.collisions.collision.terrain ??= new Terrain(2 * HALF_WIDTH + 1, 2 * HALF_WIDTH + 1, 1, -HALF_WIDTH, -HALF_WIDTH);
+	}
+
+	/** Called when a block about the edges of the world is compiled. Then agents do not come in on the other side by themselves. */
+	needEdges() {
+		this.collisions.collision.bounds ??= new WorldBounds(-HALF_WIDTH, -HALF_WIDTH, -Infinity, HALF_WIDTH, HALF_WIDTH, Infinity);
 	}
 
 	/** The height of the ground below an agent; 0 outside of the field. */

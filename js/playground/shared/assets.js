@@ -4,7 +4,7 @@ import { MODELS } from "./names.js";
 /** Models that the engine makes itself. */
 export const BUILT_IN = ["sphere", "cube", "cylinder"];
 /** Models that only the playground has. */
-export const MADE = ["turtle", "wall"];
+export const MADE = ["turtle", "wall", "platform", "coin", "key", "rock", "house", "car"];
 const COLLADA = ["dragon", "seagull", "fireman", "person"];
 
 /** A model's file in the project's folder assets; null if it has no file there. */

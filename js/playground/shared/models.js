@@ -1,9 +1,9 @@
-/** The game's models: the twelve in the thesis's table, and two that only the playground has. */
+/** The game's models: the twelve in the thesis's table, and those that only the playground has. */
 import { BuiltInModel, GreatLand, Model } from "starlogo-collision";
-import { turtle, wall } from "./made.js";
+import { MADE } from "./made.js";
 import { readModel } from "./served.js";
 
-const BUILT_IN = { sphere: () => BuiltInModel.sphere(), cube: () => BuiltInModel.cube(), cylinder: () => BuiltInModel.cylinder(), turtle, wall };
+const BUILT_IN = { sphere: () => BuiltInModel.sphere(), cube: () => BuiltInModel.cube(), cylinder: () => BuiltInModel.cylinder(), ...MADE };
 
 const loaded = new Map();
 

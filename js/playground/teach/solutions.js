@@ -1,6 +1,6 @@
 /** A solved program of each lesson, for the sheets. The words of the same solutions are in languages/. */
 import { LESSONS } from "../play/library.js";
-import { aim, bounce, collision, count, each, move, nearest, sweep } from "../play/notation.js";
+import { aim, bounce, collision, count, each, fall, jump, move, nearest, solid, sweep } from "../play/notation.js";
 
 const say = (what) => ({ type: "starlogo_say", inputs: { TEXT: what } });
 
@@ -27,6 +27,11 @@ const CHANGES = {
 	hunt: (scripts) => {
 		const { inputs } = scripts.find(({ type, fields }) => type === "starlogo_each" && fields.BREED === "bears");
 		inputs.DO = { block: { ...aim(nearest("turtles", 50)), next: { block: move(0.15) } } };
+	},
+	jump: (scripts) => {
+		append(scripts, "starlogo_start", solid("platforms"));
+		append(scripts, "starlogo_each", jump(2));
+		append(scripts, "starlogo_each", fall);
 	},
 };
 

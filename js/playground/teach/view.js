@@ -4,7 +4,7 @@ import { texts } from "../shared/language.js";
 
 const words = texts.teach;
 /** The lessons in their order, with the minutes that a class needs. */
-const MINUTES = { blocks: 10, helmet: 10, wing: 10, main: 15, fast: 15, starts: 15, room: 15, near: 20, see: 20, hunt: 25 };
+const MINUTES = { blocks: 10, helmet: 10, wing: 10, main: 15, fast: 15, starts: 15, room: 15, near: 20, see: 20, hunt: 25, jump: 25 };
 const NAMES = Object.keys(MINUTES);
 /** The largest height of a lesson's blocks in pixels, so that everything fits on one sheet of paper. */
 const HIGHEST = 390;

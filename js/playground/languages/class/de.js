@@ -22,6 +22,7 @@ export const texts = {
 			near: { aim: "Agenten können andere danach zählen, wie weit weg sie sind.", ask: "Was kostet es, das für jeden von tausend Agenten zu fragen?", solution: "Setze „sage“ mit „Anzahl: Schildkröten im Umkreis 5“ darin in ein Skript „in jedem Bild, für alle Bären“." },
 			see: { aim: "Nah sein und gesehen werden sind zwei Fragen: Eine Wand verbirgt.", ask: "Sieht die Schildkröte den Bären immer dann, wenn er sie sieht?", solution: "Setze „sage“ mit „ich sehe Nächsten von Schildkröten im Umkreis 20“ darin in ein Skript „in jedem Bild, für alle Bären“." },
 			hunt: { aim: "Sinne, Entscheidungen und Bewegung ergeben zusammen eine Figur, die zu denken scheint.", ask: "Ist die nächste Schildkröte immer die beste für eine Jagd?", solution: "Setze „drehe auf … zu“ mit „Nächsten von Schildkröten im Umkreis 50“ über „vorwärts“ und lass den Bären schneller laufen." },
+			jump: { aim: "Ein Hüpfspiel braucht drei Dinge von seiner Welt: Böden, Schwerkraft und einen Sprung vom Boden.", ask: "Warum springt der Bär nur, wenn er steht? Wie wäre das Spiel sonst?", solution: "Setze „niemand geht durch Plattformen: ein“ in den Start und „springe 2 hoch“ und „falle“ unter „gehe“." },
 		},
 	},
 	handing: {

@@ -22,6 +22,7 @@ export const texts = {
 			near: { aim: "Agents can count the others within a distance.", ask: "What does it cost to ask this for each of a thousand agents?", solution: "Put “say”, with “count of turtles within 5” in it, into a script “every frame, each of bears”." },
 			see: { aim: "“Is it near?” and “Can I see it?” are different questions, because a wall can hide things.", ask: "Can the turtle see the bear whenever the bear sees the turtle?", solution: "Put “say”, with “I can see nearest of turtles within 20” in it, into a script “every frame, each of bears”." },
 			hunt: { aim: "Senses, decisions and movement together make a character that seems to think.", ask: "Is the nearest turtle always the best one to chase?", solution: "Put “turn towards”, with “nearest of turtles within 50” in it, above “forward”, and let the bear go faster." },
+			jump: { aim: "A platform game needs three things of its world: floors, gravity and a jump from a floor.", ask: "Why does the bear jump only if it stands? What would the game be like otherwise?", solution: "Put “nobody goes through platforms: on” into the start, and “jump 2 high” and “fall” below “walk”." },
 		},
 	},
 	/** A pupil's work, which goes to the teacher, and the page of a class. */

@@ -1,7 +1,7 @@
 /** The words of blocks, lessons, games and Blockly in German. They load with the game. */
 export const texts = {
 	blocks: {
-		anyBreed: "beliebige", theGround: "der Boden",
+		anyBreed: "beliebige", theGround: "der Boden", theEdge: "der Rand der Welt", anything: "irgendetwas",
 		newBreed: "neue Art …", askBreed: "Wie heißt die neue Art?",
 		me: "mich", collidee: "Getroffenen",
 		hello: "Hallo!", someGoal: "Triff sie alle", someEnd: "Gut gespielt!", timeOver: "Die Zeit ist um.",
@@ -10,6 +10,10 @@ export const texts = {
 		mouse: { x: "x", y: "y", down: "ist gedrückt" },
 		ends: { won: "gewonnen", lost: "verloren" },
 		grounds: { meadow: "eine Wiese", sea: "der Meeresgrund", space: "der Weltraum" },
+		sides: { bottom: "unten", top: "oben", front: "vorn", back: "hinten", left: "links", right: "rechts" },
+		touch: { x: "x der Berührung", y: "y der Berührung", z: "z der Berührung", speed: "Tempo der Berührung" },
+		edgeWays: { stopAt: "bleib stehen", bounceOff: "pralle ab", wrapAt: "komm auf der anderen Seite herein" },
+		edges: { any: "der Welt", east: "im Osten", west: "im Westen", north: "im Norden", south: "im Süden" },
 		allOf: (breed) => `alle ${breed}`,
 		otherwise: "sonst %1", elseIf: "sonst, wenn", variable: "Wert",
 		loopModes: { WHILE: "solange", UNTIL: "bis" },
@@ -55,6 +59,19 @@ export const texts = {
 		starlogo_collide_as: "Hüllkörper für %1: %2",
 		starlogo_show: "zeige Hüllkörper für %1: %2",
 		starlogo_sweep: "Kollision auf dem ganzen Weg für %1: %2",
+		starlogo_solid: "niemand geht durch %1: %2",
+		starlogo_push: "weiche aus ihm heraus",
+		starlogo_side: "%1 traf es %2",
+		starlogo_touch: "%1",
+		starlogo_walk: "gehe %1",
+		starlogo_jump: "springe %1 hoch",
+		starlogo_fall: "falle",
+		starlogo_edge: "am Rand der Welt: %1",
+		starlogo_at_edge: "ich bin am Rand %1",
+		starlogo_standing: "ich stehe auf %1",
+		starlogo_floor: "worauf ich stehe",
+		starlogo_ahead: "vor mir, im Umkreis %2: %1",
+		starlogo_free: "freier Weg bis %1, höchstens %2",
 		starlogo_mound: "baue einen Hügel, %1 hoch und %2 breit",
 		starlogo_wall: "baue eine Mauer, %1 hoch",
 		starlogo_flat: "ebne das Gelände ein",
@@ -116,6 +133,7 @@ export const texts = {
 			near: { title: "Wer ist nah?", text: "Agenten können nach anderen fragen: wie viele, wie weit weg, wer am nächsten ist.", challenge: "Lass den Bären in jedem Bild sagen, wie viele Schildkröten im Umkreis von 5 sind.", hint: "„sage“ ist unter „Aussehen“, „Anzahl: … im Umkreis 5“ unter „Sinne“: Setze das eine in das andere, in einem Skript, das in jedem Bild für Bären läuft.", why: "Die Engine zählt in jedem Bild von Neuem alle, deren Ort höchstens 5 Felder vom Bären weg ist." },
 			see: { title: "Was sehe ich?", text: "Eine Wand zwischen zweien verbirgt sie voreinander.", challenge: "Lass den Bären sagen, ob er die Schildkröte sieht, vor und hinter der Wand.", hint: "Setze „ich sehe“ aus „Sinne“ in „sage“. Sein „Nächsten von“ muss Schildkröten meinen und weit genug reichen.", why: "Die Engine zieht eine Linie vom Bären zur Schildkröte. Die Wand ist im Weg, bis die Schildkröte an ihr vorbei ist." },
 			hunt: { title: "Die Jagd", text: "Jetzt alles zusammen: die nächste Schildkröte suchen, drehen, laufen, berühren.", challenge: "Fange alle acht Schildkröten in 30 Sekunden.", hint: "„drehe auf … zu“ aus „Bewegung“, mit „Nächsten von Schildkröten im Umkreis 50“, vor „vorwärts“.", why: "Der Bär sucht in jedem Bild die nächste Schildkröte. So folgt er immer der, die am leichtesten zu fangen ist." },
+			jump: { title: "Ein Boden, ein Sprung, eine Münze", text: "Der Bär geht auf Luft und durch die Plattformen. Ein Hüpfspiel braucht Böden, Fallen und Springen.", challenge: "Lass den Bären fallen, auf den Plattformen landen und über die Lücke zur Münze springen.", hint: "„niemand geht durch Plattformen: ein“ gehört in den Start. „springe 2 hoch“ und „falle“ gehören unter „gehe“.", why: "„falle“ sucht einen Boden unter dem Bären. Ein Boden ist, wodurch niemand geht. Wer steht, kann springen." },
 		},
 	},
 	/** What is wrong with a solution of a lesson, by what the lesson's check finds. */
@@ -130,6 +148,7 @@ export const texts = {
 		near: { none: "Es ist kein Bär mehr da. Fang neu an.", silent: "Der Bär sagt nichts. „sage“ gehört in ein Skript „in jedem Bild, für alle Bären“.", others: "Andere sprechen und nicht der Bär. Wähle oben im Skript „Bären“.", other: "Der Bär sagt etwas anderes als die Zahl der Schildkröten im Umkreis von 5." },
 		see: { none: "Es ist kein Bär mehr da. Fang neu an.", silent: "Der Bär sagt nichts. „sage“ gehört in ein Skript „in jedem Bild, für alle Bären“.", others: "Andere sprechen und nicht der Bär. Wähle oben im Skript „Bären“.", other: "Was der Bär sagt, stimmt nicht immer. Geht es um die nächste Schildkröte, und reicht der Umkreis bis 20?" },
 		hunt: { none: "Es ist kein Bär mehr da. Fang neu an.", straight: "Der Bär geht nur geradeaus. Er soll sich in jedem Bild zur nächsten Schildkröte drehen.", late: "30 Sekunden sind vorbei. Der Bär soll sich in jedem Bild zur nächsten Schildkröte drehen und etwas schneller gehen." },
+		jump: { changed: "Der Bär, die Münze oder die Plattformen sind jetzt andere. Fang neu an.", air: "Der Bär geht auf Luft. „falle“ gehört in das Skript „in jedem Bild“.", through: "Der Bär fällt durch die Plattformen. „niemand geht durch Plattformen: ein“ gehört in den Start.", gap: "Der Bär ist in die Lücke gefallen. Lass ihn in jedem Bild 2 hoch springen. Er springt nur, wenn er steht." },
 	},
 	blockly: {
 		CLEAN_UP: "Blöcke aufräumen", COLLAPSE_ALL: "Blöcke zusammenfalten", COLLAPSE_BLOCK: "Block zusammenfalten", DELETE_ALL_BLOCKS: "Alle %1 Blöcke löschen?", DELETE_BLOCK: "Block löschen", DELETE_X_BLOCKS: "%1 Blöcke löschen",
@@ -156,5 +175,6 @@ export const texts = {
 		tag: { goal: "Du bist der Fänger. Fange alle acht in 45 Sekunden. Wer gefangen ist, hilft dir.", won: "Alle sind gefangen!", lost: "Die Zeit ist um." },
 		pinball: { goal: "Triff die Prellböcke zwanzigmal: Pfeil links und Pfeil rechts bewegen den Schläger. Du hast drei Bälle.", won: "Zwanzig Treffer!", lost: "Alle drei Bälle sind weg." },
 		hills: { goal: "Sammle in 40 Sekunden die fünf goldenen Kugeln auf den Hügeln.", won: "Du hast alle fünf!", lost: "Die Zeit ist um." },
+		jump: { goal: "Sammle die fünf Münzen und erreiche das Haus: Pfeil links und rechts gehen, die Leertaste springt. Spring auf Schildkröten.", again: "Zurück zum Start!", more: "Erst alle fünf Münzen!", won: "Du bist zu Hause!", lost: "Eine Schildkröte hat dich erwischt." },
 	},
 };

@@ -1,7 +1,7 @@
 /** The words of blocks, lessons, games and Blockly in English. They load with the game. */
 export const texts = {
 	blocks: {
-		anyBreed: "anyone", theGround: "the ground",
+		anyBreed: "anyone", theGround: "the ground", theEdge: "the edge of the world", anything: "anything",
 		newBreed: "new breed…", askBreed: "What is the new breed called?",
 		me: "me", collidee: "collidee",
 		hello: "Hello!", someGoal: "Hit them all", someEnd: "Well played!", timeOver: "The time is over.",
@@ -10,6 +10,10 @@ export const texts = {
 		mouse: { x: "x", y: "y", down: "is down" },
 		ends: { won: "won", lost: "lost" },
 		grounds: { meadow: "a meadow", sea: "the sea floor", space: "space" },
+		sides: { bottom: "bottom", top: "top", front: "front", back: "back", left: "left side", right: "right side" },
+		touch: { x: "touch x", y: "touch y", z: "touch z", speed: "touch speed" },
+		edgeWays: { stopAt: "stop", bounceOff: "bounce off", wrapAt: "come in on the other side" },
+		edges: { any: "of the world", east: "in the east", west: "in the west", north: "in the north", south: "in the south" },
 		allOf: (breed) => `all ${breed}`,
 		otherwise: "else %1", elseIf: "else if", variable: "item",
 		loopModes: { WHILE: "while", UNTIL: "until" },
@@ -55,6 +59,19 @@ export const texts = {
 		starlogo_collide_as: "%1 collide as %2",
 		starlogo_show: "show bounding structures of %1: %2",
 		starlogo_sweep: "collide along the way, %1: %2",
+		starlogo_solid: "nobody goes through %1: %2",
+		starlogo_push: "move out of it",
+		starlogo_side: "%1 was hit at the %2",
+		starlogo_touch: "%1",
+		starlogo_walk: "walk %1",
+		starlogo_jump: "jump %1 high",
+		starlogo_fall: "fall",
+		starlogo_edge: "at the edge of the world: %1",
+		starlogo_at_edge: "I am at the edge %1",
+		starlogo_standing: "I stand on %1",
+		starlogo_floor: "what I stand on",
+		starlogo_ahead: "%1 ahead within %2",
+		starlogo_free: "free way to %1 ahead within %2",
 		starlogo_mound: "build a mound %1 high and %2 wide",
 		starlogo_wall: "build a wall %1 high",
 		starlogo_flat: "reset the terrain",
@@ -116,6 +133,7 @@ export const texts = {
 			near: { title: "Who is near?", text: "Agents can ask about others: how many, how far, which one is nearest.", challenge: "Let the bear say, in every frame, how many turtles are within 5.", hint: "“say” is under Looks, and “count of … within 5” under Senses: put one into the other, in a script that runs every frame for bears.", why: "In every frame, the engine counts all turtles whose place is within 5 squares of the bear." },
 			see: { title: "What do I see?", text: "A wall between two hides them from each other.", challenge: "Let the bear say whether it can see the turtle, before and behind the wall.", hint: "Put “I can see”, under Senses, into “say”. Its “nearest of” has to be about turtles, and to reach far enough.", why: "The engine draws a line from the bear to the turtle. The wall is in its way until the turtle has passed it." },
 			hunt: { title: "The hunt", text: "All together now: look for the nearest turtle, turn, go, touch.", challenge: "Catch all eight turtles within 30 seconds.", hint: "“turn towards”, under Movement, with “nearest of turtles within 50” before “forward”.", why: "The bear looks for the nearest turtle in every frame. So it always follows the one that is easiest to catch." },
+			jump: { title: "A floor, a jump, a coin", text: "The bear walks on air, and through the platforms. A platform game needs floors, falling and jumping.", challenge: "Let the bear fall, land on the platforms, and jump over the gap to the coin.", hint: "“nobody goes through platforms: on” goes into the start. “jump 2 high” and “fall” go below “walk”.", why: "“fall” looks for a floor below the bear. A floor is what nobody goes through. Whoever stands can jump." },
 		},
 	},
 	/** What is wrong with a solution of a lesson, by what the lesson's check finds. */
@@ -130,6 +148,7 @@ export const texts = {
 		near: { none: "There is no bear any more. Begin again.", silent: "The bear says nothing. “say” goes into a script “every frame, each of bears”.", others: "Others speak, and not the bear. Choose “bears” at the top of the script.", other: "The bear says something else than the number of turtles within 5." },
 		see: { none: "There is no bear any more. Begin again.", silent: "The bear says nothing. “say” goes into a script “every frame, each of bears”.", others: "Others speak, and not the bear. Choose “bears” at the top of the script.", other: "What the bear says is not always right. Does “nearest of” name turtles, and reach as far as 20?" },
 		hunt: { none: "There is no bear any more. Begin again.", straight: "The bear goes straight on. Let it turn towards the nearest turtle in every frame.", late: "30 seconds are over. Let the bear turn towards the nearest turtle in every frame, and go a little faster." },
+		jump: { changed: "The bear, the coin or the platforms are others now. Begin again.", air: "The bear walks on air. “fall” goes into the script “every frame”.", through: "The bear falls through the platforms. “nobody goes through platforms: on” goes into the start.", gap: "The bear has fallen into the gap. Let it jump 2 high in every frame. It jumps only if it stands." },
 	},
 	/** Words of Blockly and its keyboard plugin that Blockly has only in English, or for which this page has other words. */
 	blockly: {
@@ -158,5 +177,6 @@ export const texts = {
 		tag: { goal: "You are it. Tag all eight in 45 seconds. Whoever is tagged helps you.", won: "All are tagged!", lost: "The time is over." },
 		pinball: { goal: "Hit the bumpers twenty times: left and right arrow move the bat. You have three balls.", won: "Twenty hits!", lost: "All three balls are gone." },
 		hills: { goal: "Gather the five golden balls on the hills in 40 seconds.", won: "All five are yours!", lost: "The time is over." },
+		jump: { goal: "Gather the five coins and reach the house: left and right arrow walk, the space bar jumps. Jump onto turtles.", again: "Back to the start!", more: "First all five coins!", won: "You are at home!", lost: "A turtle has caught you." },
 	},
 };

@@ -110,6 +110,7 @@ export const texts = {
 		drag: "Ziehe das Bild, um dich umzusehen. Ziehe einen Agenten, um ihn zu bewegen.",
 		won: "Du hast gewonnen!", lost: "Das Spiel ist aus.",
 		took: (seconds) => `Es hat ${seconds} Sekunden gedauert.`,
+		building: { build: "Bauen", how: "Klicke einen Agenten an und kopiere, drehe, hebe oder lösche ihn. Ziehe ihn, um ihn zu bewegen. Die Blöcke ändern sich mit.", copy: "Kopieren", turn: "Drehen", up: "Höher", down: "Tiefer", remove: "Löschen" },
 		cameras: { all: "Alles", follow: "Folgen", eyes: "Seine Augen" },
 		camera: "Kamera",
 		speed: "Tempo",

@@ -115,6 +115,7 @@ export const texts = {
 		drag: "Drag the picture to look around. Drag an agent to move it.",
 		won: "You have won!", lost: "The game is over.",
 		took: (seconds) => `It took ${seconds} seconds.`,
+		building: { build: "Build", how: "Click an agent to copy, turn, raise or delete it. Drag it to move it. The blocks change with it.", copy: "Copy", turn: "Turn", up: "Higher", down: "Lower", remove: "Delete" },
 		cameras: { all: "All of it", follow: "Follow", eyes: "Its eyes" },
 		camera: "Camera",
 		speed: "Speed",

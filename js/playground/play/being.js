@@ -10,6 +10,8 @@ export class Being extends Agent {
 	/** Its place when the frame began: x, y, z, heading. */
 	before = [0, 0, 0, 0];
 	isAlive = true;
+	/** The id of the block that has made it. */
+	maker = null;
 	/** Its words, and the frame until which they are shown. */
 	said = { text: "", until: 0 };
 	/** The frame of its last touch, and the frame in which that touch began. */

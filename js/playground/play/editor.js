@@ -6,6 +6,7 @@ import { button, h, isDark, onThemeChange } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
 import { ICON, MEDIA } from "../shared/served.js";
 import { BLOCK_STYLES, CATEGORY_STYLES, DEFINITIONS, MENUS, NEW_BREED, SHAPE_OF, TOOLBOX, drawerFor, meet, withNumbers } from "./blocks.js";
+import { Building } from "./building.js";
 import { Placing } from "./placing.js";
 
 const PARTS = {
@@ -238,6 +239,7 @@ export class Editor {
 		flyout.show = (items) => showItems(Array.isArray(items) ? drawerFor(items, this.program) : items);
 		flyout.getFlyoutScale = () => this.#drawerScale;
 		this.placing = new Placing(this.workspace);
+		this.building = new Building(this.workspace);
 		this.#addTools(host, bar, say);
 		this.forgetTheme = onThemeChange(() => adoptStyles(() => this.workspace.setTheme(theme())));
 		this.observer = new ResizeObserver(() => Blockly.svgResize(this.workspace));

@@ -255,5 +255,7 @@ function addBranches(block, world, code, numbers) {
 }
 
 function added(block, world, parent) {
-	return world.add(block.fields.SHAPE, block.fields.BREED, parent) ?? fail(texts.play.tooMany(world.agents.length), block);
+	const agent = world.add(block.fields.SHAPE, block.fields.BREED, parent) ?? fail(texts.play.tooMany(world.agents.length), block);
+	agent.maker = block.id;
+	return agent;
 }

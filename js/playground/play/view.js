@@ -10,6 +10,7 @@ import { SHAPES } from "../shared/names.js";
 import { Stage } from "../shared/stage.js";
 import { fixed, texts } from "../shared/language.js";
 import { Loop } from "../shared/loop.js";
+import { BuildBar } from "./buildbar.js";
 import { Keys } from "./keys.js";
 import { dragAgents } from "./dragging.js";
 import { Models } from "./kept.js";
@@ -75,6 +76,7 @@ class PlayView {
 		this.own = new Models(this);
 		this.sound = new Sound();
 		this.panel = new Panel(world, (agent) => this.#choose(agent));
+		this.buildBar = new BuildBar(this);
 		this.#build(main);
 		this.stage = new Stage(this.worldHost, { ...STAGE, label: words.world });
 		this.scene = new Scene(this.stage, world, models, this.screen);
@@ -151,7 +153,8 @@ class PlayView {
 			h("div.show", {}, this.controls, h("section.game", { "aria-label": words.world },
 				h("div.tools", {}, field(words.system, this.system), field(words.beside, besides), field(words.camera, this.camera), sees),
 				this.theatre,
-				h("div.time", {}, this.speed.element, this.rewind.element, this.sound.button, this.fullscreen),
+				this.buildBar.element,
+				h("div.time", {}, this.speed.element, this.rewind.element, this.buildBar.tick, this.sound.button, this.fullscreen),
 				this.panel.element)));
 	}
 
@@ -168,6 +171,7 @@ class PlayView {
 	/** Called when the user drags an agent. A game that stands still shows at once who touches whom. */
 	#drag(agent, isDone) {
 		const { world } = this;
+		if (isDone && this.buildBar.moved(agent)) return;
 		this.#forgetDragNote();
 		this.programs.lessons.begin();
 		this.#beside?.moveLike(agent);
@@ -317,6 +321,7 @@ class PlayView {
 		this.system.value = this.world.collisions.systemName;
 		this.panel.forget();
 		this.scene.begin();
+		this.buildBar.begin();
 		this.scene.frame();
 		this.programs.lessons.begin();
 		this.scene.best = "";
@@ -480,6 +485,7 @@ class PlayView {
 	draw(now = 0) {
 		const { world } = this;
 		this.scene.draw(() => this.#anew());
+		this.buildBar.show();
 		this.#beside?.draw();
 		this.panel.show(this.isRunning ? now : 0);
 		const { length } = world.history;

@@ -319,19 +319,20 @@ test('on a phone a finger on an agent moves it, and does not scroll the page; ne
 	assert.ok((await ball()).place[0] > from.place[0]);
 	const places = () => page.evaluate(() => [...document.querySelectorAll('.controls > button, .tabs button, .screens, .lesson .challenge, .lesson .steps')].map((each) => each.getBoundingClientRect())
 		.map(({ x, y, width, height }) => [x, y + scrollY, width, height].map(Math.round).join()).join(' '));
-	await choose(page, 'lesson-hunt');
+	await choose(page, 'lesson-jump');
 	const first = await places();
 	await press(page, 'A hint');
 	assert.equal(await places(), first, 'nor the hint');
-	await page.evaluate(() => globalThis.playground.programs.lessons.look({ agents: [], frame: 1, seconds: 31, totals: new Map() }));
+	await page.evaluate(() => globalThis.playground.programs.lessons.look({ agents: [], frame: 1, totals: new Map() }));
 	await page.waitForFunction(() => /^Not yet:/.test(document.querySelector('.why').textContent));
 	assert.equal(await places(), first, 'nor what is wrong');
 	await page.evaluate(() => {
 		const { lessons } = globalThis.playground.programs;
 		lessons.begin();
-		const game = (turtles) => ({ agents: Array.from({ length: turtles }, () => ({ breed: 'turtles' })), frame: 1, seconds: 20, totals: new Map([['bears\nturtles', 8]]) });
-		lessons.look({ ...game(8), agents: [...game(8).agents, { breed: 'bears' }] });
-		lessons.look(game(0));
+		const platforms = [{ breed: 'platforms' }, { breed: 'platforms' }];
+		const game = (below, ...coins) => ({ agents: [{ breed: 'bears', z: 2, rise: 0.1 }, ...platforms, ...coins], frame: 1, walking: { standsOn: () => platforms[below] }, totals: new Map([['bears\ncoins', 1]]) });
+		lessons.look(game(0, { breed: 'coins', x: 1.5, z: 3.2 }));
+		lessons.look(game(1));
 	});
 	await page.waitForFunction(() => /^Done!.*Make your own/.test(document.querySelector('.why').textContent));
 	assert.equal(await places(), first, 'nor success');

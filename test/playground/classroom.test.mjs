@@ -46,7 +46,7 @@ const endOf = (page, type) => page.evaluate((wanted) => {
 test('the first three lessons are done with the mouse, from the first screen on', async () => {
 	const { page, said, leave } = await open(site, 'play', Desktop);
 	assert.equal(await page.locator('.gallery ol').first().locator('li').count(), 11);
-	assert.deepEqual(await page.locator('.gallery ol').first().locator('.number').allTextContents(), Array.from({ length: 10 }, (_, i) => String(i + 1)));
+	assert.deepEqual(await page.locator('.gallery ol').first().locator('.number').allTextContents(), Array.from({ length: 11 }, (_, i) => String(i + 1)));
 	await page.locator('.gallery .next').click();
 	await lesson(page, 1);
 	// the script that the lesson is about is in sight

@@ -115,6 +115,12 @@ package evaluation
             var entry:Object = _results.addTime(_figure, _subject, _variant, _frame, _base, _thesis);
             entry.agents = scene.agents.length;
             _results.check(entry, _collision.statistics.collisions, _check.agrees);
+            if (_figure == "crowds" && _collision.statistics.nodeVisits > 0)
+            {
+                var visits:Object = _results.addNumber("visits", _subject, _variant, _collision.statistics.nodeVisits, "pairs of nodes");
+                visits.agents = scene.agents.length;
+                visits.tests = _collision.statistics.hierarchyTests;
+            }
             if (_literal != null)
             {
                 _results.addTime(_figure, _subject, _variant + ", literal", _literal, _base);

@@ -153,6 +153,7 @@ package growth
             var queries:AgentQueries = new AgentQueries(new TightestFitCollider(GrowthGame.land()));
             terrain.setHeight(0, terrain.rows - 1, 9);
             queries.terrain = terrain;
+            queries.update(new <Agent>[]);
             return function():Object
             {
                 var found:int = 0;

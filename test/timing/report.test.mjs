@@ -24,6 +24,7 @@ const entries = [
 	timed('tests', 'boxBox', 'literal', 0.065),
 	timed('crowds', '100 bears', 'TightestFitCollider', 17.5, { thesis: 1300, agents: 100, collisions: 4950, agrees: true }),
 	timed('crowds', '100 bears', 'TightestFitCollider, literal', 432),
+	{ figure: 'visits', subject: '100 bears', variant: 'HierarchicalCollider', value: 24750, unit: 'pairs of nodes', agents: 100, tests: 4950 },
 	timed('crowds', '100 bears', 'BinCollider', null, { agents: 100, collisions: 4950, agrees: false, refused: '±79 %, noisy' }),
 	...[100, 1000, 10000].map((agents) => timed('scattered', `${agents} mix`, 'BinCollider', agents * 0.002, { agents, collisions: 0, agrees: true })),
 ];

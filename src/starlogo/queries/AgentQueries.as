@@ -48,7 +48,8 @@ package starlogo.queries
         private var _sets:Vector.<QuerySet> = new Vector.<QuerySet>();
 
         /**
-         * Begins without agents. Call <code>update()</code> before you ask.
+         * Begins without agents. Call <code>update()</code> before you ask: before the first one, questions that search the list throw an
+         * IllegalOperationError.
          *
          * @param collisionOrSystem a Collision, or one of the engine's collision systems. The collision system decides how agents are seen. If a
          *     Collision gets another system, questions use it after the next update

@@ -42,6 +42,7 @@ package starlogo.queries
         private var _terrain:Terrain = null;
         private var _places:RowTree = new RowTree();
         private var _extents:RowTree = new RowTree();
+        private var _isRead:Boolean = false;
 
         /**
          * @param source a Collision, or one of the engine's colliders
@@ -83,6 +84,7 @@ package starlogo.queries
             table = next;
             see(collider);
             _places.movesLeft = _extents.movesLeft = -1;
+            _isRead = true;
         }
 
         /** See AgentQueries.refresh. */
@@ -135,9 +137,10 @@ package starlogo.queries
             return agent.placement;
         }
 
-        /** Returns the tree of the places, and builds it first if it is stale. */
+        /** Returns the tree of the places, and builds it first if it is stale. Throws an error before the first update. */
         public function findPlaces():RowTree
         {
+            requireRead();
             if (_places.movesLeft < 0)
             {
                 _places.build(table.list.rows, table.list.count, table.places.now);
@@ -146,15 +149,24 @@ package starlogo.queries
             return _places;
         }
 
-        /** Returns the tree of the extents, and builds it first if it is stale. While a model is loading, its extents mean nothing. */
+        /** Returns the tree of the extents, and builds it first if it is stale. Throws an error before the first update. While a model is loading, its extents mean nothing. */
         public function findExtents():RowTree
         {
+            requireRead();
             if (_extents.movesLeft < 0)
             {
                 _extents.build(table.list.rows, table.list.count, table.extents);
             }
             _extents.breeds.learn(_extents, table.list.agents);
             return _extents;
+        }
+
+        private function requireRead():void
+        {
+            if (!_isRead)
+            {
+                throw new IllegalOperationError("update(agents) must be called before the first question, and then once a frame");
+            }
         }
 
         /** Begins a search for rows whose extents are near the extents of a body. */

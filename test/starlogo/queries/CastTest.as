@@ -2,6 +2,7 @@ package starlogo.queries
 {
     import evaluation.pairs.RandomStructures;
     import evaluation.pairs.SeededRandom;
+    import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
@@ -380,7 +381,11 @@ package starlogo.queries
             assertThrows(ArgumentError, /null/, queries.canSee, null, _agents[0]);
             assertThrows(ArgumentError, /null/, queries.canSee, _agents[0], null);
             assertThrows(ArgumentError, /no model/, queries.canSee, _agents[0], new Agent("nothing"));
-            assertNull("nothing was taken", new AgentQueries(new HierarchicalCollider(sGreatLand)).cast(zero, up));
+            var early:AgentQueries = new AgentQueries(new HierarchicalCollider(sGreatLand));
+            assertThrows(IllegalOperationError, /update\(agents\) must be called before the first question/, early.cast, zero, up);
+            assertThrows(IllegalOperationError, /update\(agents\) must be called/, early.near, _agents[0], 1);
+            early.update(new <Agent>[]);
+            assertNull("there is none", early.cast(zero, up));
         }
 
         private static function addModel(model:Model):void

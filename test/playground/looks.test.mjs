@@ -365,16 +365,16 @@ test('Measure: the chart is whole on a phone, with the names of all systems', as
 test('for teachers: each lesson has a page that is printed on one sheet, the solution on a second one, its time, and a link that opens it', async () => {
 	const { page, said } = await shared('teach');
 	const links = await page.locator('.sheet tbody tr').evaluateAll((rows) => rows.map((row) => [...row.querySelectorAll('a')].map((each) => each.getAttribute('href'))));
-	assert.equal(links.length, 10);
+	assert.equal(links.length, 11);
 	// the largest ones; all with -Dfull
-	const tried = links.filter(([sheet]) => process.env.FULL_TESTS === 'true' || /blocks|room|hunt$/.test(sheet));
+	const tried = links.filter(([sheet]) => process.env.FULL_TESTS === 'true' || /blocks|room|jump$/.test(sheet));
 	assert.ok(tried.length >= 3);
 	for (const [sheet, lesson] of tried) {
 		await page.evaluate((hash) => {
 			location.hash = hash;
 		}, sheet);
 		await page.waitForFunction((hash) => document.querySelector('.address')?.getAttribute('href').endsWith(hash), lesson);
-		assert.match(await page.textContent('.sheet .note'), /^Lesson \d+ of 10, \d+ minutes$/);
+		assert.match(await page.textContent('.sheet .note'), /^Lesson \d+ of 11, \d+ minutes$/);
 		// with pictures of its world and its blocks
 		await page.waitForSelector(`[data-drawn="${sheet.split('/')[1]}"]`);
 		assert.ok(await page.evaluate(() => document.querySelector('.shown').naturalWidth) === 800);
@@ -405,6 +405,15 @@ test('for teachers: each lesson has a page that is printed on one sheet, the sol
 		await page.emulateMedia({ media: 'screen' });
 	}
 	await page.setViewportSize(SIZES.laptop.viewport);
+	// all of them at once
+	await page.goto(`${site.url}#teach`);
+	await page.getByRole('link', { name: 'All sheets, to print at once' }).click();
+	await page.waitForSelector('[data-drawn="sheets"]');
+	await page.emulateMedia({ media: 'print' });
+	const sheets = await page.evaluate(() => [...document.querySelectorAll('.sheet')].map((sheet) => [getComputedStyle(sheet).breakBefore, sheet.querySelectorAll('.shown-blocks .blocklyPath').length > 3 || sheet.querySelector('.shown-blocks') === null]));
+	assert.equal(sheets.length, 22);
+	assert.ok(sheets.every(([breaks, isDrawn], i) => isDrawn && (i === 0 || breaks === 'page')), JSON.stringify(sheets));
+	await page.emulateMedia({ media: 'screen' });
 	const play = (await shared('play')).page;
 	await play.goto(`${site.url}#play/lesson-helmet`);
 	await play.waitForFunction(() => /helmet/.test(document.querySelector('.lesson h2')?.textContent));

@@ -57,6 +57,20 @@ test('a lesson that starts at the choice of a system is not stopped by a click o
 	await leave();
 });
 
+test('a key of the program starts its game, as in Level, and other keys do not', async () => {
+	const { page, said, leave } = await open(site, 'play/jump', SIZES.laptop);
+	await page.locator('.world').first().focus();
+	await page.keyboard.press('ArrowDown');
+	assert.ok(!(await page.evaluate(() => globalThis.playground.isRunning)), 'there is no script for it');
+	const x = () => page.evaluate(() => globalThis.playground.world.agents.find(({ breed }) => breed === 'people').x);
+	const before = await x();
+	await page.keyboard.down('ArrowRight');
+	await page.waitForFunction((from) => globalThis.playground.isRunning && globalThis.playground.world.agents.find(({ breed }) => breed === 'people').x > from + 0.3, before);
+	await page.keyboard.up('ArrowRight');
+	assert.deepEqual(said, []);
+	await leave();
+});
+
 test('“All of it” frames what is added, and a reload keeps the camera that was chosen', async () => {
 	const { page, said, leave } = await open(site, 'play/paintball', SIZES.laptop);
 	await press(page, 'New');

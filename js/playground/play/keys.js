@@ -8,6 +8,8 @@ const KEYS = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: 
 const STILL = 6;
 
 export class Keys {
+	#known = new Set();
+
 	/** @param {import("./world.js").World} world gets the keys */
 	constructor(world) {
 		this.world = world;
@@ -17,6 +19,7 @@ export class Keys {
 	/** Shows the keys for which a program has scripts. */
 	show(program) {
 		const keys = [...keysOf(program)];
+		this.#known = new Set(keys.map(([key]) => key));
 		this.pad.hidden = keys.length === 0;
 		this.pad.replaceChildren(...keys.map(([key, does]) => padKey(key, does, () => this.world.press(key), () => this.world.release(key))));
 	}
@@ -26,13 +29,17 @@ export class Keys {
 	 *
 	 * @param {import("../shared/stage.js").Stage} stage
 	 * @param {(agent: object) => void} onClick called with the agent that was clicked
+	 * @param {() => void} onKey called when a key is pressed for which the program has a script
 	 */
-	listen(stage, onClick) {
+	listen(stage, onClick, onKey) {
 		const { world } = this;
 		const { host } = stage;
 		host.addEventListener("keydown", (event) => {
 			if (!(event.key in KEYS) || event.ctrlKey || event.metaKey || event.altKey) return;
-			if (!event.repeat) world.press(KEYS[event.key]);
+			if (!event.repeat) {
+				if (this.#known.has(KEYS[event.key])) onKey();
+				world.press(KEYS[event.key]);
+			}
 			event.preventDefault();
 		});
 		host.addEventListener("keyup", (event) => world.release(KEYS[event.key]));

@@ -84,6 +84,9 @@ class PlayView {
 		this.keys.listen(this.stage, (agent) => {
 			world.click(agent);
 			this.#choose(agent);
+		}, () => {
+			// as in Level; a game that is over, or that is built, waits for “Run”
+			if (!this.isRunning && !world.ended && !this.isBroken && !this.buildBar.isOn) this.run();
 		});
 		dragAgents(this.stage, {
 			// the camera would follow, and run away

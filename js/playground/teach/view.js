@@ -27,7 +27,8 @@ class TeachView {
 		delete this.main.dataset.drawn;
 		this.asked = name;
 		this.main.scrollTop = 0;
-		if (name in MINUTES) this.#showLesson(name);
+		if (name in MINUTES) this.#showSheets([name]);
+		else if (name === "sheets") this.#showSheets(NAMES);
 		else if (name === "") this.#showAll();
 		else return this.#showPage(name);
 		return null;
@@ -56,6 +57,7 @@ class TeachView {
 		this.main.replaceChildren(h("section.sheet", { "aria-label": words.title },
 			note ? h("p.status.problem", { role: "alert" }, note) : null,
 			h("h2", {}, words.title), h("p", {}, words.intro(NAMES.length, total)),
+			h("p", {}, h("a", { href: "#teach/sheets" }, words.allSheets)),
 			h("p", {}, h("a", { href: "#teach/class" }, texts.handing.classTitle), `: ${words.classNote}`),
 			h("div.table", {}, h("table", {},
 				h("thead", {}, h("tr", {}, ...[words.lesson, words.minutes, words.page, words.open].map((text) => h("th", { scope: "col" }, text)))),
@@ -64,7 +66,27 @@ class TeachView {
 					h("td", {}, h("a", { href: `#teach/${name}`, "aria-label": words.pageOf(i + 1) }, words.page)), h("td", {}, h("a", { href: `#play/lesson-${name}`, "aria-label": words.openOf(i + 1) }, words.open)))))))));
 	}
 
-	#showLesson(name) {
+	/** Shows the sheets of lessons, one after the other, to print. */
+	#showSheets(names) {
+		const sheets = names.map((name) => this.#sheetsOf(name));
+		const solutions = sheets.map(({ solved }) => solved);
+		this.main.replaceChildren(
+			h("div.tools.no-print", {}, h("a", { href: "#teach" }, words.all), button(words.print, () => print(), { class: "primary" }), tick(words.withSolution, true, (isOn) => {
+				for (const sheet of solutions) sheet.hidden = !isOn;
+			})),
+			...sheets.flatMap(({ given, solved }) => [given, solved]));
+		this.#drawAll(names, sheets);
+	}
+
+	async #drawAll(names, sheets) {
+		for (const [i, name] of names.entries()) {
+			if (!await this.#draw(name, ...sheets[i].parts)) return;
+		}
+		this.main.dataset.drawn = this.asked;
+	}
+
+	/** The sheet of a lesson, and the one with its solution. */
+	#sheetsOf(name) {
 		const at = NAMES.indexOf(name);
 		const { title, text, challenge, hint } = texts.lessons.list[name];
 		const { aim, ask, solution } = words.list[name];
@@ -77,11 +99,9 @@ class TeachView {
 		// on a page of its own, so that it can stay with the teacher
 		const solvedSheet = h("section.sheet.solution", { "aria-label": words.solution }, h("p.note", {}, words.of(at + 1, NAMES.length, MINUTES[name])), h("h2", {}, `${title}: ${words.solution}`), h("p", {}, solution), solvedBlocks,
 			...part(words.why, texts.lessons.list[name].why));
-		this.main.replaceChildren(
-			h("section.sheet", { "aria-label": title },
-				h("div.tools.no-print", {}, h("a", { href: "#teach" }, words.all), button(words.print, () => print(), { class: "primary" }), tick(words.withSolution, true, (isOn) => {
-					solvedSheet.hidden = !isOn;
-				})),
+		return {
+			solved: solvedSheet, parts: [picture, blocks, solvedBlocks],
+			given: h("section.sheet", { "aria-label": title },
 				h("p.note", {}, words.of(at + 1, NAMES.length, MINUTES[name])),
 				h("h2", {}, title),
 				// the address of a file leads nowhere on another computer
@@ -89,24 +109,23 @@ class TeachView {
 				picture, ...part(words.aim, aim), ...part(words.told, text), ...part(texts.lessons.challenge, challenge), ...part(texts.lessons.hint, hint),
 				h("h3", {}, words.given), blocks,
 				...part(words.ask, ask), h("div.lines", { "aria-hidden": "true" })),
-			solvedSheet);
-		this.#draw(name, picture, blocks, solvedBlocks);
+		};
 	}
 
-	/** Draws the pictures, which come late. The words can be read meanwhile. */
+	/** Draws the pictures of a sheet, which come late. The words can be read meanwhile. Returns whether the sheet is still shown. */
 	async #draw(name, picture, blocks, solvedBlocks) {
 		const [{ LESSONS }, { drawInto }, { loadMessages }, { solved, isSolvedBySystem }] = await Promise.all([import("../play/library.js"), import("../play/pictures.js"), import("../play/messages.js"), import("./solutions.js")]);
-		if (!picture.isConnected) return;
+		if (!picture.isConnected) return false;
 		const { program } = LESSONS[name];
 		await drawInto(picture, this.main, program);
 		await loadMessages();
 		const { showBlocks } = await import("../play/editor.js");
-		if (!blocks.isConnected) return;
+		if (!blocks.isConnected) return false;
 		showBlocks(blocks, program, HIGHEST);
 		// a system is chosen above the world, so the blocks stay as they are
 		if (isSolvedBySystem(name)) solvedBlocks.remove();
 		else showBlocks(solvedBlocks, solved(name), HIGHEST_SOLVED);
-		this.main.dataset.drawn = name;
+		return true;
 	}
 
 	close() {}

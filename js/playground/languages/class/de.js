@@ -3,10 +3,10 @@ const count = (number, one, many) => `${number.toLocaleString("de")} ${number ==
 
 export const texts = {
 	teach: {
-		title: "Zehn Lektionen für eine Klasse", intro: (lessons, minutes) => `${lessons} Lektionen für Kinder ab zwölf Jahren, die allein oder zu zweit arbeiten. Zusammen dauern sie ${minutes} Minuten. Niemand braucht ein Konto: Schicken Sie der Klasse den Link einer Lektion oder schreiben Sie ihn an die Tafel.`,
+		title: "Elf Lektionen für eine Klasse", intro: (lessons, minutes) => `${lessons} Lektionen für Kinder ab zwölf Jahren, die allein oder zu zweit arbeiten. Zusammen dauern sie ${minutes} Minuten. Niemand braucht ein Konto: Schicken Sie der Klasse den Link einer Lektion oder schreiben Sie ihn an die Tafel.`,
 		lesson: "Lektion", minutes: "Minuten", page: "Seite zum Drucken", open: "Öffnen", numbered: (number, title) => `${number}. ${title}`,
 		pageOf: (number) => `Seite zum Drucken von Lektion ${number}`, openOf: (number) => `Lektion ${number} öffnen`,
-		all: "Alle Lektionen", print: "Drucken", of: (number, all, minutes) => `Lektion ${number} von ${all}, ${minutes} Minuten`,
+		all: "Alle Lektionen", allSheets: "Alle Blätter, auf einmal zu drucken", print: "Drucken", of: (number, all, minutes) => `Lektion ${number} von ${all}, ${minutes} Minuten`,
 		aim: "Was gelernt wird", told: "Was die Lektion sagt", ask: "Zum Reden", solution: "Eine Lösung",
 		withSolution: "Mit der Lösung auf einer zweiten Seite", why: "Warum", blocks: "Die Blöcke", backToPlay: "Zurück zum Programm", noPage: "Diese Seite gibt es hier nicht. Das sind die Lektionen.", solved: (title) => `Die Blöcke von „${title}“, gelöst`,
 		classNote: "Sehen Sie, wer was gelöst hat, und spielen Sie jedes Programm.",

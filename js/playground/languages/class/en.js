@@ -3,10 +3,10 @@ const count = (number, one, many) => `${number.toLocaleString("en")} ${number ==
 
 export const texts = {
 	teach: {
-		title: "Ten lessons for a class", intro: (lessons, minutes) => `${lessons} lessons for pupils from twelve on, who work alone or in pairs. Together they take ${minutes} minutes. Nobody needs an account: send pupils the link of a lesson, or write it on the board.`,
+		title: "Eleven lessons for a class", intro: (lessons, minutes) => `${lessons} lessons for pupils from twelve on, who work alone or in pairs. Together they take ${minutes} minutes. Nobody needs an account: send pupils the link of a lesson, or write it on the board.`,
 		lesson: "Lesson", minutes: "Minutes", page: "Page to print", open: "Open", numbered: (number, title) => `${number}. ${title}`,
 		pageOf: (number) => `Page to print of lesson ${number}`, openOf: (number) => `Open lesson ${number}`,
-		all: "All lessons", print: "Print", of: (number, all, minutes) => `Lesson ${number} of ${all}, ${minutes} minutes`,
+		all: "All lessons", allSheets: "All sheets, to print at once", print: "Print", of: (number, all, minutes) => `Lesson ${number} of ${all}, ${minutes} minutes`,
 		aim: "What pupils learn", told: "What the lesson says", ask: "To talk about", solution: "A solution",
 		withSolution: "With the solution on a second page", why: "Why", blocks: "The blocks", backToPlay: "Back to the program", noPage: "There is no such page here. These are the lessons.", solved: (title) => `The blocks of “${title}”, solved`,
 		classNote: "see who has solved what, and play every program.",

@@ -29,7 +29,7 @@ export class Keys {
 	 *
 	 * @param {import("../shared/stage.js").Stage} stage
 	 * @param {(agent: object) => void} onClick called with the agent that was clicked
-	 * @param {() => void} onKey called when a key is pressed for which the program has a script
+	 * @param {() => void} onKey called when an arrow key or a letter is pressed for which the program has a script
 	 */
 	listen(stage, onClick, onKey) {
 		const { world } = this;
@@ -37,7 +37,7 @@ export class Keys {
 		host.addEventListener("keydown", (event) => {
 			if (!(event.key in KEYS) || event.ctrlKey || event.metaKey || event.altKey) return;
 			if (!event.repeat) {
-				if (this.#known.has(KEYS[event.key])) onKey();
+				if (event.key !== " " && this.#known.has(KEYS[event.key])) onKey();
 				world.press(KEYS[event.key]);
 			}
 			event.preventDefault();

@@ -85,8 +85,8 @@ class PlayView {
 			world.click(agent);
 			this.#choose(agent);
 		}, () => {
-			// as in Level; a game that is over, or that is built, waits for “Run”
-			if (!this.isRunning && !world.ended && !this.isBroken && !this.buildBar.isOn) this.run();
+			// as in Level; a game that is stepped through, or that is built, waits for “Run”
+			if (!this.isRunning && world.frame === 0 && !this.isBroken && !this.buildBar.isOn) this.run();
 		});
 		dragAgents(this.stage, {
 			// the camera would follow, and run away

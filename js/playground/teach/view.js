@@ -70,11 +70,10 @@ class TeachView {
 	#showSheets(names) {
 		const sheets = names.map((name) => this.#sheetsOf(name));
 		const solutions = sheets.map(({ solved }) => solved);
-		this.main.replaceChildren(
-			h("div.tools.no-print", {}, h("a", { href: "#teach" }, words.all), button(words.print, () => print(), { class: "primary" }), tick(words.withSolution, true, (isOn) => {
-				for (const sheet of solutions) sheet.hidden = !isOn;
-			})),
-			...sheets.flatMap(({ given, solved }) => [given, solved]));
+		sheets[0].given.prepend(h("div.tools.no-print", {}, h("a", { href: "#teach" }, words.all), button(words.print, () => print(), { class: "primary" }), tick(words.withSolution, true, (isOn) => {
+			for (const sheet of solutions) sheet.hidden = !isOn;
+		})));
+		this.main.replaceChildren(...sheets.flatMap(({ given, solved }) => [given, solved]));
 		this.#drawAll(names, sheets);
 	}
 

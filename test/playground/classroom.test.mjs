@@ -14,7 +14,7 @@ const Desktop = SIZES.laptop;
 const Phone = SIZES.phone;
 
 /** Waits for the lesson of a number. */
-const lesson = (page, number) => page.waitForFunction((n) => document.querySelector('.lesson')?.textContent.startsWith(`Lesson ${n} of 10`), number);
+const lesson = (page, number) => page.waitForFunction((n) => document.querySelector('.lesson')?.textContent.startsWith(`Lesson ${n} of 11`), number);
 const done = (page) => page.waitForFunction(() => /^Done! .{20}/.test(document.querySelector('.why').textContent));
 const agents = (page) => page.evaluate(() => globalThis.playground.world.agents.map(({ breed, shape, x, y }) => ({ breed, shape, x, y })));
 const types = (page, type) => page.evaluate((wanted) => globalThis.playground.editor.workspace.getBlocksByType(wanted).length, type);

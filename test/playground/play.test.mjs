@@ -624,7 +624,7 @@ test('a lesson is opened, done and left for the next; the first screen has all p
 	await press(page, 'A hint');
 	assert.ok(await page.getByText('under Movement, goes into the script').isVisible());
 	await press(page, 'Next');
-	await page.waitForFunction(() => /^Lesson 2 of 10Why is the helmet missed\?/.test(document.querySelector('.lesson').textContent));
+	await page.waitForFunction(() => /^Lesson 2 of 11Why is the helmet missed\?/.test(document.querySelector('.lesson').textContent));
 	assert.equal(await page.evaluate(() => location.hash), '#play/lesson-helmet');
 	assert.equal(await page.getByLabel('Collision system').inputValue(), 'unit spheres');
 	await step(page, 2);

@@ -39,7 +39,7 @@ test('without a server, all eleven lessons are solved', { skip }, async () => {
 	const names = await page.evaluate(() => globalThis.playground.programs.groups[0].entries.map(({ id }) => id.replace('lesson-', '')));
 	assert.equal(names.length, 11);
 	for (const [i, name] of names.entries()) {
-		await page.waitForFunction((number) => document.querySelector('.lesson')?.textContent.startsWith(`Lesson ${number} of 10`), i + 1);
+		await page.waitForFunction((number) => document.querySelector('.lesson')?.textContent.startsWith(`Lesson ${number} of 11`), i + 1);
 		// a file with the solution on the teacher's sheet, in the lesson
 		await page.setInputFiles('.naming input[type=file]', { name: `${name}.json`, mimeType: 'application/json', buffer: Buffer.from(JSON.stringify({ lesson: name, ...parts.solved(name) })) });
 		await page.waitForFunction((title) => document.querySelector('.title').value === title, name);

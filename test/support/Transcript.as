@@ -1,5 +1,6 @@
 package support
 {
+    import flash.geom.Vector3D;
     import flash.utils.getQualifiedClassName;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;

@@ -27,7 +27,7 @@ package starlogo.search
      *
      * @private
      */
-    internal final class PenetrationSearch extends DirectionSearch
+    internal final class PenetrationSearch
     {
         // The most contacts that a push leads out of, and the most pushes out of the ground that are tried.
         private static const MOST_CONTACTS:int = 4;
@@ -55,11 +55,9 @@ package starlogo.search
         // surfaces touch.
         private static const SLACK:Number = 0.001;
 
-        // How much of a cell of the ground counts as its extent. It is small because agents may be small, and not 0 because they may be points.
-        private static const CELL_SHARE:Number = 1e-4;
-
-        // The extent of two points at the origin. It is not 0, so all steps are longer than 0.
-        private static const LEAST_EXTENT:Number = 1e-100;
+        private var _tests:PairTests;
+        private var _pair:DisplacedPair;
+        private var _directions:DirectionSearch;
 
         // The first contact.
         private var _first:ContactPoint = new ContactPoint();
@@ -67,19 +65,28 @@ package starlogo.search
         // Whether the tests have found another contact since the first one.
         private var _isFirstLost:Boolean = false;
 
+        // The contact that was found last, and the displacement that is tried.
+        private var _left:ContactPoint = new ContactPoint();
+        private var _along:Displacement = new Displacement();
+
         // The pushes, and the contacts with which other ways begin.
         private var _pushes:PushSearch = new PushSearch();
         private var _exits:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
-        // The direction and the length of the shortest way out of the ground that ends with a lift; and the contact at the end of a sweep down.
+        // The direction and the length of the shortest way out of the ground that ends with a lift; the sweep down and
+        // the contact at its end; and where the first body is for them.
         private var _lift:Vector3D = new Vector3D();
         private var _liftLength:Number = 0;
         private var _below:ContactPoint = new ContactPoint();
+        private var _down:RelativeMotion = new RelativeMotion();
+        private var _offset:Vector3D = new Vector3D();
 
         /** @param tests decides whether bodies touch, and when. It is for pairs with a tree, or with the ground */
         public function PenetrationSearch(tests:PairTests)
         {
             _tests = tests;
+            _pair = new DisplacedPair(tests);
+            _directions = new DirectionSearch(_pair);
         }
 
         /**
@@ -90,10 +97,9 @@ package starlogo.search
          */
         public function find(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            begin(a, b, motion);
-            _distance = 0;
+            _pair.begin(a, b, motion);
             // only a body that moves may have been stopped just before the touch
-            if (!isComing(motion) || touch())
+            if (!isComing(motion) || _pair.areTouching())
             {
                 findLeast(motion, out);
             }
@@ -101,30 +107,13 @@ package starlogo.search
             {
                 findTouch(motion, out);
             }
-            _distance = 0;
-            displace();
-            OverlapMiddle.setAlong(_a, b, out);
-            OverlapMiddle.keepWithin(_a, out);
-            if (b.form != ModelShape.GROUND)
+            _pair.putBack();
+            OverlapMiddle.setAlong(_pair.first, b, out);
+            OverlapMiddle.keepWithin(_pair.first, out);
+            if (!_pair.isInGround)
             {
                 OverlapMiddle.keepWithin(b, out);
             }
-        }
-
-        private function begin(a:Body, b:Body, motion:RelativeMotion):void
-        {
-            var time:Number = motion.time;
-            _b = b;
-            _from.x = a.placement.x + (motion.startX + time * motion.x);
-            _from.y = a.placement.y + (motion.startY + time * motion.y);
-            _from.z = a.placement.z + (motion.startZ + time * motion.z);
-            _a.readShrunk(a, _from, 0);
-            _a.isOfLeaves = false;
-            var share:Number = b.form == ModelShape.GROUND ? CELL_SHARE : 1;
-            var half:Number = Math.max(share * b.largestHalf, a.largestHalf);
-            _rounding = a.margin + b.margin;
-            // if both are points, the gap across which they still touch takes the place of the extent
-            _extent = Math.max(2 * half, Math.max(_rounding, LEAST_EXTENT));
         }
 
         // Handles two bodies that do not touch at the time, because of rounding. The depth is 0. The normal points against the motion, unless the
@@ -132,9 +121,9 @@ package starlogo.search
         private function findTouch(motion:RelativeMotion, out:ContactPoint):void
         {
             out.depth = 0;
-            point(out);
-            _distance = -Math.max(Tolerances.SEPARATION / 4 * _extent, _rounding);
-            if (isComing(motion) && !touch())
+            pointAlong(out);
+            _along.distance = -Math.max(Tolerances.SEPARATION / 4 * _pair.extent, _pair.rounding);
+            if (isComing(motion) && !_pair.touchesAt(_along))
             {
                 out.pointAgainst(motion);
             }
@@ -153,51 +142,47 @@ package starlogo.search
             _first.copyFrom(out);
             _isFirstLost = false;
             out.depth = Infinity;
-            if (_b.form == ModelShape.GROUND)
+            if (_pair.isInGround)
             {
                 findGroundExit(out);
                 return;
             }
             findPush(out, Infinity, 0, MOST_CONTACTS);
-            if (isComing(motion) && out.depth > SHALLOW * _extent)
+            if (isComing(motion) && out.depth > DirectionSearch.SHALLOW * _pair.extent)
             {
                 _first.pointAgainst(motion);
                 _first.depth = 0;
-                findPush(out, GAIN * out.depth, 0, MOST_CONTACTS);
+                findPush(out, DirectionSearch.GAIN * out.depth, 0, MOST_CONTACTS);
             }
             if (out.depth == 0)
             {
                 return;
             }
             var trees:TreePairTests = TreePairTests(_tests);
-            _a.isOfLeaves = trees.exact && out.depth > SHALLOW * _extent;
+            _pair.first.isOfLeaves = trees.exact && out.depth > DirectionSearch.SHALLOW * _pair.extent;
             tryOuter(out);
-            if (_a.isOfLeaves)
+            if (_pair.first.isOfLeaves)
             {
-                _a.isOfLeaves = false;
-                goOutAlong(out);
-                refine(out);
+                _pair.first.isOfLeaves = false;
+                _directions.findAlong(out, out);
             }
         }
 
         // Tries to go straight along the shortest way out of the structures around both bodies.
         private function tryOuter(out:ContactPoint):void
         {
-            _distance = 0;
-            displace();
-            _tests.findOuterContact(_a, _b, _left);
+            _pair.putBack();
+            _pair.findOuterContact(_left);
             if (out.depth == Infinity)
             {
-                goOutAlong(_left);
-                refine(out);
+                _directions.findAlong(_left, out);
                 return;
             }
-            point(_left);
-            _free = out.depth - Tolerances.SEPARATION * _extent;
-            if (_free > 0 && !touchesFree())
+            pointAlong(_left);
+            _along.distance = out.depth - Tolerances.SEPARATION * _pair.extent;
+            if (_along.distance > 0 && !_pair.touchesAt(_along))
             {
-                _touching = 0;
-                refine(out);
+                _directions.shorten(_along, out);
             }
         }
 
@@ -205,26 +190,24 @@ package starlogo.search
         // farther and farther for other ways, and for ways that end with a lift. The first of these goes straight up, above all ground around.
         private function findGroundExit(out:ContactPoint):void
         {
-            var reach:Number = Math.max(SHALLOW * _extent, Math.min(_first.depth, _extent));
-            if (findPush(out, Math.max(_tests.leastDepth / NEEDED, ROOM * _extent), 0, MOST_CONTACTS))
+            var reach:Number = Math.max(DirectionSearch.SHALLOW * _pair.extent, Math.min(_first.depth, _pair.extent));
+            if (findPush(out, Math.max(_tests.leastDepth / NEEDED, ROOM * _pair.extent), 0, MOST_CONTACTS))
             {
                 return;
             }
-            _distance = 0;
-            displace();
-            _tests.findOuterContact(_a, _b, _below);
-            _liftLength = _below.depth + Tolerances.SEPARATION * _extent;
+            _pair.putBack();
+            _pair.findOuterContact(_below);
+            _liftLength = _below.depth + Tolerances.SEPARATION * _pair.extent;
             _lift.setTo(0, 0, 1);
             while (!findPush(out, reach / NEEDED, reach, MOST_PUSHES) && reach / NEEDED <= _liftLength)
             {
                 reach *= FARTHER;
             }
-            if (_liftLength < out.depth - Tolerances.SEPARATION * _extent)
+            if (_liftLength < out.depth - Tolerances.SEPARATION * _pair.extent)
             {
                 _below.setNormal(_lift.x, _lift.y, _lift.z);
                 _below.depth = _liftLength;
-                goOutAlong(_below);
-                refine(out);
+                _directions.findAlong(_below, out);
             }
         }
 
@@ -236,7 +219,7 @@ package starlogo.search
             var x:Number = _pushes.push.x;
             var y:Number = _pushes.push.y;
             var length:Number = Math.sqrt(x * x + y * y);
-            var farther:Number = length > 0 ? 1 + ROOM * _extent / length : 1;
+            var farther:Number = length > 0 ? 1 + ROOM * _pair.extent / length : 1;
             x *= farther;
             y *= farther;
             var squared:Number = _liftLength * _liftLength - (x * x + y * y);
@@ -245,17 +228,17 @@ package starlogo.search
                 return;
             }
             var high:Number = Math.sqrt(squared);
-            _place.setTo(_from.x + x, _from.y + y, _from.z + high);
-            _a.moveTo(_place);
-            if (_tests.areTouching(_a, _b))
+            _offset.setTo(x, y, high);
+            _pair.displaceBy(_offset);
+            if (_pair.areTouching())
             {
                 return;
             }
-            _place.z = _from.z;
-            _a.moveTo(_place);
-            _back.endAfter(0, 0, -high);
-            _tests.findImpact(_a, _b, _back, _below);
-            var z:Number = high * (1 - Math.min(_back.time, 1));
+            _offset.z = 0;
+            _pair.displaceBy(_offset);
+            _down.endAfter(0, 0, -high);
+            _tests.findImpact(_pair.first, _pair.second, _down, _below);
+            var z:Number = high * (1 - Math.min(_down.time, 1));
             // halfway between the place of the push and the one farther
             x *= (1 + farther) / (2 * farther);
             y *= (1 + farther) / (2 * farther);
@@ -264,11 +247,13 @@ package starlogo.search
             {
                 return;
             }
-            _along.setTo(x / length, y / length, z / length);
-            _free = length + Tolerances.SEPARATION * _extent;
-            if (!touchesFree())
+            _along.x = x / length;
+            _along.y = y / length;
+            _along.z = z / length;
+            _along.distance = length + Tolerances.SEPARATION * _pair.extent;
+            if (!_pair.touchesAt(_along))
             {
-                _lift.setTo(x / length, y / length, z / length);
+                _lift.setTo(_along.x, _along.y, _along.z);
                 _liftLength = length;
             }
         }
@@ -277,14 +262,13 @@ package starlogo.search
         // <code>most</code>. In the ground it also tries a lift after each other push.
         private function findPush(out:ContactPoint, most:Number, reach:Number, tries:int):Boolean
         {
-            var slack:Number = SLACK * Tolerances.SEPARATION * _extent + _rounding;
+            var slack:Number = SLACK * Tolerances.SEPARATION * _pair.extent + _pair.rounding;
             _pushes.begin();
             _left.copyFrom(_first);
-            _distance = 0;
-            displace();
+            _pair.putBack();
             if (reach > 0 && _isFirstLost)
             {
-                _tests.findContact(_a, _b, RelativeMotion.NONE, _left);
+                _pair.findContact(_left);
             }
             while (tries > 0)
             {
@@ -316,7 +300,7 @@ package starlogo.search
         private function addExits(reach:Number, slack:Number):void
         {
             _tests.reach = reach;
-            var count:int = _tests.findExits(_a, _b, _exits);
+            var count:int = _tests.findExits(_pair.first, _pair.second, _exits);
             for (var i:int = 0; i < count; i++)
             {
                 _pushes.add(_exits[i], slack);
@@ -328,40 +312,48 @@ package starlogo.search
             _along.x = _pushes.push.x / _pushes.length;
             _along.y = _pushes.push.y / _pushes.length;
             _along.z = _pushes.push.z / _pushes.length;
-            _free = _pushes.length + Tolerances.SEPARATION / 4 * _extent;
-            if (_pushes.deciding == 1)
+            var farther:Number = _pushes.length + Tolerances.SEPARATION / 4 * _pair.extent;
+            if (_pushes.deciding > 1)
             {
-                return !touchesFree();
+                // beyond its end, a push out of several contacts may lead into one of them again
+                _along.distance = _pushes.length;
+                if (_pair.touchesAt(_along))
+                {
+                    return false;
+                }
             }
-            // beyond its end, a push out of several contacts may lead into one of them again
-            _distance = _pushes.length;
-            if (touch() || touchesFree())
+            _along.distance = farther;
+            if (_pair.touchesAt(_along))
             {
                 return false;
             }
-            _distance = _pushes.length + ROOM * _extent;
-            return !touch();
+            if (_pushes.deciding == 1)
+            {
+                return true;
+            }
+            _along.distance = _pushes.length + ROOM * _pair.extent;
+            return !_pair.touchesAt(_along);
         }
 
         // Finds the contact after a push. Returns whether it may be a side of a corner. It may not if it points against the push, or along it
         // after a long one, as for agents deep in each other.
         private function findCorner():Boolean
         {
-            var isGround:Boolean = _b.form == ModelShape.GROUND;
-            if (!isGround && _pushes.length > LARGEST_CORNER * _extent)
+            var isGround:Boolean = _pair.isInGround;
+            if (!isGround && _pushes.length > LARGEST_CORNER * _pair.extent)
             {
                 return false;
             }
             _isFirstLost = true;
-            _tests.findContact(_a, _b, RelativeMotion.NONE, _left);
+            _pair.findContact(_left);
             var cosine:Number = _left.normalX * _along.x + _left.normalY * _along.y + _left.normalZ * _along.z;
             // the body is a little farther than the push
-            _left.depth += (_distance - _pushes.length) * cosine;
+            _left.depth += (_along.distance - _pushes.length) * cosine;
             if (isGround)
             {
                 return true;
             }
-            var isShort:Boolean = _pushes.length <= 2 * LARGEST_CORNER * Math.min(_a.largestHalf, _b.largestHalf);
+            var isShort:Boolean = _pushes.length <= 2 * LARGEST_CORNER * Math.min(_pair.first.largestHalf, _pair.second.largestHalf);
             return isShort ? cosine > LEAST_ACUTE_COSINE : cosine > LEAST_COSINE && cosine < MOST_COSINE;
         }
 
@@ -370,12 +362,18 @@ package starlogo.search
         {
             out.setNormal(_along.x, _along.y, _along.z);
             out.depth = _pushes.length;
-            _distance = _pushes.length - Tolerances.SEPARATION / 4 * _extent;
-            if (_distance > 0 && !touch())
+            _along.distance = _pushes.length - Tolerances.SEPARATION / 4 * _pair.extent;
+            if (_along.distance > 0 && !_pair.touchesAt(_along))
             {
-                _touching = 0;
-                refine(out);
+                _directions.shorten(_along, out);
             }
+        }
+
+        private function pointAlong(contact:ContactPoint):void
+        {
+            _along.x = contact.normalX;
+            _along.y = contact.normalY;
+            _along.z = contact.normalZ;
         }
     }
 }

@@ -1,6 +1,5 @@
 package starlogo.intersection.ray
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.Box;
 
     /**

@@ -1,0 +1,11 @@
+package starlogo.search
+{
+    /** A displacement, as a record: a direction, which is a unit vector, and how far along it. */
+    internal final class Displacement
+    {
+        public var x:Number = 0;
+        public var y:Number = 0;
+        public var z:Number = 0;
+        public var distance:Number = 0;
+    }
+}

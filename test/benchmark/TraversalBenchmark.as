@@ -85,7 +85,10 @@ package benchmark
             var second:Vector.<Placement> = places(spread, size, isUpright);
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    var answer:Boolean = _overlaps.areOverlapping(a, first[i], DEPTH, b, null, second[i], DEPTH, exact);
+                    _pair.setFirst(a, first[i], DEPTH);
+                    _pair.setSecond(b, null, second[i], DEPTH);
+                    _pair.decideByTriangles(exact);
+                    var answer:Boolean = _overlaps.areOverlapping(_pair);
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);
@@ -117,7 +120,10 @@ package benchmark
             var structures:Vector.<BoundingStructure> = randomStructures();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    var answer:Boolean = _overlaps.areOverlapping(a, first[i], DEPTH, null, structures[i], second[i], 1, exact);
+                    _pair.setFirst(a, first[i], DEPTH);
+                    _pair.setSecond(null, structures[i], second[i], 1);
+                    _pair.decideByTriangles(exact);
+                    var answer:Boolean = _overlaps.areOverlapping(_pair);
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);
@@ -133,7 +139,9 @@ package benchmark
             var contact:ContactPoint = new ContactPoint();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _pair.setTo(a, first[i], DEPTH, b, null, second[i], DEPTH, exact);
+                    _pair.setFirst(a, first[i], DEPTH);
+                    _pair.setSecond(b, null, second[i], DEPTH);
+                    _pair.decideByTriangles(exact);
                     _impacts.findFirst(_pair, motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)
@@ -157,7 +165,9 @@ package benchmark
             var contact:ContactPoint = new ContactPoint();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _pair.setTo(a, first[i], DEPTH, null, structures[i], second[i], 1, exact);
+                    _pair.setFirst(a, first[i], DEPTH);
+                    _pair.setSecond(null, structures[i], second[i], 1);
+                    _pair.decideByTriangles(exact);
                     _impacts.findFirst(_pair, motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)

@@ -51,8 +51,8 @@ package starlogo.search
                 return areTouching(b, a);
             }
             _tests++;
-            var shapeB:ModelShape = b.shape;
-            return _overlaps.areOverlapping(a.shape.hierarchy, a.placement, depthOf(a), shapeB.hierarchy, shapeB.structure, b.placement, depthOf(b), decideTriangles(a, b));
+            setPair(a, b);
+            return _overlaps.areOverlapping(_pair);
         }
 
         /** @inheritDoc */
@@ -127,11 +127,6 @@ package starlogo.search
             _distances.resetCounts();
         }
 
-        private function decideTriangles(a:Body, b:Body):Boolean
-        {
-            return exact && !a.isOfLeaves && !b.isOfLeaves;
-        }
-
         // Sets the two bodies in this order or the opposite order, and the motion of the body that is then first.
         private function setMovingPair(a:Body, b:Body, motion:RelativeMotion, isSwapped:Boolean):void
         {
@@ -157,7 +152,9 @@ package starlogo.search
         private function setPair(a:Body, b:Body):void
         {
             var shapeB:ModelShape = b.shape;
-            _pair.setTo(a.shape.hierarchy, a.placement, depthOf(a), shapeB.hierarchy, shapeB.structure, b.placement, depthOf(b), decideTriangles(a, b));
+            _pair.setFirst(a.shape.hierarchy, a.placement, depthOf(a));
+            _pair.setSecond(shapeB.hierarchy, shapeB.structure, b.placement, depthOf(b));
+            _pair.decideByTriangles(exact && !a.isOfLeaves && !b.isOfLeaves);
         }
     }
 }

@@ -30,6 +30,7 @@ package starlogo.solid
 
         // The first model's placement at the beginning, and the second model's pose there.
         private var _start:Placement = new Placement();
+        private var _displaced:TreePair = new TreePair();
         private var _pose:RelativePose = new RelativePose();
 
         private var _boxes:SweptBoxTraversal = new SweptBoxTraversal();
@@ -154,7 +155,9 @@ package starlogo.solid
         private function overlapAt(pair:TreePair, motion:RelativeMotion, time:Number):Boolean
         {
             setStart(pair, motion, time);
-            return _overlaps.areOverlapping(pair.a, _start, pair.depthA, pair.b, pair.structureB, pair.placementB, pair.depthB, pair.isExact);
+            _displaced.copyFrom(pair);
+            _displaced.placementA = _start;
+            return _overlaps.areOverlapping(_displaced);
         }
 
         private function setStart(pair:TreePair, motion:RelativeMotion, time:Number):void

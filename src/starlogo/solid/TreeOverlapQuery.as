@@ -5,7 +5,6 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTraversal;
-    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.StructureLeaf;
@@ -56,51 +55,33 @@ package starlogo.solid
             _trianglePairs.triangleTests = _triangles.triangleTests = 0;
         }
 
-        /**
-         * Whether two standing models overlap.
-         *
-         * <p>The arguments are no TreePair, because writing them to its fields is slow in comparison with the test of two models that are apart.</p>
-         *
-         * @param a the first model's hierarchy
-         * @param placementA the first model's placement in the world
-         * @param depthA how many levels of its hierarchy are visited
-         * @param b the second model's hierarchy; null if a structure stands for that model
-         * @param structureB that structure, in the second model's space; ignored if b is not null
-         * @param placementB the second model's placement in the world
-         * @param depthB how many levels of its hierarchy are visited
-         * @param exact whether triangles decide in place of depths, if the trees have triangles. A tree and a structure collide if a triangle
-         *     touches the solid structure, or if the structure is inside of the tree's closed surface
-         */
-        public function areOverlapping(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, structureB:BoundingStructure,
-                placementB:Placement, depthB:int, exact:Boolean):Boolean
+        /** Whether two standing models overlap. */
+        public function areOverlapping(pair:TreePair):Boolean
         {
+            var a:SolidHierarchy = pair.a;
+            var b:SolidHierarchy = pair.b;
             var pose:RelativePose = _pose;
-            pose.relate(placementA, placementB);
-            var decider:LeafTest = null;
-            if (exact && a.hasTriangles && b == null)
+            pose.relate(pair.placementA, pair.placementB);
+            if (b == null)
             {
-                return touchesTriangle(a, structureB) || isOneInside(a, null, structureB);
+                return overlapsStructure(pair);
             }
-            if (exact && a.hasTriangles && b.hasTriangles)
-            {
-                decider = _trianglePairs.begin(a, b, pose);
-                depthA = depthB = int.MAX_VALUE;
-            }
-            var second:BoxTree;
-            if (b != null)
-            {
-                second = b.tree;
-            }
-            else
-            {
-                _leaf.begin(structureB, pose);
-                decider = _leaf.decider;
-                pose = _leaf.pose;
-                second = _leaf.tree;
-            }
+            var decider:LeafTest = pair.isExact ? _trianglePairs.begin(a, b, pose) : null;
             // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
-            return _boxes.find(pose, a.tree, depthA, second, depthB, decider)
-                || ((_boxes.rootsOverlapped || decider != null) && isOneInside(a, b, structureB));
+            return _boxes.find(pose, a.tree, pair.depthA, b.tree, pair.depthB, decider)
+                || ((_boxes.rootsOverlapped || decider != null) && isOneInside(pair));
+        }
+
+        // Whether the first model overlaps the structure that stands for the second one.
+        private function overlapsStructure(pair:TreePair):Boolean
+        {
+            if (pair.isExact)
+            {
+                return touchesTriangle(pair.a, pair.structureB) || isOneInside(pair);
+            }
+            _leaf.begin(pair.structureB, _pose);
+            return _boxes.find(_leaf.pose, pair.a.tree, pair.depthA, _leaf.tree, pair.depthB, _leaf.decider)
+                || ((_boxes.rootsOverlapped || _leaf.decider != null) && isOneInside(pair));
         }
 
         /**
@@ -112,7 +93,7 @@ package starlogo.solid
         public function findCommonPoint(pair:TreePair, out:ClosestPoints):Placement
         {
             _pose.relate(pair.placementA, pair.placementB);
-            if (isOneInside(pair.a, pair.b, pair.structureB))
+            if (isOneInside(pair))
             {
                 out.setPoint(_containment.innerPoint);
                 return _containment.isPointOfSecond ? pair.placementB : pair.placementA;
@@ -126,9 +107,9 @@ package starlogo.solid
             return pair.placementA;
         }
 
-        private function isOneInside(a:SolidHierarchy, b:SolidHierarchy, structureB:BoundingStructure):Boolean
+        private function isOneInside(pair:TreePair):Boolean
         {
-            return b == null ? _containment.isStructureInside(a, structureB, _pose) : _containment.isOneInside(a, b, _pose);
+            return pair.b == null ? _containment.isStructureInside(pair.a, pair.structureB, _pose) : _containment.isOneInside(pair.a, pair.b, _pose);
         }
 
         // Whether a triangle of a model touches a structure in the place of the second model.

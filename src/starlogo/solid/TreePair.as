@@ -7,7 +7,7 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Two placed models: two trees, or a tree and a structure. TreeImpactQuery and TreeDistanceQuery read it.
+     * Two placed models: two trees, or a tree and a structure. The queries of trees read it.
      *
      * @private
      */
@@ -31,20 +31,42 @@ package starlogo.solid
         /** Whether triangles decide in place of depths. */
         public var isExact:Boolean = false;
 
+        /** Sets the first model. */
+        public function setFirst(hierarchy:SolidHierarchy, placement:Placement, depth:int):void
+        {
+            a = hierarchy;
+            placementA = placement;
+            depthA = depth;
+        }
+
+        /** Sets the second model. The structure, in its own space, stands for it if the hierarchy is null. */
+        public function setSecond(hierarchy:SolidHierarchy, structure:BoundingStructure, placement:Placement, depth:int):void
+        {
+            b = hierarchy;
+            structureB = structure;
+            placementB = placement;
+            depthB = depth;
+        }
+
         /**
-         * Sets the pair. The parameters are those of <code>TreeOverlapQuery.areOverlapping()</code>.
+         * Lets triangles decide in place of depths, if the trees have triangles. Both models must have been set. A tree and a structure collide if a
+         * triangle touches the solid structure, or if the structure is inside of the tree's closed surface.
          */
-        public function setTo(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, structureB:BoundingStructure,
-                placementB:Placement, depthB:int, exact:Boolean):void
+        public function decideByTriangles(exact:Boolean):void
         {
             isExact = exact && a.hasTriangles && (b == null || b.hasTriangles);
-            this.a = a;
-            this.b = b;
-            this.structureB = structureB;
-            this.placementA = placementA;
-            this.placementB = placementB;
-            this.depthA = isExact ? int.MAX_VALUE : depthA;
-            this.depthB = isExact ? int.MAX_VALUE : depthB;
+            if (isExact)
+            {
+                depthA = depthB = int.MAX_VALUE;
+            }
+        }
+
+        /** Copies another pair. */
+        public function copyFrom(other:TreePair):void
+        {
+            setFirst(other.a, other.placementA, other.depthA);
+            setSecond(other.b, other.structureB, other.placementB, other.depthB);
+            isExact = other.isExact;
         }
     }
 }

@@ -36,6 +36,7 @@ package starlogo.solid
         private static var sHierarchies:Object = {};
 
         private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery();
+        private var _pair:TreePair = new TreePair();
 
         [Test]
         public function specksBesideGiants():void
@@ -71,7 +72,10 @@ package starlogo.solid
                 if (between > 0.99 * margin && between < 0.99 * reach)
                 {
                     tested++;
-                    assertTrue("standing " + between, _overlaps.areOverlapping(cube, stands, int.MAX_VALUE, cube, null, beside, int.MAX_VALUE, true));
+                    _pair.setFirst(cube, stands, int.MAX_VALUE);
+                    _pair.setSecond(cube, null, beside, int.MAX_VALUE);
+                    _pair.decideByTriangles(true);
+                    assertTrue("standing " + between, _overlaps.areOverlapping(_pair));
                 }
             }
             assertTrue("tested " + tested, tested > 3);
@@ -89,11 +93,15 @@ package starlogo.solid
             for (var at:int = bear.corners.length - 9; at > cube.corners.length; at -= 900)
             {
                 var sphere:Sphere = new Sphere(new Vector3D(bear.corners[at], bear.corners[at + 1], bear.corners[at + 2]), 1e-6);
-                pair.setTo(bear, stands, int.MAX_VALUE, null, sphere, stands, 1, true);
-                assertTrue(_overlaps.areOverlapping(bear, stands, int.MAX_VALUE, null, sphere, stands, 1, true));
+                pair.setFirst(bear, stands, int.MAX_VALUE);
+                pair.setSecond(null, sphere, stands, 1);
+                pair.decideByTriangles(true);
+                assertTrue(_overlaps.areOverlapping(pair));
                 _overlaps.findCommonPoint(pair, out);
                 out.aX = 7;
-                pair.setTo(cube, stands, int.MAX_VALUE, null, new Sphere(new Vector3D(5, 5, 5), 0.1), stands, 1, true);
+                pair.setFirst(cube, stands, int.MAX_VALUE);
+                pair.setSecond(null, new Sphere(new Vector3D(5, 5, 5), 0.1), stands, 1);
+                pair.decideByTriangles(true);
                 _overlaps.findCommonPoint(pair, out);
                 assertEquals(7, out.aX);
             }
@@ -217,12 +225,18 @@ package starlogo.solid
         private function treesOverlap(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, placementB:Placement, depthB:int,
                 exact:Boolean):Boolean
         {
-            return _overlaps.areOverlapping(a, placementA, depthA, b, null, placementB, depthB, exact);
+            _pair.setFirst(a, placementA, depthA);
+            _pair.setSecond(b, null, placementB, depthB);
+            _pair.decideByTriangles(exact);
+            return _overlaps.areOverlapping(_pair);
         }
 
         private function structureOverlaps(a:SolidHierarchy, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement):Boolean
         {
-            return _overlaps.areOverlapping(a, placementA, depth, null, structure, placementB, 1, false);
+            _pair.setFirst(a, placementA, depth);
+            _pair.setSecond(null, structure, placementB, 1);
+            _pair.decideByTriangles(false);
+            return _overlaps.areOverlapping(_pair);
         }
 
         // About the middle of a model of size 1.

@@ -23,16 +23,6 @@ package starlogo.convex
         /** The length of the overlap along the normal, at least 0. It is 0 if the shapes just touch. */
         public var depth:Number = 0;
 
-        /** The length that the normal had before <code>normalise()</code>. */
-        public var length:Number = 1;
-
-        /** The sum of the squares of two edges of the triangle of <code>setTriangleNormal()</code>. */
-        public var squared:Number = 0;
-
-        /** The least and the greatest component along the normal that <code>measure()</code> has found. */
-        public var least:Number = 0;
-        public var greatest:Number = 0;
-
         /** Copies the point, the normal and the depth of another contact. */
         public function copyFrom(other:ContactPoint):void
         {
@@ -70,28 +60,10 @@ package starlogo.convex
             normalZ = z;
         }
 
-        /**
-         * Sets the normal to the normal of a triangle: nine numbers of a list, from an index on. It points to the side from which the corners
-         * are counter-clockwise. <code>length</code> becomes twice the triangle's area, and <code>squared</code> the sum of the squares of the
-         * two edges at the first corner.
-         */
-        public function setTriangleNormal(p:Vector.<Number>, at:int):void
-        {
-            var ux:Number = p[int(at + 3)] - p[at];
-            var uy:Number = p[int(at + 4)] - p[int(at + 1)];
-            var uz:Number = p[int(at + 5)] - p[int(at + 2)];
-            var vx:Number = p[int(at + 6)] - p[at];
-            var vy:Number = p[int(at + 7)] - p[int(at + 1)];
-            var vz:Number = p[int(at + 8)] - p[int(at + 2)];
-            squared = ux * ux + uy * uy + uz * uz + vx * vx + vy * vy + vz * vz;
-            setNormal(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
-            normalise();
-        }
-
-        /** Makes the normal a unit vector, and sets <code>length</code> to its old length, which must not be 0. */
+        /** Makes the normal a unit vector. Its length must not be 0. */
         public function normalise():void
         {
-            length = Math.sqrt(normalX * normalX + normalY * normalY + normalZ * normalZ);
+            var length:Number = Math.sqrt(normalX * normalX + normalY * normalY + normalZ * normalZ);
             normalX /= length;
             normalY /= length;
             normalZ /= length;
@@ -101,21 +73,6 @@ package starlogo.convex
         public function along(vector:Vector3D):Number
         {
             return normalX * vector.x + normalY * vector.y + normalZ * vector.z;
-        }
-
-        /** Finds how far the points of a part of a list extend along the normal. The results are NaN if the normal is. */
-        public function measure(points:Vector.<Number>, from:int, end:int):void
-        {
-            var low:Number = Infinity;
-            var high:Number = -Infinity;
-            for (var i:int = from; i < end; i += 3)
-            {
-                var along:Number = normalX * points[i] + normalY * points[int(i + 1)] + normalZ * points[int(i + 2)];
-                low = low < along ? low : along;
-                high = high > along ? high : along;
-            }
-            least = low;
-            greatest = high;
         }
 
         /** Moves a place along the normal. */

@@ -225,7 +225,7 @@ package starlogo.ground
             while (_pieces.nextTriangle())
             {
                 _piece.findBehind(RelativeMotion.NONE, _tried);
-                if (_tried.depth >= -_triangles.gap && (!_hasPart || isPartBehind()))
+                if (_tried.depth >= -_triangles.gap && (!_hasPart || _piece.isBehindPlane(_part, PART_GAPS * _triangles.gap)))
                 {
                     count = addExit(ways, count);
                 }
@@ -394,14 +394,6 @@ package starlogo.ground
                 ways[at].copyFrom(_tried);
             }
             return Math.max(count, at + 1);
-        }
-
-        private function isPartBehind():Boolean
-        {
-            _tried.measure(_part, 0, 9);
-            var greatest:Number = _tried.greatest;
-            _tried.measure(_triangles.corners, 0, 3);
-            return greatest <= _tried.least + PART_GAPS * _triangles.gap;
         }
 
         // Whether any way out of the ground is at least about as long as the last contact is deep, because the piece's deepest point has to get out.

@@ -1,7 +1,7 @@
 package starlogo.ground
 {
     import starlogo.agents.Agent;
-    import starlogo.convex.ContactPoint;
+    import starlogo.convex.FaceNormal;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
@@ -22,7 +22,7 @@ package starlogo.ground
         private var _box:GroundBox = new GroundBox();
         private var _triangles:GroundTriangles = new GroundTriangles();
         private var _test:RayTriangleTest = new RayTriangleTest();
-        private var _outside:ContactPoint = new ContactPoint();
+        private var _outside:FaceNormal = new FaceNormal();
 
         public function GroundRay()
         {
@@ -62,13 +62,13 @@ package starlogo.ground
                 {
                     isHit = true;
                     _box.limit = _test.least;
-                    _outside.setTriangleNormal(_triangles.corners, 0);
+                    _outside.setTriangle(_triangles.corners, 0);
                 }
             }
             if (isHit)
             {
                 ray.from = _test.least;
-                ray.setNormal(_outside.normalX, _outside.normalY, _outside.normalZ);
+                ray.setNormal(_outside.x, _outside.y, _outside.z);
             }
             return isHit;
         }

@@ -6,6 +6,7 @@ package starlogo.intersection
     import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexPair;
     import starlogo.convex.ConvexShape;
+    import starlogo.convex.FaceNormal;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -39,7 +40,7 @@ package starlogo.intersection
         private var _at:int = 0;
         private var _isSet:Boolean = false;
         private var _triangle:ConvexShape = new ConvexShape();
-        private var _face:ContactPoint = new ContactPoint();
+        private var _face:FaceNormal = new FaceNormal();
         private var _deepest:DeepestPoint = new DeepestPoint();
 
         /**
@@ -119,8 +120,8 @@ package starlogo.intersection
             if (!isFirstTouch)
             {
                 setFace();
-                var face:ContactPoint = _face;
-                if (contact.normalX * face.normalX + contact.normalY * face.normalY + contact.normalZ * face.normalZ < -Tolerances.DIRECTION)
+                var face:FaceNormal = _face;
+                if (contact.normalX * face.x + contact.normalY * face.y + contact.normalZ * face.z < -Tolerances.DIRECTION)
                 {
                     findBehind(motion, contact);
                 }
@@ -138,8 +139,8 @@ package starlogo.intersection
         public function findBehind(motion:RelativeMotion, out:ContactPoint):Boolean
         {
             setFace();
-            out.setNormal(_face.normalX, _face.normalY, _face.normalZ);
-            _deepest.find(shape, out);
+            out.setNormal(_face.x, _face.y, _face.z);
+            _deepest.find(shape, _face);
             var deepest:Vector3D = _deepest.point;
             deepest.x += motion.startX + motion.time * motion.x;
             deepest.y += motion.startY + motion.time * motion.y;
@@ -149,6 +150,18 @@ package starlogo.intersection
             out.y = deepest.y + out.depth / 2 * out.normalY;
             out.z = deepest.z + out.depth / 2 * out.normalZ;
             return isOverTriangle(deepest, _list, _at, _face);
+        }
+
+        /**
+         * Whether another triangle is behind the plane of <code>findBehind()</code>.
+         *
+         * @param corners has nine numbers of the other triangle
+         * @param slack how far it may reach in front of the plane
+         */
+        public function isBehindPlane(corners:Vector.<Number>, slack:Number):Boolean
+        {
+            _face.measure(corners, 0, 9);
+            return _face.greatest <= _face.x * _list[_at] + _face.y * _list[int(_at + 1)] + _face.z * _list[int(_at + 2)] + slack;
         }
 
         /**
@@ -168,9 +181,9 @@ package starlogo.intersection
         {
             prepare();
             setFace();
-            var face:ContactPoint = _face;
-            var way:Number = motion.latest * (face.normalX * motion.x + face.normalY * motion.y + face.normalZ * motion.z);
-            var place:Number = face.normalX * (shape.x - _triangle.x) + face.normalY * (shape.y - _triangle.y) + face.normalZ * (shape.z - _triangle.z);
+            var face:FaceNormal = _face;
+            var way:Number = motion.latest * (face.x * motion.x + face.y * motion.y + face.z * motion.z);
+            var place:Number = face.x * (shape.x - _triangle.x) + face.y * (shape.y - _triangle.y) + face.z * (shape.z - _triangle.z);
             face.measure(_triangle.points, 0, 9);
             var low:Number = face.least;
             var high:Number = face.greatest;
@@ -192,10 +205,10 @@ package starlogo.intersection
         // Computes the triangle's normal. It is NaN if the triangle has no area, because comparisons with NaN are false.
         private function setFace():void
         {
-            _face.setTriangleNormal(_list, _at);
+            _face.setTriangle(_list, _at);
             if (!(_face.length * _face.length > Tolerances.FLAT_TRIANGLE * _face.squared * _face.squared))
             {
-                _face.setNormal(NaN, NaN, NaN);
+                _face.clear();
             }
         }
     }

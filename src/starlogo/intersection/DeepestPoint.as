@@ -1,8 +1,8 @@
 package starlogo.intersection
 {
     import flash.geom.Vector3D;
-    import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexShape;
+    import starlogo.convex.FaceNormal;
 
     /**
      * Finds the point of a convex shape that is farthest against a normal. If there are several, it is their middle. NaN if the normal is NaN.
@@ -18,7 +18,7 @@ package starlogo.intersection
         public var point:Vector3D = new Vector3D();
 
         /** Finds the point. Also measures the shape's core along the normal. */
-        public function find(shape:ConvexShape, normal:ContactPoint):void
+        public function find(shape:ConvexShape, normal:FaceNormal):void
         {
             var p:Vector.<Number> = shape.points;
             normal.measure(p, 0, shape.end);
@@ -29,7 +29,7 @@ package starlogo.intersection
             var z:Number = 0;
             for (var i:int = 0; i < shape.end; i += 3)
             {
-                if (normal.normalX * p[i] + normal.normalY * p[int(i + 1)] + normal.normalZ * p[int(i + 2)] <= most)
+                if (normal.x * p[i] + normal.y * p[int(i + 1)] + normal.z * p[int(i + 2)] <= most)
                 {
                     x += p[i];
                     y += p[int(i + 1)];
@@ -37,9 +37,9 @@ package starlogo.intersection
                     count++;
                 }
             }
-            point.x = shape.x + x / count - shape.radius * normal.normalX;
-            point.y = shape.y + y / count - shape.radius * normal.normalY;
-            point.z = shape.z + z / count - shape.radius * normal.normalZ;
+            point.x = shape.x + x / count - shape.radius * normal.x;
+            point.y = shape.y + y / count - shape.radius * normal.y;
+            point.z = shape.z + z / count - shape.radius * normal.z;
         }
     }
 }

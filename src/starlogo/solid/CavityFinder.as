@@ -1,6 +1,6 @@
 package starlogo.solid
 {
-    import starlogo.convex.ContactPoint;
+    import starlogo.convex.FaceNormal;
     import starlogo.steps.StepSequence;
 
     /**
@@ -34,7 +34,7 @@ package starlogo.solid
         // For each piece, the larger pieces that are around all of its points tested so far. Null before the first point.
         private var _around:Vector.<Vector.<int>>;
 
-        private var _face:ContactPoint = new ContactPoint();
+        private var _face:FaceNormal = new FaceNormal();
         private var _looks:int = 0;
         private var _mostLooks:int;
 
@@ -81,12 +81,12 @@ package starlogo.solid
                 }
                 _corners[piece] ||= 9 * i + 1;
                 _extremes.add(piece, i);
-                _face.setTriangleNormal(corners, 9 * i);
+                _face.setTriangle(corners, 9 * i);
                 if (_face.length > 0)
                 {
                     var from:int = _corners[piece] - 1;
-                    var volume:Number = _face.length * (_face.normalX * (corners[9 * i] - corners[from])
-                            + _face.normalY * (corners[9 * i + 1] - corners[from + 1]) + _face.normalZ * (corners[9 * i + 2] - corners[from + 2]));
+                    var volume:Number = _face.length * (_face.x * (corners[9 * i] - corners[from])
+                            + _face.y * (corners[9 * i + 1] - corners[from + 1]) + _face.z * (corners[9 * i + 2] - corners[from + 2]));
                     _volumes[piece] += _solid.sideOf(i) > 0 ? volume : -volume;
                 }
             }

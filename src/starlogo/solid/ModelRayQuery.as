@@ -1,7 +1,7 @@
 package starlogo.solid
 {
     import flash.geom.Vector3D;
-    import starlogo.convex.ContactPoint;
+    import starlogo.convex.FaceNormal;
     import starlogo.engine;
     import starlogo.hierarchy.MovingBoxTraversal;
     import starlogo.hierarchy.RayTraversal;
@@ -31,7 +31,7 @@ package starlogo.solid
         private var _start:Vector3D = new Vector3D();
 
         // The normal of the triangle that the ray meets.
-        private var _face:ContactPoint = new ContactPoint();
+        private var _face:FaceNormal = new FaceNormal();
 
         /**
          * Narrows a ray to the part behind its first hit.
@@ -74,11 +74,11 @@ package starlogo.solid
             triangle = hierarchy.tree.order[found];
             ray.from = _triangles.least;
             ray.faceBack();
-            _face.setTriangleNormal(solid.corners, 9 * found);
+            _face.setTriangle(solid.corners, 9 * found);
             // A triangle without area has no normal.
             if (_face.length > 0)
             {
-                ray.setNormal(_face.normalX, _face.normalY, _face.normalZ);
+                ray.setNormal(_face.x, _face.y, _face.z);
             }
             return true;
         }

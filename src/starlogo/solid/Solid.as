@@ -1,13 +1,13 @@
 package starlogo.solid
 {
-    import starlogo.intersection.writeTriangleExtents;
     import flash.geom.Vector3D;
-    import starlogo.convex.ContactPoint;
+    import starlogo.convex.FaceNormal;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.MovingBoxTraversal;
     import starlogo.intersection.TriangleTest;
+    import starlogo.intersection.writeTriangleExtents;
 
     use namespace engine;
 
@@ -62,7 +62,7 @@ package starlogo.solid
         // Null before they are first needed.
         private var _planes:Vector.<Number> = null;
         private var _extents:Vector.<Number> = null;
-        private var _face:ContactPoint = new ContactPoint();
+        private var _face:FaceNormal = new FaceNormal();
 
         private var _reach:Number; // a distance from the origin that contains all triangles
         private var _boxes:MovingBoxTraversal = new MovingBoxTraversal();
@@ -139,12 +139,12 @@ package starlogo.solid
                 var at:int = 9 * i;
                 var to:int = 4 * i;
                 into[to + 3] = NaN;
-                _face.setTriangleNormal(corners, at);
+                _face.setTriangle(corners, at);
                 if (_face.length > 0)
                 {
-                    into[to] = _face.normalX;
-                    into[to + 1] = _face.normalY;
-                    into[to + 2] = _face.normalZ;
+                    into[to] = _face.x;
+                    into[to + 1] = _face.y;
+                    into[to + 2] = _face.z;
                     _face.measure(corners, at, at + 9);
                     into[to + 3] = _face.greatest - _face.least <= flatness ? _face.least : NaN;
                 }

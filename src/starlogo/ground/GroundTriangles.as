@@ -69,6 +69,10 @@ package starlogo.ground
         private var _low:Number = 0;
         private var _high:Number = 0;
 
+        // Along x and y: the box's middle, half of its length and its way, and where the first cell begins. A list, because V8 would make objects
+        // for Numbers that are passed.
+        private var _alongAxes:Vector.<Number> = new Vector.<Number>(8, true);
+
         // The limit at the beginning of the walk.
         private var _whole:Number = 0;
 
@@ -120,6 +124,14 @@ package starlogo.ground
                 level++;
             }
             _slack = FARTHER * rounding;
+            _alongAxes[0] = box.x;
+            _alongAxes[1] = box.y;
+            _alongAxes[2] = _halfX;
+            _alongAxes[3] = _halfY;
+            _alongAxes[4] = way.x;
+            _alongAxes[5] = way.y;
+            _alongAxes[6] = _corner.x;
+            _alongAxes[7] = _corner.y;
             addSquares(level, 0, 0, int.MAX_VALUE);
         }
 
@@ -249,8 +261,8 @@ package starlogo.ground
         {
             _from = 0;
             _squared = _box.reach * _box.reach;
-            cut(_box.x, _halfX, _box.way.x, _corner.x, _column);
-            cut(_box.y, _halfY, _box.way.y, _corner.y, _row);
+            cut(0, _column);
+            cut(1, _row);
             var start:Number = _box.z + _from * _box.way.z;
             var end:Number = _box.z + _to * _box.way.z;
             // a triangle beside the box must be nearer in height to be within reach
@@ -337,8 +349,12 @@ package starlogo.ground
         }
 
         // Narrows the part of the way to the part on which the box comes over the current square, or within reach of it, along one axis.
-        private function cut(at:Number, extent:Number, motion:Number, begin:Number, square:int):void
+        private function cut(axis:int, square:int):void
         {
+            var at:Number = _alongAxes[axis];
+            var extent:Number = _alongAxes[int(axis + 2)];
+            var motion:Number = _alongAxes[int(axis + 4)];
+            var begin:Number = _alongAxes[int(axis + 6)];
             if (motion == 0)
             {
                 var off:Number = Math.max(0, Math.abs(at - begin - (square + 0.5) * _width) - _width / 2 - extent);

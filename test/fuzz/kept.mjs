@@ -113,6 +113,7 @@ export function play(seed, most = 300) {
 		if (state.filter && chance.isOne(4)) state.filter.except = [chance.of(list)];
 		if (hasGround && chance.isOne(frame == 0 ? 1 : rarely)) state.terrain = chance.isOne(4) ? null : ground();
 		if (state.terrain && chance.isOne(rarely / 4)) state.terrain.raiseMound(place(), place(), side / 3, chance() * 2);
+		if (state.terrain && chance.isOne(rarely)) state.terrain.setHole(Math.floor(chance() * 12), Math.floor(chance() * 12), !chance.isOne(4));
 		if (state.terrain && chance.isOne(rarely)) state.terrain.isBlocky = !state.terrain.isBlocky;
 		if (hasGround && chance.isOne(frame == 0 ? 1 : rarely)) state.bounds = chance.isOne(4) ? null : new WorldBounds(-side / 3, -Infinity, -1, side / 3, Infinity, 1e9);
 		if (state.bounds && chance.isOne(rarely)) state.bounds.setTo(-side / 4, -side, -1, side / 3, side, 1e9);

@@ -126,19 +126,21 @@ package support
             {
                 for (var column:int = 0; column + 1 < _terrain.columns; column++)
                 {
+                    if (_terrain.isHole(column, row))
+                    {
+                        continue;
+                    }
                     addTriangle(corner(column, row), corner(column + 1, row), corner(column + 1, row + 1));
                     addTriangle(corner(column, row), corner(column + 1, row + 1), corner(column, row + 1));
+                    for each (var side:Array in [[0, -1, 0, 0, 1, 0], [1, 0, 1, 0, 1, 1], [0, 1, 1, 1, 0, 1], [-1, 0, 0, 1, 0, 0]])
+                    {
+                        var isBeside:Boolean = column + side[0] >= 0 && row + side[1] >= 0 && column + side[0] + 1 < _terrain.columns && row + side[1] + 1 < _terrain.rows;
+                        if (!isBeside || _terrain.isHole(column + side[0], row + side[1]))
+                        {
+                            addWall(corner(column + side[2], row + side[3]), corner(column + side[4], row + side[5]), _floor, _floor);
+                        }
+                    }
                 }
-            }
-            for (column = 0; column + 1 < _terrain.columns; column++)
-            {
-                addWall(corner(column, 0), corner(column + 1, 0), _floor, _floor);
-                addWall(corner(column + 1, _terrain.rows - 1), corner(column, _terrain.rows - 1), _floor, _floor);
-            }
-            for (row = 0; row + 1 < _terrain.rows; row++)
-            {
-                addWall(corner(_terrain.columns - 1, row), corner(_terrain.columns - 1, row + 1), _floor, _floor);
-                addWall(corner(0, row + 1), corner(0, row), _floor, _floor);
             }
         }
 
@@ -148,6 +150,10 @@ package support
             {
                 for (var column:int = 0; column < _terrain.columns; column++)
                 {
+                    if (_terrain.isHole(column, row))
+                    {
+                        continue;
+                    }
                     var top:Number = heightOf(column, row);
                     var corners:Array = [];
                     for each (var off:Array in [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]])
@@ -171,7 +177,7 @@ package support
         private function heightOf(column:int, row:int):Number
         {
             var isOutside:Boolean = column < 0 || row < 0 || column >= _terrain.columns || row >= _terrain.rows;
-            return isOutside ? _floor : _heights[row * _terrain.columns + column];
+            return isOutside || _terrain.isBlocky && _terrain.isHole(column, row) ? _floor : _heights[row * _terrain.columns + column];
         }
 
         private function corner(column:int, row:int):Array

@@ -26,14 +26,15 @@ package starlogo.collision
      * exchanged after the frame: their touches end in the next frame.</p>
      *
      * <p>The ground's bytes are: the number of columns; the number of rows; the width of a cell; its place; whether the surface is columns; then
-     * the heights. After a height of 0 comes the number of heights that are 0 from there on, and only the first of them is written.</p>
+     * the heights; the holes, a bit for each, as numbers of 32 bits. After a number of 0 comes the count of numbers that are 0 from there on, and
+     * only the first of them is written.</p>
      *
      * <p>Nothing in the bytes depends on the program that runs. Machines in step write the same bytes.</p>
      */
     internal final class Snapshots
     {
-        // "SLF4"
-        private static const MARK:uint = 0x534C4634;
+        // "SLF5"
+        private static const MARK:uint = 0x534C4635;
         private static const BYTES_PER_AGENT:int = 25;
 
         // What is in a snapshot, as a sum: traits; whether there was ground; the ground's heights.
@@ -136,7 +137,9 @@ package starlogo.collision
             {
                 copy.position = _surfaceAt;
                 terrain.isBlocky = copy.readBoolean();
-                terrain.setHeights(0, 0, terrain.columns, terrain.rows, readHeights(copy, terrain));
+                var heights:Vector.<Number> = readHeights(copy, terrain);
+                terrain.grid.holes = readHoles(copy, terrain);
+                terrain.setHeights(0, 0, terrain.columns, terrain.rows, heights);
             }
             return touches;
         }
@@ -232,6 +235,31 @@ package starlogo.collision
                     bytes.writeInt(count);
                 }
             }
+            writeHoles(bytes, terrain);
+        }
+
+        private static function writeHoles(bytes:ByteArray, terrain:Terrain):void
+        {
+            var holes:Vector.<int> = terrain.grid.holes;
+            var end:int = countHoleNumbers(terrain);
+            for (var at:int = 0; at < end; at += count)
+            {
+                var count:int = 1;
+                bytes.writeInt(holes == null ? 0 : holes[at]);
+                if (holes == null || holes[at] == 0)
+                {
+                    while (at + count < end && (holes == null || holes[at + count] == 0))
+                    {
+                        count++;
+                    }
+                    bytes.writeInt(count);
+                }
+            }
+        }
+
+        private static function countHoleNumbers(terrain:Terrain):int
+        {
+            return (terrain.columns * terrain.rows + 31) >> 5;
         }
 
         // Checks all parts but the traits, finds where they begin, and reads the touching pairs.
@@ -266,6 +294,7 @@ package starlogo.collision
                 _surfaceAt = bytes.position;
                 check(bytes.readUnsignedByte() <= 1);
                 readHeights(bytes, terrain);
+                readHoles(bytes, terrain);
             }
             _traitsAt = bytes.position;
             check((_contents & TRAITS) != 0 || _traitsAt == bytes.length);
@@ -317,6 +346,25 @@ package starlogo.collision
                 check(isInWorld(heights[at], 0, 0) && count <= heights.length - at);
             }
             return heights;
+        }
+
+        // Null if there are no holes.
+        private static function readHoles(bytes:ByteArray, terrain:Terrain):Vector.<int>
+        {
+            var holes:Vector.<int> = new Vector.<int>(countHoleNumbers(terrain), true);
+            var isAny:Boolean = false;
+            for (var at:uint = 0; at < holes.length; at += count)
+            {
+                holes[at] = bytes.readInt();
+                var count:uint = 1;
+                if (holes[at] == 0)
+                {
+                    count = bytes.readUnsignedInt();
+                }
+                isAny ||= holes[at] != 0;
+                check(count > 0 && count <= holes.length - at);
+            }
+            return isAny ? holes : null;
         }
 
         private static function check(isSnapshot:Boolean):void

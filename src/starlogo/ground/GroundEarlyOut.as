@@ -37,7 +37,8 @@ package starlogo.ground
         /** Begins with the ground as it is now. */
         public function begin(grid:HeightGrid):void
         {
-            var whole:int = grid.bounds.length - 3;
+            // the last level is one square
+            var whole:int = grid.begins[grid.levels];
             _grid = grid;
             _slope = grid.isBlocky ? Infinity : grid.bounds[int(whole + 2)] / grid.cellWidth;
             _gap = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth + Math.abs(grid.bounds[whole])
@@ -45,7 +46,8 @@ package starlogo.ground
         }
 
         /**
-         * Looks at an agent. Nothing is known about trees, and about agents whose middle is outside of the terrain.
+         * Looks at an agent. Nothing is known about trees, and about agents whose middle is outside of the
+         * terrain or over a hole.
          *
          * @param extents of agents, by row
          * @param form the form of the agent

@@ -14,7 +14,7 @@ package starlogo.ground
      * ground, and for drawing it. If the box moves, they come nearly in the order of its way.
      *
      * <p>The surface consists of the cells' tops and of upright walls. A wall stands where a column is higher than its neighbour. At the
-     * terrain's borders, walls reach down to below the box.</p>
+     * terrain's borders and around holes, walls reach down to below the box. A hole has no triangles.</p>
      *
      * <p>A stack has the squares that are still to be visited. If the box comes to the heights of a square, its smaller squares take its
      * place. The smallest squares, of level 0, are the cells.</p>
@@ -199,10 +199,10 @@ package starlogo.ground
                 visitCell(hasWalls || _grid.isBlocky);
                 return;
             }
-            var bounds:int = _grid.begins[level] + 3 * (_row * HeightGrid.countSquares(_grid.columns, level) + _column);
+            var bounds:int = _grid.begins[level] + HeightGrid.BOUNDS * (_row * HeightGrid.countSquares(_grid.columns, level) + _column);
             var least:Number = _grid.bounds[bounds] + _corner.z;
             var greatest:Number = _grid.bounds[int(bounds + 1)] + _corner.z;
-            if (hasWalls)
+            if (hasWalls || _grid.bounds[int(bounds + 3)] > 0)
             {
                 least = Math.min(least, _low);
             }
@@ -225,6 +225,15 @@ package starlogo.ground
         {
             var heights:Vector.<Number> = _grid.heights;
             var at:int = _row * _grid.columns + _column;
+            if (_grid.holes != null)
+            {
+                if (_grid.isHole(at))
+                {
+                    return;
+                }
+                // others have their own borders already
+                hasWalls ||= _grid.isHole(at - 1) || _grid.isHole(at + 1) || _grid.isHole(at - _grid.columns) || _grid.isHole(at + _grid.columns);
+            }
             // all corners of a column have one height
             var next:int = _grid.isBlocky ? 0 : 1;
             var far:int = next * _grid.columns;
@@ -318,9 +327,10 @@ package starlogo.ground
             var top:Number = _tops[side];
             var endTop:Number = _tops[end];
             var low:Number = _box.floor;
-            if (column >= 0 && row >= 0 && column <= _lastColumn && row <= _lastRow)
+            var at:int = row * _grid.columns + column;
+            if (column >= 0 && row >= 0 && column <= _lastColumn && row <= _lastRow && !_grid.isHole(at))
             {
-                low = _grid.isBlocky ? _grid.heights[int(row * _grid.columns + column)] + _corner.z : Infinity;
+                low = _grid.isBlocky ? _grid.heights[at] + _corner.z : Infinity;
             }
             if (low >= top && low >= endTop || low > _high)
             {

@@ -14,6 +14,9 @@ package starlogo.ground
         /** How many squares of a level a square of the next level is wide, as a shift. */
         public static const SHIFT:int = 3;
 
+        /** How many numbers <code>bounds</code> has for each square. */
+        public static const BOUNDS:int = 4;
+
         // A range is not read height by height if it is longer than this, along x or along y.
         private static const MOST_SQUARES:int = 16;
 
@@ -37,9 +40,15 @@ package starlogo.ground
         public var heights:Vector.<Number>;
 
         /**
-         * Three numbers for each square of cells: the least height there, the greatest height, and the greatest difference of two heights that
-         * are neighbours along x or y. A square of level 1 is 8 cells wide, and a square of each next level is 8 squares wide. The last level is
-         * one square. The heights around a square count too, because walls lead to them.
+         * A bit for each cell: whether it is a hole. 32 cells are one number, in the order of the heights. The cell of a height is the column
+         * around it, or the slopes between it and the next heights along x and y. Null if there is no hole.
+         */
+        public var holes:Vector.<int> = null;
+
+        /**
+         * Four numbers for each square of cells: the least height there, the greatest height, the greatest difference of two heights that are
+         * neighbours along x or y, and 1 if a cell there is a hole, or 0. A square of level 1 is 8 cells wide, and a square of each next level is 8 squares wide. The last level is
+         * one square. The heights and the holes around a square count too, because walls lead to them.
          */
         public var bounds:Vector.<Number>;
 
@@ -70,7 +79,7 @@ package starlogo.ground
             {
                 levels++;
                 begins.push(size);
-                size += 3 * countSquares(columns, levels) * countSquares(rows, levels);
+                size += BOUNDS * countSquares(columns, levels) * countSquares(rows, levels);
             }
             bounds = new Vector.<Number>(size, true);
             reset();
@@ -82,12 +91,13 @@ package starlogo.ground
             return ((heights - 1) >> (level * SHIFT)) + 1;
         }
 
-        /** Makes all heights 0. */
+        /** Makes all heights 0, without holes. */
         public function reset():void
         {
             revision++;
             heights = new Vector.<Number>(columns * rows, true);
             bounds = new Vector.<Number>(bounds.length, true);
+            holes = null;
         }
 
         /** Makes another grid the same ground, or makes a new one. The two share their lists. */
@@ -102,18 +112,20 @@ package starlogo.ground
             other.isBlocky = isBlocky;
             other.heights = heights;
             other.bounds = bounds;
+            other.holes = holes;
             other.begins = begins;
             other.levels = levels;
             return other;
         }
 
-        /** Call it before a change of some heights. */
+        /** Call it before a change of some heights or holes. */
         public function beginChange():void
         {
             if (isHeld)
             {
                 heights = heights.concat();
                 bounds = bounds.concat();
+                holes = holes == null ? null : holes.concat();
                 isHeld = false;
             }
         }
@@ -124,7 +136,21 @@ package starlogo.ground
             return atX >= x - border && atY >= y - border && atX <= x + (columns - 1) * cellWidth + border && atY <= y + (rows - 1) * cellWidth + border;
         }
 
-        /** The height at a place; NaN outside. Where columns meet, it is the height of the highest. */
+        /** Whether the cell of a height is a hole. */
+        public function isHole(at:int):Boolean
+        {
+            return holes != null && (holes[at >> 5] >> (at & 31) & 1) == 1;
+        }
+
+        /** Makes the cell of a height a hole, or fills it. */
+        public function setHole(at:int, isHole:Boolean):void
+        {
+            var bit:int = 1 << (at & 31);
+            holes ||= new Vector.<int>((columns * rows + 31) >> 5, true);
+            holes[at >> 5] = isHole ? holes[at >> 5] | bit : holes[at >> 5] & ~bit;
+        }
+
+        /** The height at a place; NaN outside and over holes. Where columns meet, it is the height of the highest. */
         public function heightAt(atX:Number, atY:Number):Number
         {
             _point.x = atX;
@@ -151,19 +177,66 @@ package starlogo.ground
                 toY = Math.min(toY + 0.5, rows);
                 findRange(0, Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, columns - 1), Math.min(toY, rows - 1), _range);
                 at.height = _range.greatest;
+                if (_range.hasHole)
+                {
+                    at.height = highestOf(Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, columns - 1), Math.min(toY, rows - 1));
+                }
                 return;
             }
             // The conversion to int rounds down, because the numbers are not negative.
             var column:int = Math.min(toX, columns - 2);
             var row:int = Math.min(toY, rows - 2);
+            var corner:int = row * columns + column;
+            if (isHole(corner))
+            {
+                corner = besideHole(corner, toX == column && column > 0, toY == row && row > 0);
+                if (corner < 0)
+                {
+                    at.height = NaN;
+                    return;
+                }
+                column = corner % columns;
+                row = corner / columns;
+            }
             toX -= column;
             toY -= row;
-            var corner:int = row * columns + column;
             at.corner = corner;
             at.side = toX >= toY ? corner + 1 : corner + columns;
             var more:Number = toX >= toY ? toX : toY;
             var less:Number = toX >= toY ? toY : toX;
             at.height = (1 - more) * heights[corner] + (more - less) * heights[at.side] + less * heights[int(corner + columns + 1)];
+        }
+
+        // The height of the highest column of a range that is no hole; NaN if all are holes.
+        private function highestOf(first:int, firstRow:int, last:int, lastRow:int):Number
+        {
+            var highest:Number = NaN;
+            for (var row:int = firstRow; row <= lastRow; row++)
+            {
+                for (var at:int = row * columns + first; at <= row * columns + last; at++)
+                {
+                    if (!isHole(at) && !(heights[at] <= highest))
+                    {
+                        highest = heights[at];
+                    }
+                }
+            }
+            return highest;
+        }
+
+        // The cell beside a hole to which a place at the hole's border belongs, or -1. The place is at the border to the cell before the hole
+        // along x, or along y, or at both.
+        private function besideHole(hole:int, isAtX:Boolean, isAtY:Boolean):int
+        {
+            if (isAtX && !isHole(hole - 1))
+            {
+                return hole - 1;
+            }
+            if (isAtY && !isHole(hole - columns))
+            {
+                return hole - columns;
+            }
+            return isAtX && isAtY && !isHole(hole - columns - 1) ? hole - columns - 1 : -1;
         }
 
         /** Finds the fall of sloping ground at a point whose triangle is known. */
@@ -177,14 +250,46 @@ package starlogo.ground
             at.fallY = isRight ? side - far : near - side;
         }
 
-        /** Moves a point to the grid's nearest point, as seen from above, and finds the height there. */
+        /**
+         * Moves a point to a point of the grid that belongs to the ground, and finds the height there. It is the nearest one as seen from above,
+         * or one around it if that is in a hole. If all of the ground is holes, the height becomes Infinity.
+         */
         public function findNearest(at:GroundPoint):void
         {
             var column:int = Math.max(0, Math.min(columns - 1, Math.round((at.x - x) / cellWidth)));
             var row:int = Math.max(0, Math.min(rows - 1, Math.round((at.y - y) / cellWidth)));
-            at.x = x + column * cellWidth;
-            at.y = y + row * cellWidth;
-            at.height = heights[int(row * columns + column)];
+            at.height = Infinity;
+            for (var around:int = 0; at.height == Infinity && around < columns + rows; around++)
+            {
+                for (var i:int = Math.max(0, row - around); i <= Math.min(rows - 1, row + around); i++)
+                {
+                    // in rows between the first and the last, only both ends
+                    var step:int = Math.abs(i - row) == around ? 1 : Math.max(1, 2 * around);
+                    for (var k:int = column - around; k <= column + around; k += step)
+                    {
+                        if (k >= 0 && k < columns && isOfGround(k, i))
+                        {
+                            at.x = x + k * cellWidth;
+                            at.y = y + i * cellWidth;
+                            at.height = heights[int(i * columns + k)];
+                        }
+                    }
+                }
+            }
+        }
+
+        // Whether a height is one of a cell that is no hole.
+        private function isOfGround(column:int, row:int):Boolean
+        {
+            var at:int = row * columns + column;
+            if (isBlocky || holes == null)
+            {
+                return !isHole(at);
+            }
+            var hasNext:Boolean = column < columns - 1;
+            var hasUpper:Boolean = row < rows - 1;
+            return hasNext && hasUpper && !isHole(at) || column > 0 && hasUpper && !isHole(at - 1) || row > 0 && hasNext && !isHole(at - columns)
+                || column > 0 && row > 0 && !isHole(at - columns - 1);
         }
 
         /** A lower bound for the length of each way out of the ground from a place, if it is shorter than the reach; 0 if none is known. */
@@ -197,6 +302,10 @@ package starlogo.ground
                 return 0;
             }
             findAround(atX, atY, reach, reach, _range);
+            if (_range.hasHole)
+            {
+                return 0;
+            }
             var least:Number = _range.least - atZ;
             if (isBlocky)
             {
@@ -227,16 +336,17 @@ package starlogo.ground
                         // some rows and columns around count too
                         findRange(level - 1, Math.max(0, (column << SHIFT) - around), Math.max(0, (row << SHIFT) - around),
                                 Math.min(stride, ((column + 1) << SHIFT) + around) - 1, Math.min(lines, ((row + 1) << SHIFT) + around) - 1, _range);
-                        var at:int = begins[level] + 3 * (row * countSquares(columns, level) + column);
+                        var at:int = begins[level] + BOUNDS * (row * countSquares(columns, level) + column);
                         bounds[at] = _range.least;
                         bounds[int(at + 1)] = _range.greatest;
                         bounds[int(at + 2)] = Math.max(_range.stepX, _range.stepY);
+                        bounds[int(at + 3)] = int(_range.hasHole);
                     }
                 }
             }
         }
 
-        /** Finds the least and the greatest height of a range of heights or of a level's squares, and how much neighbours differ. */
+        /** Finds bounds of a range of heights or of a level's squares. */
         public function findRange(level:int, first:int, firstRow:int, last:int, lastRow:int, out:HeightRange):void
         {
             var all:Vector.<Number> = heights;
@@ -245,6 +355,7 @@ package starlogo.ground
             var high:Number = -Infinity;
             var alongX:Number = 0;
             var alongY:Number = 0;
+            out.hasHole = false;
             for (var row:int = firstRow; row <= lastRow; row++)
             {
                 for (var column:int = first; column <= last; column++)
@@ -261,12 +372,20 @@ package starlogo.ground
                         step = row == firstRow ? 0 : here - all[int(at - columns)];
                         alongY = step > alongY ? step : alongY;
                         alongY = -step > alongY ? -step : alongY;
+                        if (holes != null && isHole(at))
+                        {
+                            out.hasHole = true;
+                        }
                         continue;
                     }
-                    at = begins[level] + 3 * at;
+                    at = begins[level] + BOUNDS * at;
                     low = Math.min(low, bounds[at]);
                     high = Math.max(high, bounds[int(at + 1)]);
                     alongX = alongY = Math.max(alongX, bounds[int(at + 2)]);
+                    if (bounds[int(at + 3)] > 0)
+                    {
+                        out.hasHole = true;
+                    }
                 }
             }
             out.least = low;

@@ -18,5 +18,8 @@ package starlogo.ground
 
         /** The greatest along y. */
         public var stepY:Number = 0;
+
+        /** Whether a cell there is a hole. The heights of holes count too. */
+        public var hasHole:Boolean = false;
     }
 }

@@ -20,6 +20,8 @@ package starlogo.terrain
      * between them goes from the corner with the least x and y to the corner with the greatest x and y. With <code>isBlocky</code>, each height
      * is the top of an upright square column around it, one cell wide. The surface belongs to the ground.</p>
      *
+     * <p>A cell or a column may be a hole. Nothing is there, as outside of the grid, however deep. The ground beside it ends in upright walls.</p>
+     *
      * <p>Heights may change at any time. Frames and questions that begin later see the change. The cost is in proportion to the heights that
      * change. The memory is 9 bytes for each height. A call that throws changes nothing.</p>
      */
@@ -192,6 +194,34 @@ package starlogo.terrain
         }
 
         /**
+         * Makes a part of the ground a hole, or fills it. Agents fall through holes, and rays pass. A hole keeps its heights.
+         *
+         * @param column which part: with columns, the column of this height. With slopes, the cell between this height and the next ones along
+         *     x and y. The last height along x or y has no such cell; then nothing is seen of the hole until the surface is columns
+         * @throws RangeError if there is no such height; columns and rows count from 0 on
+         */
+        public function setHole(column:int, row:int, isHole:Boolean):void
+        {
+            if (this.isHole(column, row) != isHole)
+            {
+                grid.beginChange();
+                grid.setHole(row * grid.columns + column, isHole);
+                grid.findBounds(column, row, column, row);
+            }
+        }
+
+        /**
+         * Whether a part of the ground is a hole, as <code>setHole()</code> names it.
+         *
+         * @throws RangeError if there is no such height
+         */
+        public function isHole(column:int, row:int):Boolean
+        {
+            requireRegion(column, row, 1, 1);
+            return grid.isHole(row * grid.columns + column);
+        }
+
+        /**
          * Raises a round hill about (x, y). With a negative height it digs a hollow. The middle rises by the height, and the border does not
          * rise. At the share d of the way from the middle to the border, the ground rises by (1 - dd)(1 - dd) times the height.
          *
@@ -250,16 +280,17 @@ package starlogo.terrain
             setHeight(column, row, getHeight(column, row) + height);
         }
 
-        /** Makes the ground flat again, of height 0. */
+        /** Makes the ground flat again, of height 0, without holes. */
         public function reset():void
         {
             grid.reset();
         }
 
         /**
-         * How high the ground is at a place. At a border between columns it is the height of the higher column.
+         * How high the ground is at a place. At a border between columns it is the height of the higher column. The border of a hole belongs to
+         * the ground beside it.
          *
-         * @return NaN outside of the terrain
+         * @return NaN outside of the terrain and over a hole
          * @throws RangeError if the place is not in the world
          */
         public function heightAt(x:Number, y:Number):Number
@@ -276,7 +307,7 @@ package starlogo.terrain
          * them. On columns it is straight up.
          *
          * @param out takes it; made if null
-         * @return out, or the new one; null outside of the terrain
+         * @return out, or the new one; null outside of the terrain and over a hole
          * @throws RangeError if the place is not in the world
          */
         public function normalAt(x:Number, y:Number, out:Vector3D = null):Vector3D
@@ -300,7 +331,7 @@ package starlogo.terrain
         }
 
         /**
-         * Whether the ground is higher than an agent's place. False outside of the terrain.
+         * Whether the ground is higher than an agent's place. False outside of the terrain and over a hole.
          *
          * @throws ArgumentError if the agent is null
          */

@@ -10,7 +10,7 @@ package starlogo.terrain
 
     /**
      * The surface of a terrain as triangles, for drawing: those that agents are tested with. Slopes have smooth normals, and columns have flat
-     * ones. Upright walls stand between columns. Where the grid ends, walls go down to its lowest height.
+     * ones. Upright walls stand between columns. Where the grid ends, and around holes, walls go down to the lowest height.
      *
      * <p>Each triangle has three vertices of its own.</p>
      */

@@ -61,6 +61,10 @@ package starlogo.debug
             {
                 for (var column:int = first; column <= last - beyond; column++)
                 {
+                    if (terrain.isHole(column, row))
+                    {
+                        continue;
+                    }
                     addEdge(edges, cornerOf(terrain, column, row, 0, 0), cornerOf(terrain, column, row, 1, 1));
                     addSide(edges, terrain, column, row, 0, 0, 1, 0, row == 0, column, row - 1, lowest);
                     addSide(edges, terrain, column, row, 1, 1, 0, 1, row == terrain.rows - 1 - beyond, column, row + 1, lowest);
@@ -78,7 +82,7 @@ package starlogo.debug
             var from:Array = cornerOf(terrain, column, row, x, y);
             var to:Array = cornerOf(terrain, column, row, toX, toY);
             addEdge(edges, from, to);
-            var low:Number = isBorder ? lowest : terrain.isBlocky ? terrain.getHeight(besideColumn, besideRow) : Infinity;
+            var low:Number = isBorder || terrain.isHole(besideColumn, besideRow) ? lowest : terrain.isBlocky ? terrain.getHeight(besideColumn, besideRow) : Infinity;
             if (low < Math.max(from[2], to[2]))
             {
                 addEdge(edges, from, [from[0], from[1], low]);

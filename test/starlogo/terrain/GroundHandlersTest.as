@@ -51,6 +51,70 @@ package starlogo.terrain
         }
 
         [Test]
+        public function agentsInAHoleTouchNothing():void
+        {
+            _terrain.setHole(5, 5, true);
+            var inside:Agent = agentAt("cube", 0.5, 0.5, -3);
+            var beside:Agent = agentAt("cube", 0.9, 0.5, -3);
+            inside.size = beside.size = 0.5;
+            _collision.onCollision("turtles", Collision.TERRAIN, note);
+            _collision.update(new <Agent>[inside, beside]);
+            assertEquals(String(beside.id), _calls.join());
+            _terrain.setHole(5, 5, false);
+            _collision.update(new <Agent>[inside, beside]);
+            assertEquals("all that are under the ground", 3, _calls.length);
+        }
+
+        [Test]
+        public function aHoleThatAHandlerDigsIsThereInTheNextFrame():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 0.5, 0.5, -0.2), agentAt("cube", 0.5, 0.5, -0.2)];
+            agents[0].size = agents[1].size = 0.5;
+            _collision.onCollision("turtles", Collision.TERRAIN, function(collider:Agent, collidee:Agent, contact:Contact):void
+                {
+                    _terrain.setHole(5, 5, true);
+                    note(collider, collidee);
+                    assertTrue("depth: " + contact.depth + " along " + contact.normal, contact.depth > 0.1);
+                });
+            _collision.update(agents);
+            assertEquals("both have met the ground of the frame", 2, _calls.length);
+            _collision.update(agents);
+            assertEquals(2, _calls.length);
+        }
+
+        [Test]
+        public function aSnapshotHasTheHoles():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 0.5, 0.5, 0)];
+            _collision.update(agents);
+            var before:ByteArray = _collision.snapshot();
+            _terrain.setHole(5, 5, true);
+            _terrain.setHole(10, 10, true);
+            var bytes:ByteArray = _collision.snapshot();
+            _terrain.reset();
+            _terrain.setHole(3, 3, true);
+            _collision.restore(bytes, agents);
+            assertTrue(_terrain.isHole(5, 5) && _terrain.isHole(10, 10));
+            assertFalse(_terrain.isHole(3, 3));
+            assertTrue(isNaN(_terrain.heightAt(0.5, 0.5)));
+            // of four numbers the second and the last are not 0; after the third comes its count
+            bytes.endian = Endian.LITTLE_ENDIAN;
+            for each (var count:int in [0, 2, 3, -1])
+            {
+                var broken:ByteArray = new ByteArray();
+                broken.endian = Endian.LITTLE_ENDIAN;
+                broken.writeBytes(bytes);
+                broken.position = broken.length - 8;
+                assertEquals(1, broken.readInt());
+                broken.position -= 4;
+                broken.writeInt(count);
+                assertThrows(ArgumentError, /no snapshot/, _collision.restore, broken, agents);
+            }
+            _collision.restore(before, agents);
+            assertFalse(_terrain.isHole(5, 5) || _terrain.isHole(10, 10));
+        }
+
+        [Test]
         public function whatAFilterLeavesOutMeetsNoGround():void
         {
             var filter:AgentFilter = new AgentFilter();

@@ -20,6 +20,7 @@ package starlogo.terrain
     import starlogo.queries.AgentQueries;
     import starlogo.queries.RayHit;
     import starlogo.queries.ShapeHit;
+    import starlogo.queries.WalkOptions;
     import support.AgentPieces;
     import support.EachCollider;
     import support.Effort;
@@ -344,6 +345,59 @@ package starlogo.terrain
                     }
                 }
             }
+        }
+
+        [Test]
+        public function whatWalksOverAHoleFalls():void
+        {
+            var options:WalkOptions = new WalkOptions();
+            options.fall = 2;
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for each (var isBlocky:Boolean in [false, true])
+                {
+                    var terrain:Terrain = new Terrain(21, 21, 1, -10, -10);
+                    terrain.isBlocky = isBlocky;
+                    var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _land));
+                    var agent:Agent = agentAt("cube", -2, 0.25, 0.25);
+                    agent.size = 0.25;
+                    queries.terrain = terrain;
+                    queries.update(new <Agent>[agent]);
+                    queries.walk(agent, 2.25, 0, options);
+                    assertTrue(name + " stands: " + agent, agent.z > 0);
+                    agent.moveTo(-2, 0.25, 0.25);
+                    terrain.setHole(10, 10, true);
+                    queries.walk(agent, 2.25, 0, options);
+                    assertTrue(name + " falls: " + agent, agent.z < -1);
+                    assertEquals("it is the shaft's side", "[1,0,0]", directionAt(queries, new Vector3D(agent.x, agent.y, -1), new Vector3D(-1, 0, 0)));
+                    assertNull("and it has no floor", queries.cast(new Vector3D(0.45, 0.45, 5), new Vector3D(0, 0, -1)));
+                }
+            }
+        }
+
+        // Ground that is all holes is nowhere.
+        [Test]
+        public function groundOfHolesIsNowhere():void
+        {
+            var terrain:Terrain = new Terrain(3, 3);
+            for (var i:int = 0; i < 9; i++)
+            {
+                terrain.setHole(i % 3, i / 3, true);
+            }
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, _land));
+                queries.terrain = terrain;
+                queries.update(new <Agent>[]);
+                assertEquals(Infinity, queries.distance(agentAt("cube", 1, 1, 0), terrain.agent));
+                assertFalse(queries.touchesAny(agentAt("cube", 1, 1, 0)));
+            }
+        }
+
+        private static function directionAt(queries:AgentQueries, origin:Vector3D, direction:Vector3D):String
+        {
+            var normal:Vector3D = queries.cast(origin, direction).normal;
+            return "[" + [Math.round(normal.x), Math.round(normal.y), Math.round(normal.z)].join() + "]";
         }
 
         [Test]

@@ -183,11 +183,11 @@ package starlogo.terrain
             {
                 for (var column:int = 0; column < terrain.columns; column++)
                 {
-                    if (terrain.isBlocky)
+                    if (terrain.isBlocky && !terrain.isHole(column, row))
                     {
                         sum += terrain.getHeight(column, row) - lowest;
                     }
-                    else if (column > 0 && row > 0)
+                    else if (!terrain.isBlocky && column > 0 && row > 0 && !terrain.isHole(column - 1, row - 1))
                     {
                         // two prisms, which share the diagonal's ends
                         sum += (terrain.getHeight(column - 1, row - 1) + terrain.getHeight(column, row)) / 3

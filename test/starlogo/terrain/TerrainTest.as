@@ -122,6 +122,57 @@ package starlogo.terrain
         }
 
         [Test]
+        public function aHoleIsLikeTheOutside():void
+        {
+            _terrain.setHole(1, 1, true);
+            assertTrue(_terrain.isHole(1, 1));
+            assertFalse(_terrain.isHole(0, 1));
+            assertEquals("a hole keeps its height", 11, _terrain.getHeight(1, 1));
+            assertTrue(isNaN(_terrain.heightAt(0.5, 0.7)));
+            assertEquals(null, _terrain.normalAt(0.5, 0.7));
+            assertEquals("the border belongs to the ground beside it", 11, _terrain.heightAt(0, 0));
+            assertEquals(11.5, _terrain.heightAt(1, 0));
+            assertEquals(16, _terrain.heightAt(0, 1));
+            assertTrue("but not where the grid ends", isNaN(_terrain.heightAt(2, 1)) && isNaN(_terrain.heightAt(2, 2)));
+            var agent:Agent = new Agent("cube");
+            agent.moveTo(0.5, 0.7, -100);
+            assertFalse(_terrain.isUnder(agent));
+            agent.moveTo(-0.5, 0.7, -100);
+            assertTrue(_terrain.isUnder(agent));
+            _terrain.setHole(0, 1, true);
+            _terrain.setHole(1, 0, true);
+            assertEquals("diagonally", 11, _terrain.heightAt(0, 0));
+            assertTrue(isNaN(_terrain.heightAt(0, 1)));
+            _terrain.isBlocky = true;
+            assertTrue("one column", isNaN(_terrain.heightAt(0, 0)));
+            assertEquals("higher holes do not count", 0, _terrain.heightAt(-1, -1));
+            assertEquals(21, _terrain.heightAt(-1, 1));
+            checkBounds(_terrain);
+            _terrain.setHole(1, 1, false);
+            assertEquals(11, _terrain.heightAt(0.5, 0.7));
+            _terrain.reset();
+            assertFalse(_terrain.isHole(0, 1));
+            assertEquals(0, _terrain.heightAt(0, -2));
+            assertThrows(RangeError, "column 3 and row 0", _terrain.setHole, 3, 0, true);
+            assertThrows(RangeError, "column 0 and row -1", _terrain.isHole, 0, -1);
+        }
+
+        [Test]
+        public function boundsKnowTheHoles():void
+        {
+            var random:SeededRandom = new SeededRandom(733);
+            var terrain:Terrain = new Terrain(100, 70);
+            for (var i:int = 0; i < 60; i++)
+            {
+                terrain.setHole(random.integer(0, 99), random.integer(0, 69), random.chance(0.7));
+                if (i % 6 == 0)
+                {
+                    checkBounds(terrain);
+                }
+            }
+        }
+
+        [Test]
         public function moundsAreRoundAndAddToWhatIsThere():void
         {
             var terrain:Terrain = new Terrain(11, 11);
@@ -266,12 +317,12 @@ package starlogo.terrain
                 {
                     for (var column:int = 0; column * size < terrain.columns; column++)
                     {
-                        var at:int = grid.begins[level] + 3 * (row * Math.ceil(terrain.columns / size) + column);
-                        checkSquare(terrain, column * size, row * size, size, grid.bounds.slice(at, at + 3));
+                        var at:int = grid.begins[level] + HeightGrid.BOUNDS * (row * Math.ceil(terrain.columns / size) + column);
+                        checkSquare(terrain, column * size, row * size, size, grid.bounds.slice(at, at + HeightGrid.BOUNDS));
                     }
                 }
             }
-            assertEquals("the last level is one square", grid.bounds.length, at + 3);
+            assertEquals("the last level is one square", grid.bounds.length, at + HeightGrid.BOUNDS);
         }
 
         // The ground within a reach of a place is between the bounds that are found there.
@@ -295,6 +346,7 @@ package starlogo.terrain
             var least:Number = Infinity;
             var greatest:Number = -Infinity;
             var difference:Number = 0;
+            var hasHole:Boolean = false;
             var end:int = Math.min(terrain.columns, first + size + 1);
             var endRow:int = Math.min(terrain.rows, firstRow + size + 1);
             first = Math.max(0, first - 1);
@@ -304,6 +356,7 @@ package starlogo.terrain
                 for (var column:int = first; column < end; column++)
                 {
                     var height:Number = terrain.getHeight(column, row);
+                    hasHole ||= terrain.isHole(column, row);
                     least = Math.min(least, height);
                     greatest = Math.max(greatest, height);
                     difference = Math.max(difference, column == first ? 0 : Math.abs(height - terrain.getHeight(column - 1, row)));
@@ -313,6 +366,7 @@ package starlogo.terrain
             assertEquals(least, bounds[0]);
             assertEquals(greatest, bounds[1]);
             assertEquals(difference, bounds[2]);
+            assertEquals(hasHole ? 1 : 0, bounds[3]);
         }
     }
 }

@@ -367,8 +367,8 @@ test('a program is printed on a page of its own: with its name, its picture and 
 });
 
 test('the last lesson leads on: to the games, to one to change, to one of one\'s own', async () => {
-	const { page, said, leave } = await open(site, 'play/lesson-hunt', Desktop);
-	await page.evaluate(() => globalThis.playground.programs.lessons.win('x') ?? localStorage.setItem('starlogo-playground.lessons', '["hunt"]'));
+	const { page, said, leave } = await open(site, 'play/lesson-jump', Desktop);
+	await page.evaluate(() => globalThis.playground.programs.lessons.win('x') ?? localStorage.setItem('starlogo-playground.lessons', '["jump"]'));
 	await page.reload();
 	await ready(page, 'play');
 	await page.waitForFunction(() => /^Done!/.test(document.querySelector('.why').textContent));
@@ -378,7 +378,7 @@ test('the last lesson leads on: to the games, to one to change, to one of one\'s
 	await press(page, 'Change a game');
 	await titled(page, 'Paintball');
 	await page.goBack();
-	await titled(page, 'The hunt');
+	await titled(page, 'A floor, a jump, a coin');
 	await press(page, 'Make your own');
 	await titled(page, 'My program');
 	assert.deepEqual(said, []);

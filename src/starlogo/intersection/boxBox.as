@@ -156,7 +156,7 @@ package starlogo.intersection
                 || abs12 > near || abs11 > near || abs10 > near
                 || abs02 > near || abs01 > near || abs00 > near)
         {
-            // Both boxes are upright.
+            // their z axes are parallel
             if (m02 * m02 + m12 * m12 <= Tolerances.PARALLEL)
             {
                 return true;

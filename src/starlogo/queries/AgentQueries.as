@@ -171,7 +171,7 @@ package starlogo.queries
          */
         public function nearestFew(agent:Agent, count:int, radius:Number = Infinity, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            QuerySet.requirePositive("count", count);
+            QuerySet.requireNotNegative("count", count);
             var at:Placement = _seen.placeOf(agent);
             return ask.near(agent, at.x, at.y, at.z, radius, count, filter).list(out);
         }
@@ -240,7 +240,7 @@ package starlogo.queries
          */
         public function inCone(agent:Agent, radius:Number, degrees:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            QuerySet.requirePositive("degrees", degrees);
+            QuerySet.requireNotNegative("degrees", degrees);
             var at:Placement = _seen.placeOf(agent);
             return ask.near(agent, at.x, at.y, at.z, radius, Collector.ALL, filter, degrees).list(out);
         }
@@ -318,7 +318,7 @@ package starlogo.queries
          * and a structure inside a closed model overlaps it. The list is sorted by the distance of the agents' places from the middle of the
          * structure.
          *
-         * @param structure a Sphere, Box or Capsule in the world
+         * @param structure a Sphere, Box, Capsule or Hull in the world
          * @param filter the agents that count; null for all
          * @param out receives the list; null for a new list
          * @return out, or the new list
@@ -450,7 +450,7 @@ package starlogo.queries
          * may touch an agent at the beginning. That agent does not stop it if the way leaves the agent or runs along it. A frame reports all
          * of these touches. In exact mode the triangles of the agents decide.</p>
          *
-         * @param structure a Sphere, Box or Capsule in the world, where the way begins
+         * @param structure a Sphere, Box, Capsule or Hull in the world, where the way begins
          * @param dx how far along x, in patches
          * @param dy how far along y, in patches
          * @param dz how far along z, in patches
@@ -469,7 +469,7 @@ package starlogo.queries
          * Lists every agent that a structure touches on a straight way, sorted by time. Each is found as if the others were not there. The rules
          * of <code>castShape()</code> apply.
          *
-         * @param structure a Sphere, Box or Capsule in the world, where the way begins
+         * @param structure a Sphere, Box, Capsule or Hull in the world, where the way begins
          * @param dx how far along x, in patches
          * @param dy how far along y, in patches
          * @param dz how far along z, in patches

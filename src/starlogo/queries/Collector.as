@@ -12,7 +12,8 @@ package starlogo.queries
      * rows are found, so the search visits less.
      *
      * <p>A search leaves out the rows that a filter excludes before it tests them. A filter's own function, <code>accepts</code>, is called
-     * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs. It may ask questions itself. These have
+     * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs; but motions and casts of shapes call it for all
+     * rows near the way. It may ask questions itself. These have
      * another Collector (QuerySet).</p>
      *
      * @private
@@ -117,8 +118,7 @@ package starlogo.queries
         /**
          * Takes a row that counts. This may lower the limit.
          *
-         * @param key not greater than the limit
-         * @return whether the row is among the wanted rows so far
+         * @return false if only one row is wanted, and an earlier one is kept
          */
         public function add(row:int, key:Number):Boolean
         {

@@ -45,7 +45,7 @@ package starlogo.queries
          *
          * @param rows what may be in the way. Of rows that are met at the same time, the first one counts
          * @param from where the motion begins
-         * @param out receives the answer, except for the time of the touch
+         * @param out receives the answer; the time of the touch only if it is found on the way, and else NaN
          * @return whether anything is met
          */
         public function findFirst(rows:NumberList, from:Vector3D, motion:Vector3D, out:Impact):Boolean

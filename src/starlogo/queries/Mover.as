@@ -25,7 +25,7 @@ package starlogo.queries
         // If the next row is met within this many slops, this is the same corner.
         private static const NEXT:Number = 4;
 
-        // If a motion leads this many slops deeper into what it was lifted out of, the body has left the surface. Otherwise its core met it.
+        // If a motion leads this many slops deeper into what it was lifted out of, the body has left the surface. Otherwise its core would meet it.
         private static const MOST_SLOPS:Number = 2;
 
         // A normal is vertical if the square of its horizontal part is at most this. The rest is a rounding error.
@@ -292,7 +292,7 @@ package starlogo.queries
         }
 
         // Lets planes take the places of rows that the core overlaps: of those whose overlap is not shallow, or of all. If the core does not
-        // touch a row when it is narrower, the row stays, and the motion has that core. Returns whether other overlaps are left.
+        // touch a row when it is narrower, the row stays, and the motion has that core. Returns whether rows are left that the core overlapped.
         private function takeDeep(place:Vector3D, isOfAll:Boolean):Boolean
         {
             var isLeft:Boolean = false;
@@ -335,15 +335,15 @@ package starlogo.queries
         // they touch at one of the places.
         private function stepIntoTouch(out:Motion):Boolean
         {
-            var margin:Number = _body.halfToleranceAt(out.row, out.place);
-            out.contact.push(out.place, margin);
+            var half:Number = _body.halfToleranceAt(out.row, out.place);
+            out.contact.push(out.place, half);
             for (var i:int = 1; i < STEPS_INTO_TOUCH; i++)
             {
                 if (_body.touches(out.row, out.place))
                 {
                     return true;
                 }
-                out.contact.push(out.place, -margin);
+                out.contact.push(out.place, -half);
             }
             return _body.touches(out.row, out.place);
         }

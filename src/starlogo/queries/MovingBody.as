@@ -39,11 +39,11 @@ package starlogo.queries
         // The factor by which the inset of a core grows until the core is free.
         private static const NARROWER:Number = 4;
 
-        // A body is flat if its core's nearest faces are in front of its own by less than this fraction of a slop. A slop is at least a hundred
+        // A body is flat if its core's nearest faces are behind its own by less than this fraction of a slop. A slop is at least a hundred
         // times as wide as the gaps across which shapes touch.
         private static const FLAT:Number = 0.01;
 
-        /** The slop: how much smaller than the body the core is on each side, in patches. <code>narrow()</code> makes it smaller still. */
+        /** The slop: how much smaller than the body the core is at its nearest faces, in patches. <code>narrow()</code> makes the core smaller still. */
         public var slop:Number = 0;
 
         /** How far before a touch a slide ends, in patches. It is less than the slop, so the body can enter a place as wide as itself. */
@@ -72,7 +72,7 @@ package starlogo.queries
         private var _largest:Number = 0;
         private var _cell:Number = 0;
 
-        // How much smaller the core is on each side, in patches. It is more than a slop for a motion that begins in a shallow overlap.
+        // How much smaller the core is on each side, in patches. It is more than a slop after <code>narrow()</code>.
         private var _inset:Number = 0;
 
         /** @param seen has the rows, and decides which of them touch */

@@ -3,7 +3,8 @@ package starlogo.queries
     import starlogo.broadphase.Points;
 
     /**
-     * Finds the rows of a tree of places that are near a place. It visits the nearest nodes first.
+     * Finds the rows of a tree of places that are near a place. It goes down the tree, at each node to the nearer child
+     * first. If a filter's <code>accepts</code> decides, it visits the nearest of all nodes first.
      *
      * <p>It compares squared distances, always computed as (x x + y y) + z z. In this order rounding never makes the distance to a box larger
      * than the distance to a place in the box.</p>

@@ -81,7 +81,7 @@ package starlogo.queries
          */
         public function near(asker:Agent, x:Number, y:Number, z:Number, radius:Number, wanted:int, filter:AgentFilter, degrees:Number = 360):Collector
         {
-            requirePositive("radius", radius);
+            requireNotNegative("radius", radius);
             found.begin(wanted, radius * radius, asker, filter);
             var cone:Cone = degrees < 360 ? _cone.setTo(asker.worldPlacement(), degrees / 2) : null;
             _near.find(seen.findPlaces(), x, y, z, found, cone);
@@ -95,7 +95,7 @@ package starlogo.queries
             {
                 return near(asker, x, y, z, radius, Collector.ALL, filter).end();
             }
-            requirePositive("radius", radius);
+            requireNotNegative("radius", radius);
             found.filter.begin(asker, filter);
             return _count.count(seen.findPlaces(), x, y, z, radius * radius, found.filter);
         }
@@ -192,7 +192,7 @@ package starlogo.queries
         }
 
         /** Throws a RangeError if a number is negative or not a number. */
-        public static function requirePositive(name:String, value:Number):void
+        public static function requireNotNegative(name:String, value:Number):void
         {
             if (!(value >= 0))
             {

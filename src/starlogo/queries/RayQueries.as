@@ -119,7 +119,7 @@ package starlogo.queries
         {
             var ray:Ray = _ray;
             ray.aim(origin, direction);
-            QuerySet.requirePositive("maxDistance", maxDistance);
+            QuerySet.requireNotNegative("maxDistance", maxDistance);
             ray.to = maxDistance;
             _set.found.begin(wanted, maxDistance, null, filter);
             _set.boxSearch.begin(_set.seen.findExtents(), ray.x, ray.y, ray.z, 0, 0, 0);

@@ -43,7 +43,7 @@ package starlogo.queries
         /** By slot: the middle of the row's box. */
         public var middles:Points = new Points();
 
-        /** By slot: the row's box, with a margin larger than its rounding errors. Not used for places. */
+        /** By slot: the row's box, with a margin larger than its rounding errors. A tree of places reads them only when a row moves. */
         public var rowBoxes:Vector.<Number> = new Vector.<Number>();
 
         /** By node: a box around the boxes of the node's rows. */

@@ -6,8 +6,8 @@ package starlogo.queries
     import starlogo.geometry.WayOut;
 
     /**
-     * Keeps the rest of a motion, and the planes of the contacts that it has met. It projects the rest on these planes (Fauerby, "Improved
-     * collision detection and response", 2003, but it keeps all planes).
+     * Keeps the rest of a motion, and the planes of the contacts that it has met. It projects the motion on these planes (Fauerby, "Improved
+     * collision detection and response", 2003, which keeps two planes; here all are kept that the mover does not remove).
      *
      * @private
      */
@@ -52,7 +52,7 @@ package starlogo.queries
         private var _fallSlope:Number = -1;
 
         // The rest of the motion when the corner began, and the way out of the planes from its end.
-        private var _whole:Vector3D = new Vector3D();
+        private var _cornerMotion:Vector3D = new Vector3D();
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
         private var _wayOut:WayOut = new WayOut();
 
@@ -65,7 +65,7 @@ package starlogo.queries
         {
             _widest = limits.widest;
             _fallSlope = limits.fallSlope;
-            _whole.copyFrom(whole);
+            _cornerMotion.copyFrom(whole);
             motion.copyFrom(whole);
             length = Math.sqrt(whole.x * whole.x + whole.y * whole.y + whole.z * whole.z);
             gone = 0;
@@ -74,14 +74,15 @@ package starlogo.queries
         }
 
         /**
-         * Begins a corner. All planes that are added from now on belong to it. <code>project()</code> then projects the motion that is left now.
+         * Begins a corner. All planes that are added from now on belong to it. <code>project()</code> then projects the motion that
+         * is left now, or for a fall the whole motion.
          */
         public function beginCorner():void
         {
             corner = count;
             if (_fallSlope < 0)
             {
-                _whole.copyFrom(motion);
+                _cornerMotion.copyFrom(motion);
             }
         }
 
@@ -94,7 +95,7 @@ package starlogo.queries
             place.y += part * motion.y;
             place.z += part * motion.z;
             motion.scaleBy(1 - part);
-            _whole.scaleBy(1 - part);
+            _cornerMotion.scaleBy(1 - part);
             length *= 1 - part;
         }
 
@@ -121,7 +122,7 @@ package starlogo.queries
         /** Makes the rest of the motion level. */
         public function makeHorizontal():void
         {
-            motion.z = _whole.z = 0;
+            motion.z = _cornerMotion.z = 0;
             length = motion.length;
         }
 
@@ -164,16 +165,16 @@ package starlogo.queries
             {
                 if (i != without)
                 {
-                    _halfSpaces.add(planes[i].normalX, planes[i].normalY, planes[i].normalZ, -planes[i].along(_whole));
+                    _halfSpaces.add(planes[i].normalX, planes[i].normalY, planes[i].normalZ, -planes[i].along(_cornerMotion));
                 }
             }
-            var whole:Number = Math.sqrt(_whole.x * _whole.x + _whole.y * _whole.y + _whole.z * _whole.z);
+            var whole:Number = Math.sqrt(_cornerMotion.x * _cornerMotion.x + _cornerMotion.y * _cornerMotion.y + _cornerMotion.z * _cornerMotion.z);
             length = 0;
             motion.setTo(0, 0, 0);
             // at a point of three planes no motion is left
             if (_halfSpaces.solve(2, PARALLEL_SINE * whole, _wayOut))
             {
-                motion.copyFrom(_whole);
+                motion.copyFrom(_cornerMotion);
                 motion.incrementBy(_wayOut.way);
                 length = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
             }

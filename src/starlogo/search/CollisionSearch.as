@@ -28,6 +28,7 @@ package starlogo.search
         private var _bins:Bins = new Bins();
         private var _conditions:SearchConditions = new SearchConditions();
         private var _motions:RowMotions;
+        private var _contacts:PairContacts;
         private var _candidates:CandidateFilter;
         private var _order:PairOrder = new PairOrder();
 
@@ -53,6 +54,7 @@ package starlogo.search
             _shapes = new ModelShapes(choice);
             table = new AgentTable(_shapes, _bins.levels);
             _motions = new RowMotions(narrowPhase);
+            _contacts = new PairContacts(narrowPhase, _motions);
             _candidates = new CandidateFilter(table, narrowPhase, _motions, _conditions);
             _kept = new KeptPairs(table, _candidates, _motions, _bins.levels, _order);
         }
@@ -163,7 +165,14 @@ package starlogo.search
             var rowB:int = table.list.rowOf(b);
             if (rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null)
             {
-                _motions.findContact(table, rowA, rowB, _conditions.isSwept, out);
+                if (_conditions.isSwept)
+                {
+                    _contacts.findOnMotions(table, rowA, rowB, out);
+                }
+                else
+                {
+                    _contacts.findStanding(table.bodyOf(rowA), table.bodyOf(rowB), out);
+                }
                 return;
             }
             var bodyA:Body = table.bodyOfNow(a, _bodyA);
@@ -173,7 +182,7 @@ package starlogo.search
                 var loading:Agent = bodyA.shape == null ? a : b;
                 throw new ArgumentError(loading + ": its model is still loading");
             }
-            _motions.findStaticContact(bodyA, bodyB, out);
+            _contacts.findStanding(bodyA, bodyB, out);
         }
 
         // Whether the second of two agents comes first in a pair. The ground and the edges of the world come last.

@@ -14,8 +14,8 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Finds the motions of a table's rows between the last two searches, and when and how two moving rows touch. The motions are found only if
-     * an agent sweeps.
+     * Finds the motions of a table's rows between the last two searches, and when two moving rows touch. The motions are found only if an agent
+     * sweeps.
      */
     internal final class RowMotions
     {
@@ -26,9 +26,6 @@ package starlogo.search
         internal var extents:Extents = new Extents();
 
         private var _narrowPhase:NarrowPhase;
-
-        // The motion of the first row of the pair whose contact is found, relative to the second.
-        private var _motion:RelativeMotion = new RelativeMotion();
 
         // When the extents of a pair overlap.
         private var _times:ContactInterval = new ContactInterval();
@@ -108,81 +105,76 @@ package starlogo.search
          */
         public function findTime(table:AgentTable, level:BinLevel, a:int, b:int, motion:RelativeMotion, out:ContactPoint = null):void
         {
-            var way:Points = _motions;
-            motion.endAfter(way.x[a] - way.x[b], way.y[a] - way.y[b], way.z[a] - way.z[b]);
+            motion.endAfter(_motions.x[a] - _motions.x[b], _motions.y[a] - _motions.y[b], _motions.z[a] - _motions.z[b]);
             motion.time = RelativeMotion.NEVER;
-            var isSwept:Boolean = _isSweeping[a] || _isSweeping[b];
+            if (!isSwept(a, b))
+            {
+                if (level == null || NarrowPhase.areNear(table.extents, level.slack, a, b))
+                {
+                    testStanding(table, a, b, 1, motion, out);
+                }
+            }
+            else if (motion.x == 0 && motion.y == 0 && motion.z == 0)
+            {
+                // two that move alike touch from the beginning on, and two that have not moved where they are
+                testStanding(table, a, b, hasMoved(a) ? 0 : 1, motion, out);
+            }
+            else
+            {
+                sweep(table, level, a, b, motion, out);
+            }
+        }
+
+        /** Whether one of two rows sweeps and has a motion. */
+        public function isSwept(a:int, b:int):Boolean
+        {
+            return _isSweeping[a] || _isSweeping[b];
+        }
+
+        /** Moves the point of a contact by a part of a row's motion, against it. */
+        public function moveBack(row:int, part:Number, point:ContactPoint):void
+        {
+            point.x -= part * _motions.x[row];
+            point.y -= part * _motions.y[row];
+            point.z -= part * _motions.z[row];
+        }
+
+        private function hasMoved(row:int):Boolean
+        {
+            return _motions.x[row] != 0 || _motions.y[row] != 0 || _motions.z[row] != 0;
+        }
+
+        // Tests two rows where they are. If they touch, the motion gets the time.
+        private function testStanding(table:AgentTable, a:int, b:int, time:int, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var bodyA:Body = table.bodyOf(a);
+            var bodyB:Body = table.bodyOf(b);
+            if (_narrowPhase.areTouching(bodyA, bodyB))
+            {
+                motion.time = time;
+                if (out != null)
+                {
+                    _narrowPhase.testsOf(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
+                }
+            }
+        }
+
+        private function sweep(table:AgentTable, level:BinLevel, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        {
             var areSpheres:Boolean = table.forms[a] == BoundingStructure.SPHERE && table.forms[b] == BoundingStructure.SPHERE;
-            if (!isSwept && level != null && !NarrowPhase.areNear(table.extents, level.slack, a, b))
+            if (level != null && !areSpheres && !overlapOnMotions(table.extents, level.slack, a, b))
             {
                 return;
             }
-            if (!isSwept || motion.x == 0 && motion.y == 0 && motion.z == 0)
+            _narrowPhase.sweptPairs++;
+            if (areSpheres && out == null)
             {
-                // two that move alike touch from the beginning on: time 0. Two that do not sweep or have not moved touch where they are: time 1
-                var found:Number = isSwept && (way.x[a] != 0 || way.y[a] != 0 || way.z[a] != 0) ? 0 : 1;
-                motion.time = _narrowPhase.areTouching(table.bodyOf(a), table.bodyOf(b)) ? found : RelativeMotion.NEVER;
-                if (out != null && motion.time != RelativeMotion.NEVER)
-                {
-                    _narrowPhase.testsOf(table.bodyOf(a), table.bodyOf(b)).findContact(table.bodyOf(a), table.bodyOf(b), motion, out);
-                }
+                _narrowPhase.spheres.findTimeOfRows(table, a, b, motion);
+                return;
             }
-            else if (level == null || areSpheres || overlapOnMotions(table.extents, level.slack, a, b))
-            {
-                _narrowPhase.sweptPairs++;
-                if (areSpheres && out == null)
-                {
-                    _narrowPhase.spheres.findTimeOfRows(table, a, b, motion);
-                    return;
-                }
-                var bodyA:Body = table.bodyOf(a);
-                var bodyB:Body = table.bodyOf(b);
-                _narrowPhase.testsOf(bodyA, bodyB).findFirst(bodyA, bodyB, motion, out);
-            }
-        }
-
-        /**
-         * Finds the contact of two rows.
-         *
-         * @param b may be the ground or the edges of the world
-         * @param isSwept whether the motions are those of the table
-         * @param out receives the contact
-         */
-        public function findContact(table:AgentTable, a:int, b:int, isSwept:Boolean, out:FoundContact):void
-        {
-            if (isSwept && (_isSweeping[a] || _isSweeping[b]))
-            {
-                findTime(table, null, a, b, _motion, out.point);
-                if (_motion.time != RelativeMotion.NEVER)
-                {
-                    separate(table.bodyOf(a), table.bodyOf(b), out);
-                    // the motion was relative to b at its present place, so the point is moved back to where b was at that time
-                    out.point.x -= (1 - out.time) * _motions.x[b];
-                    out.point.y -= (1 - out.time) * _motions.y[b];
-                    out.point.z -= (1 - out.time) * _motions.z[b];
-                    return;
-                }
-            }
-            findStaticContact(table.bodyOf(a), table.bodyOf(b), out);
-        }
-
-        /** Finds the contact of two bodies where they are. */
-        public function findStaticContact(a:Body, b:Body, out:FoundContact):void
-        {
-            _motion.endAfter(0, 0, 0);
-            _motion.time = 1;
-            _narrowPhase.testsOf(a, b).findContact(a, b, _motion, out.point);
-            separate(a, b, out);
-        }
-
-        // Makes a contact at the motion's time separate the two.
-        private function separate(a:Body, b:Body, out:FoundContact):void
-        {
-            var motion:RelativeMotion = _motion;
-            var point:ContactPoint = out.point;
-            _narrowPhase.testsOf(a, b).separate(a, b, motion, point);
-            out.time = motion.time;
-            out.approachSpeed = Math.max(0, -(motion.x * point.normalX + motion.y * point.normalY + motion.z * point.normalZ));
+            var bodyA:Body = table.bodyOf(a);
+            var bodyB:Body = table.bodyOf(b);
+            _narrowPhase.testsOf(bodyA, bodyB).findFirst(bodyA, bodyB, motion, out);
         }
 
         // Whether the extents of two rows overlap in all directions at the same time, on their motions.

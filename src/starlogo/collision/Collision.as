@@ -340,7 +340,7 @@ package starlogo.collision
                 throw new IllegalOperationError("the last frame has refused its list or failed: there is nothing to take a snapshot of");
             }
             var searched:Collider = _searched || _system.equivalentCollider;
-            return _snapshots.write(_touches, searched.search.table, _lastAgents, _searched == _system.equivalentCollider, terrain, findFixtures(),
+            return _snapshots.write(_touches, searched.search.table, _lastAgents, _searched == _system.equivalentCollider, terrain, findWorldAgents(),
                     withTraits, withGround);
         }
 
@@ -367,7 +367,7 @@ package starlogo.collision
                 throw new ArgumentError("agents must not be null");
             }
             var collider:Collider = _system.equivalentCollider;
-            _touches = _snapshots.read(bytes, agents, collider.search, terrain, findFixtures());
+            _touches = _snapshots.read(bytes, agents, collider.search, terrain, findWorldAgents());
             collider.seeFrame();
             keepList(agents, collider);
             _hasFailed = false;
@@ -413,7 +413,7 @@ package starlogo.collision
         }
 
         // The agents of the ground and of the edges, or null, as they are now.
-        private function findFixtures():Vector.<Agent>
+        private function findWorldAgents():Vector.<Agent>
         {
             return new <Agent>[terrain == null ? null : terrain.agent, bounds == null ? null : bounds.agent];
         }

@@ -278,11 +278,11 @@ package starlogo.collision
             var agents:Vector.<Agent> = _agents;
             var byRow:Vector.<Agent> = pairs.agents;
             var ranks:Vector.<int> = pairs.ranks;
-            var isFixture:Boolean = secondRow < ListedAgents.LISTED;
+            var isWorldAgent:Boolean = secondRow < ListedAgents.LISTED;
             if (_areInPlace)
             {
                 if (agents.length == pairs.agentCount && agents[ranks[firstRow]] === byRow[firstRow]
-                        && (isFixture || agents[ranks[secondRow]] === byRow[secondRow]))
+                        && (isWorldAgent || agents[ranks[secondRow]] === byRow[secondRow]))
                 {
                     return true;
                 }
@@ -292,7 +292,7 @@ package starlogo.collision
                     _places[row] = ranks[row];
                 }
             }
-            return isListed(firstRow) && (isFixture || isListed(secondRow));
+            return isListed(firstRow) && (isWorldAgent || isListed(secondRow));
         }
 
         // Once an agent was missing, it stays away for the rest of the frame. When agents are removed, others move towards the start of the

@@ -64,13 +64,13 @@ package starlogo.collision
          * @param agents the last frame's list. It is empty if there was no frame
          * @param keepsMotions whether the agents' next motions begin at their positions in the table
          * @param terrain the ground, or null
-         * @param fixtures the agents of the ground and of the edges, or null
+         * @param worldAgents the agents of the ground and of the edges, or null
          * @param withTraits whether the agents' traits are written
          * @param withGround whether the ground's heights are written
          * @throws IllegalOperationError if the collision system has searched another list
          */
         public function write(tracker:TouchTracker, table:AgentTable, agents:Vector.<Agent>, keepsMotions:Boolean, terrain:Terrain,
-                fixtures:Vector.<Agent>, withTraits:Boolean, withGround:Boolean):ByteArray
+                worldAgents:Vector.<Agent>, withTraits:Boolean, withGround:Boolean):ByteArray
         {
             if (agents.length > 0 && !table.list.isListed(agents))
             {
@@ -80,7 +80,7 @@ package starlogo.collision
             var names:SnapshotNames = new SnapshotNames();
             var parts:ByteArray = newBytes();
             SnapshotPlaces.write(table, agents, parts, keepsMotions);
-            writePairs(parts, names, tracker, table, fixtures);
+            writePairs(parts, names, tracker, table, worldAgents);
             SnapshotStandings.write(agents, table, parts);
             if (hasHeights)
             {
@@ -105,11 +105,11 @@ package starlogo.collision
          * Goes back to a snapshot. The last search is then the one before the snapshot was taken.
          *
          * @param terrain the ground, which gets the heights that are in the snapshot; or null
-         * @param fixtures the agents of the ground and of the edges, or null
+         * @param worldAgents the agents of the ground and of the edges, or null
          * @return the tracker that knows which pairs touched then
          * @throws ArgumentError as Collision.restore does; nothing has changed then
          */
-        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, terrain:Terrain, fixtures:Vector.<Agent>):TouchTracker
+        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, terrain:Terrain, worldAgents:Vector.<Agent>):TouchTracker
         {
             search.table.list.propose(agents);
             var copy:ByteArray = newBytes();
@@ -122,7 +122,7 @@ package starlogo.collision
             var touches:TouchTracker = new TouchTracker();
             try
             {
-                checkAll(copy, agents, terrain, fixtures, touches);
+                checkAll(copy, agents, terrain, worldAgents, touches);
             }
             catch (error:Error)
             {
@@ -186,7 +186,7 @@ package starlogo.collision
             check(bytes.position == bytes.length);
         }
 
-        private function writePairs(bytes:ByteArray, names:SnapshotNames, tracker:TouchTracker, table:AgentTable, fixtures:Vector.<Agent>):void
+        private function writePairs(bytes:ByteArray, names:SnapshotNames, tracker:TouchTracker, table:AgentTable, worldAgents:Vector.<Agent>):void
         {
             var touches:Vector.<Touch> = tracker.inOrder();
             bytes.writeInt(touches.length);
@@ -194,7 +194,7 @@ package starlogo.collision
             {
                 var pair:Touch = touches[i];
                 bytes.writeInt(table.list.ranks[table.list.rowOf(pair.first)]);
-                bytes.writeInt(Breeds.isReserved(pair.secondBreed) ? table.list.count + indexOfFixture(pair, fixtures) : table.list.ranks[table.list.rowOf(pair.second)]);
+                bytes.writeInt(Breeds.isReserved(pair.secondBreed) ? table.list.count + indexOfWorldAgent(pair, worldAgents) : table.list.ranks[table.list.rowOf(pair.second)]);
                 bytes.writeInt(names.ofBreed(pair.firstBreed));
                 bytes.writeInt(names.ofBreed(pair.secondBreed));
                 bytes.writeBoolean(pair.isBothWays);
@@ -202,13 +202,13 @@ package starlogo.collision
         }
 
         // The reserved breeds have the first numbers, and the ground's breed is the first of them.
-        private function indexOfFixture(pair:Touch, fixtures:Vector.<Agent>):int
+        private function indexOfWorldAgent(pair:Touch, worldAgents:Vector.<Agent>):int
         {
             var index:int = pair.secondBreed;
-            if (pair.second !== fixtures[index])
+            if (pair.second !== worldAgents[index])
             {
                 _former[index] = pair.second;
-                index += fixtures.length;
+                index += worldAgents.length;
             }
             return index;
         }
@@ -263,7 +263,7 @@ package starlogo.collision
         }
 
         // Checks all parts but the traits, finds where they begin, and reads the touching pairs.
-        private function checkAll(bytes:ByteArray, agents:Vector.<Agent>, terrain:Terrain, fixtures:Vector.<Agent>, touches:TouchTracker):void
+        private function checkAll(bytes:ByteArray, agents:Vector.<Agent>, terrain:Terrain, worldAgents:Vector.<Agent>, touches:TouchTracker):void
         {
             _contents = bytes.readUnsignedByte();
             check(_contents <= (TRAITS | GROUND | HEIGHTS) && (_contents & (GROUND | HEIGHTS)) != HEIGHTS);
@@ -279,7 +279,7 @@ package starlogo.collision
             {
                 check(bytes.readUnsignedByte() <= 1 && isInWorld(bytes.readDouble(), bytes.readDouble(), bytes.readDouble()));
             }
-            readPairs(bytes, agents.concat(fixtures, _former), count, touches);
+            readPairs(bytes, agents.concat(worldAgents, _former), count, touches);
             _standingsAt = bytes.position;
             check(SnapshotStandings.areValid(bytes, count));
             var hasGround:Boolean = (_contents & GROUND) != 0;

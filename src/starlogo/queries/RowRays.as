@@ -49,7 +49,7 @@ package starlogo.queries
             ray.triangle = -1;
             if (body.form == ModelShape.GROUND)
             {
-                return _seen.narrowPhase.testsOfFixture(body).isMet(body, ray);
+                return _seen.narrowPhase.testsOfWorldAgent(body).isMet(body, ray);
             }
             var placement:Placement = body.placement;
             var line:Ray = _inModel;

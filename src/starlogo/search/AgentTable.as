@@ -136,7 +136,7 @@ package starlogo.search
                 shapes[row] = null;
                 if (agent != null)
                 {
-                    setShape(row, ModelShapes.newShapeOfFixture(WorldAgent(agent)));
+                    setShape(row, ModelShapes.newShapeOfWorldAgent(WorldAgent(agent)));
                     findExtents(row);
                     places.now.put(row, agent);
                     places.last.put(row, agent);
@@ -152,7 +152,7 @@ package starlogo.search
         {
             forgetReplaced();
             var row:int = list.rowOf(agent);
-            var isOfNow:Boolean = row >= ListedAgents.LISTED || row >= 0 && shapes[row].fixture === agent;
+            var isOfNow:Boolean = row >= ListedAgents.LISTED || row >= 0 && shapes[row].worldAgent === agent;
             if (isOfNow && agent.revision == places.now.revisions[row] && agent.placement.extentsRevision == _extentsRevisions[row])
             {
                 return bodyOf(row);

@@ -28,7 +28,7 @@ package starlogo.search
         private var _motion:RelativeMotion = new RelativeMotion();
 
         // The rows that are tested with the ground or the edges of the world.
-        private var _atFixture:Vector.<int> = new Vector.<int>();
+        private var _atWorldAgent:Vector.<int> = new Vector.<int>();
 
         /**
          * @param table has the rows
@@ -94,19 +94,19 @@ package starlogo.search
 
         /**
          * Finds the pairs of rows with the ground, or with the edges of the world, if these take part. It tests only members whose breeds are of
-         * interest together with the fixture's breed.
+         * interest together with the breed of the ground or of the edges.
          *
-         * @param fixture the row of the ground or of the edges
+         * @param worldAgent the row of the ground or of the edges
          * @param rows the rows
          * @param length their number
          */
-        public function findAtFixture(fixture:int, rows:Vector.<int>, length:int):void
+        public function findAtWorldAgent(worldAgent:int, rows:Vector.<int>, length:int):void
         {
-            if (_table.list.agents[fixture] == null || !_conditions.interests.isEntered(fixture))
+            if (_table.list.agents[worldAgent] == null || !_conditions.interests.isEntered(worldAgent))
             {
                 return;
             }
-            var others:Vector.<int> = _atFixture;
+            var others:Vector.<int> = _atWorldAgent;
             var count:int = 0;
             for (var i:int = 0; i < length; i++)
             {
@@ -116,17 +116,17 @@ package starlogo.search
                     count++;
                 }
             }
-            count = _conditions.interests.keepOfInterest(_table.breeds, fixture, others, count);
+            count = _conditions.interests.keepOfInterest(_table.breeds, worldAgent, others, count);
             if (_conditions.isSwept)
             {
-                count = keepTouchingMotions(fixture, others, count, null);
+                count = keepTouchingMotions(worldAgent, others, count, null);
             }
             else
             {
-                var body:Body = _table.bodyOf(fixture);
-                count = _narrowPhase.testsOfFixture(body).keepRows(_table, others, count, body);
+                var body:Body = _table.bodyOf(worldAgent);
+                count = _narrowPhase.testsOfWorldAgent(body).keepRows(_table, others, count, body);
             }
-            _out.addPairs(fixture, others, count);
+            _out.addPairs(worldAgent, others, count);
         }
 
         // Keeps the rows that touch a row on their motions, and writes the times. There is no level for the ground and the edges, whose extents say

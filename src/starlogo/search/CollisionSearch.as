@@ -128,7 +128,7 @@ package starlogo.search
             _bins.findPairs(extents, _memberRows, _memberCount, _candidates);
             for (var row:int = ListedAgents.GROUND; row <= ListedAgents.EDGES; row++)
             {
-                _candidates.findAtFixture(row, _memberRows, _memberCount);
+                _candidates.findAtWorldAgent(row, _memberRows, _memberCount);
             }
             _order.sort(out, _conditions.isSwept);
         }

@@ -145,13 +145,13 @@ package starlogo.search
         // is true.
         private function read(body:Body, edges:Body, motion:RelativeMotion, isForAll:Boolean = false):void
         {
-            var fixture:WorldAgent = edges.shape.fixture;
+            var worldAgent:WorldAgent = edges.shape.worldAgent;
             _largest = body.largestHalf;
             _margin = body.margin + Tolerances.ROUNDING * _largest;
             for (var edge:int = 0; edge < 6; edge++)
             {
                 // along(edge, 1, 1, 1) is 1 or -1: whether the direction out of the world is the axis or against it
-                _places[edge] = along(edge, 1, 1, 1) * fixture.edges[edge];
+                _places[edge] = along(edge, 1, 1, 1) * worldAgent.edges[edge];
                 var reach:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
                 var beyond:Number = reach + (along(edge, body.x, body.y, body.z) - _places[edge]);
                 _penetration[edge] = beyond;

@@ -158,7 +158,7 @@ package starlogo.search
 
         private static function gridOf(ground:Body):HeightGrid
         {
-            return ground.shape.fixture.grid;
+            return ground.shape.worldAgent.grid;
         }
 
         private function lookOf(ground:Body):GroundEarlyOut

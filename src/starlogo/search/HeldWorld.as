@@ -21,22 +21,22 @@ package starlogo.search
         {
             for (var row:int = ListedAgents.GROUND; row <= ListedAgents.EDGES; row++)
             {
-                var fixture:WorldAgent = table.list.agents[row] as WorldAgent;
-                if (fixture == null)
+                var worldAgent:WorldAgent = table.list.agents[row] as WorldAgent;
+                if (worldAgent == null)
                 {
                     continue;
                 }
                 // its own agent brings the tests
-                narrowPhase.testsOfFixture(table.bodyOf(row));
-                var kept:WorldAgent = _kept[row] ||= new WorldAgent(fixture.breed);
-                kept.edges = fixture.edges;
-                if (fixture.grid != null)
+                narrowPhase.testsOfWorldAgent(table.bodyOf(row));
+                var kept:WorldAgent = _kept[row] ||= new WorldAgent(worldAgent.breed);
+                kept.edges = worldAgent.edges;
+                if (worldAgent.grid != null)
                 {
-                    kept.grid = fixture.grid.copyInto(kept.grid);
-                    _wasHeld = fixture.grid.isHeld;
-                    fixture.grid.isHeld = true;
+                    kept.grid = worldAgent.grid.copyInto(kept.grid);
+                    _wasHeld = worldAgent.grid.isHeld;
+                    worldAgent.grid.isHeld = true;
                 }
-                table.shapes[row].fixture = kept;
+                table.shapes[row].worldAgent = kept;
             }
         }
 
@@ -45,15 +45,15 @@ package starlogo.search
         {
             for (var row:int = ListedAgents.GROUND; row <= ListedAgents.EDGES; row++)
             {
-                var fixture:WorldAgent = table.list.agents[row] as WorldAgent;
-                if (fixture == null || table.shapes[row].fixture === fixture)
+                var worldAgent:WorldAgent = table.list.agents[row] as WorldAgent;
+                if (worldAgent == null || table.shapes[row].worldAgent === worldAgent)
                 {
                     continue;
                 }
-                table.shapes[row].fixture = fixture;
-                if (fixture.grid != null)
+                table.shapes[row].worldAgent = worldAgent;
+                if (worldAgent.grid != null)
                 {
-                    fixture.grid.isHeld = _wasHeld;
+                    worldAgent.grid.isHeld = _wasHeld;
                 }
             }
         }

@@ -43,7 +43,7 @@ package starlogo.search
         // The conditions of the last search; and whether this one is like it, and few rows have changed. The ground and the edges then.
         private var _conditions:SearchConditions = new SearchConditions();
         private var _isLikeLast:Boolean = false;
-        private var _fixtures:Vector.<WorldAgent> = new <WorldAgent>[null, null];
+        private var _worldAgents:Vector.<WorldAgent> = new <WorldAgent>[null, null];
         private var _edges:Vector.<Number> = null;
         private var _groundRevision:int = 0;
 
@@ -94,8 +94,8 @@ package starlogo.search
             }
             _cells.begin(conditions.isSwept ? _motions.extents : _table.extents, members, memberCount, _table.list.agents.length);
             note(pairs);
-            noteFixture(ListedAgents.GROUND);
-            noteFixture(ListedAgents.EDGES);
+            noteWorldAgent(ListedAgents.GROUND);
+            noteWorldAgent(ListedAgents.EDGES);
         }
 
         /**
@@ -134,8 +134,8 @@ package starlogo.search
                     _cells.findNear(_changed.numbers[i], _changedIn, _searchNumber, _candidates);
                 }
             }
-            findAtFixture(ListedAgents.GROUND);
-            findAtFixture(ListedAgents.EDGES);
+            findAtWorldAgent(ListedAgents.GROUND);
+            findAtWorldAgent(ListedAgents.EDGES);
             pairs.drop(_table.list, _changedIn, _searchNumber);
             pairs.merge(_found, _order.sort(_found, conditions.isSwept));
             note(pairs);
@@ -162,11 +162,11 @@ package starlogo.search
         }
 
         // Notes the ground, or the edges of the world. Returns whether they have changed since they were noted last.
-        private function noteFixture(row:int):Boolean
+        private function noteWorldAgent(row:int):Boolean
         {
             var agent:WorldAgent = _table.list.agents[row] as WorldAgent;
-            var isSame:Boolean = agent === _fixtures[row];
-            _fixtures[row] = agent;
+            var isSame:Boolean = agent === _worldAgents[row];
+            _worldAgents[row] = agent;
             if (agent != null && row == ListedAgents.GROUND)
             {
                 isSame = agent.grid.revision == _groundRevision && isSame;
@@ -250,15 +250,15 @@ package starlogo.search
         }
 
         // The pairs of changed rows with the ground or the edges; of all rows, if the ground or the edges have changed themselves.
-        private function findAtFixture(fixture:int):void
+        private function findAtWorldAgent(worldAgent:int):void
         {
-            var hasChanged:Boolean = noteFixture(fixture);
+            var hasChanged:Boolean = noteWorldAgent(worldAgent);
             if (hasChanged)
             {
-                _changedIn[fixture] = _searchNumber;
+                _changedIn[worldAgent] = _searchNumber;
             }
             var rows:Vector.<int> = hasChanged ? _table.list.rows : _changed.numbers;
-            _candidates.findAtFixture(fixture, rows, hasChanged ? _table.list.count : _changed.count);
+            _candidates.findAtWorldAgent(worldAgent, rows, hasChanged ? _table.list.count : _changed.count);
         }
     }
 }

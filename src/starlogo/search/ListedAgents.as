@@ -16,10 +16,10 @@ package starlogo.search
      */
     public final class ListedAgents
     {
-        /** The row of the ground, the first of the fixtures, which belong to no list. The number of a fixture's breed gives its row. */
+        /** The row of the agent of the ground, which is in no list. Its breed has the same number. */
         public static const GROUND:int = 0;
 
-        /** The row of the edges of the world. */
+        /** The row of the agent of the edges of the world. */
         public static const EDGES:int = 1;
 
         /** The first row for agents of a list. */

@@ -46,7 +46,7 @@ package starlogo.search
         engine var isUpright:Boolean = false;
 
         /** @private The agent that stands for the ground or the edges of the world; null for the shapes of agents. */
-        engine var fixture:WorldAgent = null;
+        engine var worldAgent:WorldAgent = null;
 
         /**
          * For colliders only.

@@ -36,7 +36,7 @@ package starlogo.search
         private var _recent:Vector.<ModelShape> = new Vector.<ModelShape>();
 
         // The shapes of the ground and of the edges that were needed last.
-        private var _ofFixtures:Vector.<ModelShape> = new <ModelShape>[null, null];
+        private var _ofWorldAgents:Vector.<ModelShape> = new <ModelShape>[null, null];
 
         /** @param choice chooses the shapes */
         public function ModelShapes(choice:AgentShapes)
@@ -56,7 +56,7 @@ package starlogo.search
         {
             if (Breeds.isReserved(agent.breedNumber))
             {
-                return shapeOfFixture(WorldAgent(agent));
+                return shapeOfWorldAgent(WorldAgent(agent));
             }
             var kind:int = _choice.kindOf(agent);
             for (var i:int = 0; i < _recent.length; i++)
@@ -110,13 +110,13 @@ package starlogo.search
             requireInWorld(agent + ": half of the length of its model's structure", extents[3], extents[4], extents[5]);
         }
 
-        private function shapeOfFixture(fixture:WorldAgent):ModelShape
+        private function shapeOfWorldAgent(worldAgent:WorldAgent):ModelShape
         {
-            var row:int = fixture.grid != null ? ListedAgents.GROUND : ListedAgents.EDGES;
-            var shape:ModelShape = _ofFixtures[row];
-            if (shape == null || shape.fixture !== fixture)
+            var row:int = worldAgent.grid != null ? ListedAgents.GROUND : ListedAgents.EDGES;
+            var shape:ModelShape = _ofWorldAgents[row];
+            if (shape == null || shape.worldAgent !== worldAgent)
             {
-                shape = _ofFixtures[row] = newShapeOfFixture(fixture);
+                shape = _ofWorldAgents[row] = newShapeOfWorldAgent(worldAgent);
             }
             return shape;
         }
@@ -125,13 +125,13 @@ package starlogo.search
          * Makes a shape for the ground or the edges of the world. Its structure gives the scale for tolerances: as wide as a cell, or a point. A
          * table's row has a shape of its own, because it may be held (HeldWorld).
          */
-        public static function newShapeOfFixture(fixture:WorldAgent):ModelShape
+        public static function newShapeOfWorldAgent(worldAgent:WorldAgent):ModelShape
         {
-            var isGround:Boolean = fixture.grid != null;
-            var shape:ModelShape = new ModelShape(fixture.shape, Agent.ANY_KIND, 0);
-            shape.structure = new Sphere(new Vector3D(), isGround ? fixture.grid.cellWidth / 2 : 0);
+            var isGround:Boolean = worldAgent.grid != null;
+            var shape:ModelShape = new ModelShape(worldAgent.shape, Agent.ANY_KIND, 0);
+            shape.structure = new Sphere(new Vector3D(), isGround ? worldAgent.grid.cellWidth / 2 : 0);
             shape.form = isGround ? ModelShape.GROUND : ModelShape.EDGES;
-            shape.fixture = fixture;
+            shape.worldAgent = worldAgent;
             shape.isUpright = true;
             return shape;
         }

@@ -149,7 +149,7 @@ package starlogo.search
             var last:int = a.form > b.form ? a.form : b.form;
             if (last >= ModelShape.GROUND)
             {
-                return testsOfFixture(b);
+                return testsOfWorldAgent(b);
             }
             if (last == ModelShape.TREE)
             {
@@ -159,13 +159,13 @@ package starlogo.search
         }
 
         /** The tests with the ground or the edges of the world. Their own agent brings them, and they stay. */
-        public function testsOfFixture(body:Body):PairTests
+        public function testsOfWorldAgent(body:Body):PairTests
         {
             if (body.form == ModelShape.EDGES)
             {
-                return _edges ||= body.shape.fixture.newTests(this);
+                return _edges ||= body.shape.worldAgent.newTests(this);
             }
-            return _ground ||= body.shape.fixture.newTests(this);
+            return _ground ||= body.shape.worldAgent.newTests(this);
         }
     }
 }

@@ -54,7 +54,7 @@ function check(result) {
 	assert.ok(result.volumes.every((volume) => volume > 1 && volume < 50), String(result.volumes));
 	assert.deepEqual(result.loaded.filter((name) => !name.startsWith("model ")), ["bear", "cube", "dragon", "person"]);
 	assert.match(result.loaded.find((name) => name.startsWith("model ")), /^model "nothing": its file can't be fetched: .*nothing\.obj/);
-	assert.deepEqual(result.kept, ["11272", "true", "null"]);
+	assert.deepEqual(result.kept, ["11288", "true", "null"]);
 	assert.match(result.errors[0], /^ArgumentError: a new agent: shape must be a name, not ""/);
 	assert.match(result.errors[1], /^ModelError: model "broken", line 1: expected a vertex/);
 	assert.match(result.errors[2], /^ModelError: model "broken": this is not well-formed XML/);

@@ -2,6 +2,9 @@ package starlogo.queries
 {
     import starlogo.agents.Agent;
     import starlogo.agents.AgentPredicate;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /**
      * Chooses the agents that count in a question, or that take part in a Collision. A property that is null excludes no agent. An agent counts
@@ -57,8 +60,8 @@ package starlogo.queries
             return admitsBreed(agent.breed) && (except == null || except.indexOf(agent) < 0) && (accepts == null || accepts(agent));
         }
 
-        /** Whether agents of a breed count, unless they are excluded otherwise. */
-        internal function admitsBreed(breed:String):Boolean
+        /** @private Whether agents of a breed count, unless they are excluded otherwise. */
+        engine function admitsBreed(breed:String):Boolean
         {
             return (breeds == null || has(breeds, breed)) && (exceptBreeds == null || !has(exceptBreeds, breed));
         }

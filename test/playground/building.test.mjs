@@ -1,9 +1,12 @@
 /** A level that is built in the world, by mouse: kept in the program as blocks, and undone like them. */
 import assert from 'node:assert/strict';
-import { after, test } from 'node:test';
+import { after, before, test } from 'node:test';
 import { SIZES, begin, open } from './browser.mjs';
 
-const site = await begin();
+let site;
+before(async () => {
+	site = await begin();
+});
 after(() => site.close());
 
 /** Where an agent's middle is on the screen. */

@@ -84,21 +84,20 @@ package starlogo.search
             setConditions(input);
             // tests since the last search, as those of questions, do not count
             _narrowPhase.takeCounts(counts);
-            if (mayKeep && _kept.find(_conditions, out))
+            if (!mayKeep)
+            {
+                // also if the search throws, because the table has been read
+                _kept.forget();
+                findAll(out);
+            }
+            else if (_kept.find(_conditions, out))
             {
                 _memberCount = _kept.memberCount;
             }
             else
             {
                 findAll(out);
-                if (mayKeep)
-                {
-                    _kept.keep(_conditions, out, _memberRows, _memberCount);
-                }
-                else
-                {
-                    _kept.forget();
-                }
+                _kept.keep(_conditions, out, _memberRows, _memberCount);
             }
             _candidates.end();
             report(out.count, counts);

@@ -98,11 +98,9 @@ package starlogo.collision
             for (var i:int = 0; i < end; i++)
             {
                 var pair:int = some == null ? i : some.numbers[i];
-                var first:Agent = pairs.agents[pairs.rows[2 * pair]];
-                var second:Agent = pairs.agents[pairs.rows[2 * pair + 1]];
-                if (_table.handlersOf(first.breedNumber, second.breedNumber).takesContacts)
+                if (handlersOf(pair).takesContacts)
                 {
-                    _contacts.find(pair, first, second);
+                    _contacts.find(pair, pairs.firstOf(pair), pairs.secondOf(pair));
                 }
             }
         }
@@ -114,13 +112,16 @@ package starlogo.collision
             for (var i:int = 0; i < end; i++)
             {
                 var pair:int = some == null ? i : some.numbers[i];
-                var first:Agent = pairs.agents[pairs.rows[2 * pair]];
-                var second:Agent = pairs.agents[pairs.rows[2 * pair + 1]];
-                if (_table.handlersOf(first.breedNumber, second.breedNumber).tracksTouches)
+                if (handlersOf(pair).tracksTouches)
                 {
-                    _tracker.renew(pair, first, second);
+                    _tracker.renew(pair, pairs.firstOf(pair), pairs.secondOf(pair));
                 }
             }
+        }
+
+        private function handlersOf(pair:int):PairHandlers
+        {
+            return _table.handlersOf(pairs.firstOf(pair).breedNumber, pairs.secondOf(pair).breedNumber);
         }
 
         // The try is here and not around each call, because a method with a try makes an object for each of its calls in Adobe's VM, and takes

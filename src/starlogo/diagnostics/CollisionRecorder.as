@@ -110,7 +110,7 @@ package starlogo.diagnostics
             _findTimes.add(getTimer() - start);
             for (var i:int = 0; i < out.count; i++)
             {
-                countPair(out.agents[out.rows[2 * i]], out.agents[out.rows[2 * i + 1]]);
+                countPair(out.firstOf(i), out.secondOf(i));
             }
             endFrame(out.count);
         }

@@ -159,6 +159,18 @@ package starlogo.search
             }
         }
 
+        /** The first agent of a pair. */
+        public function firstOf(pair:int):Agent
+        {
+            return agents[rows[2 * pair]];
+        }
+
+        /** The second agent of a pair. */
+        public function secondOf(pair:int):Agent
+        {
+            return agents[rows[2 * pair + 1]];
+        }
+
         /** Writes the pairs as agents: a0, b0, a1, b1, ... */
         public function write(out:Vector.<Agent>):void
         {

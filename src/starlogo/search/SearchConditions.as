@@ -1,9 +1,5 @@
 package starlogo.search
 {
-    import starlogo.engine;
-
-    use namespace engine;
-
     /**
      * What the pairs of a search depend on besides the agents, the ground and the edges of the world. It is set before the search, and does not
      * change during it.

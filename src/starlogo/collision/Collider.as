@@ -58,6 +58,7 @@ package starlogo.collision
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _found:FoundPairs = new FoundPairs();
         private var _foundContact:FoundContact = new FoundContact();
+        private var _input:FrameInput = new FrameInput();
 
         /**
          * Creates a collider.
@@ -107,10 +108,9 @@ package starlogo.collision
                 asked = _extraSearch;
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
-            var input:FrameInput = new FrameInput();
-            input.agents = agents;
-            input.interests = interests;
-            find(asked, input, _found, false);
+            _input.agents = agents;
+            _input.interests = interests;
+            find(asked, _input, _found, false);
             if (_phase != HANDLING)
             {
                 _seen = asked;

@@ -4,6 +4,10 @@ import test from "node:test";
 import { problemOf } from "./game.mjs";
 
 const FOUND = {
+	"a sphere in a corridor as wide as itself goes out past the edge at its end": [["add",1,-1.33717663702555,-0.8130505256121978,1],
+	["trait",57,"pitch",30],
+	["ground",5,4,true,1,-3,-3,"ravine",695736],
+	["stand",46,0.25043211514130237,0,0]],
 	"a sphere in a corridor exactly as wide as itself goes out beside its wall": [["add",-1,0.5,-0.14979433035477996,0.5],
 	["ground",3,3,true,0.5,-2,-1,"steps",845096],
 	["stand",1,0.4838193763047457,0.03460405264049768,0]],

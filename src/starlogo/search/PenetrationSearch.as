@@ -213,13 +213,20 @@ package starlogo.search
 
         // Finds how high the first body has to be lifted after it has gone along the ground as far as the push. Keeps this way out if it is the
         // shortest one so far. The lift is that of a place ROOM farther, so that the body is free a little farther along the way too,
-        // even between walls that are as far apart as it is wide.
+        // even between walls that are as far apart as it is wide. A push that is too long leads past an edge of the ground on the way: it goes
+        // half as far as the shortest way.
         private function tryLift():void
         {
             var x:Number = _pushes.push.x;
             var y:Number = _pushes.push.y;
             var length:Number = Math.sqrt(x * x + y * y);
             var farther:Number = length > 0 ? 1 + ROOM * _pair.extent / length : 1;
+            if (length >= _liftLength)
+            {
+                farther = 1;
+                x *= _liftLength / (2 * length);
+                y *= _liftLength / (2 * length);
+            }
             x *= farther;
             y *= farther;
             var squared:Number = _liftLength * _liftLength - (x * x + y * y);
@@ -279,8 +286,16 @@ package starlogo.search
                     tryLift();
                     most = Math.min(most, _liftLength);
                 }
-                if (!_pushes.next() || _pushes.length > most)
+                if (!_pushes.next())
                 {
+                    return false;
+                }
+                if (_pushes.length > most)
+                {
+                    if (reach > 0)
+                    {
+                        tryLift();
+                    }
                     return false;
                 }
                 if (isFreeAfterPush())

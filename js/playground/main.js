@@ -33,6 +33,16 @@ const VIEWS = {
 
 const links = new Map(Object.keys(VIEWS).map((name) => [name, h("a", { href: `#${name}` })]));
 const note = h("p.note", { role: "status" });
+/** The milliseconds for which the note is shown. */
+const NOTED = 8000;
+let noted = 0;
+
+/** Shows a note over the page's head, so that nothing moves; "" removes it. */
+function say(text) {
+	clearTimeout(noted);
+	note.textContent = text;
+	if (text) noted = setTimeout(() => say(""), NOTED);
+}
 
 /**
  * The language in the address (?language=de). Otherwise the language chosen here before, or the first of the browser's languages that the
@@ -95,7 +105,7 @@ async function show() {
 		if (each === name) link.setAttribute("aria-current", "page");
 		else link.removeAttribute("aria-current");
 	}
-	note.textContent = "";
+	say("");
 	document.title = texts.title(texts.views[name]);
 	shown?.view.close();
 	shown = null;
@@ -135,7 +145,13 @@ onFile("drop", ({ dataTransfer }) => {
 	const files = [...dataTransfer.files];
 	const file = chiefOf(files);
 	if (shown?.view.openFile) shown.view.openFile(file, files);
-	else note.textContent = /\.json$/i.test(file.name) ? texts.dropProgram(file.name) : texts.dropElsewhere(file.name);
+	else say(/\.json$/i.test(file.name) ? texts.dropProgram(file.name) : texts.dropElsewhere(file.name));
+});
+
+// who misses a field would mark the whole page
+addEventListener("keydown", (event) => {
+	const isAll = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "a";
+	if (isAll && !event.target.closest("input, textarea, pre, dialog, .sheet") && !main.classList.contains("teach")) event.preventDefault();
 });
 
 addEventListener("hashchange", () => {

@@ -1,5 +1,5 @@
 /** Writes a program for the npm package with two agents and a collision system. */
-import { BUILT_IN, MADE, fileOf } from "../shared/assets.js";
+import { BUILT_IN, fileOf } from "../shared/assets.js";
 import { CollisionBlocks } from "starlogo-collision";
 import { INSTALL } from "../shared/names.js";
 import { HULLS } from "./systems.js";
@@ -17,7 +17,7 @@ const USUAL = { x: 0, y: 0, z: 0, heading: 0, pitch: 0, roll: 0, size: 1, hierar
 export function codeOf(agents, system, areColliding) {
 	const shapes = [...new Set(agents.map(({ shape }) => shape))];
 	const models = shapes.map((name) => (BUILT_IN.includes(name) ? `greatLand.addModel(BuiltInModel.${name}());`
-		: MADE.includes(name) ? `greatLand.addModel(new Model("${name}", vertices, triangles)); // of your own`
+		: fileOf(name) === null ? `greatLand.addModel(new Model(${JSON.stringify(name)}, vertices, triangles)); // of your own`
 			: `await loader.loadAsync("${name}", "assets/${fileOf(name)}");`));
 	const isUsed = (word) => models.some((line) => line.includes(word));
 	const names = ["Agent", ...(isUsed("BuiltInModel") ? ["BuiltInModel"] : []), "CollisionBlocks", "GreatLand", ...(isUsed("new Model") ? ["Model"] : []), ...(isUsed("loader") ? ["ModelLoader"] : [])];
@@ -35,6 +35,7 @@ export function codeOf(agents, system, areColliding) {
 }
 
 function made(agent) {
+	const shape = JSON.stringify(agent.shape);
 	const traits = Object.entries(USUAL).filter(([name, usual]) => agent[name] !== usual).map(([name]) => `${name}: ${JSON.stringify(agent[name])}`);
-	return traits.length > 0 ? `Object.assign(new Agent("${agent.shape}"), { ${traits.join(", ")} })` : `new Agent("${agent.shape}")`;
+	return traits.length > 0 ? `Object.assign(new Agent(${shape}), { ${traits.join(", ")} })` : `new Agent(${shape})`;
 }

@@ -21,11 +21,12 @@ export class ScatteredGame {
 	/**
 	 * @param {number} count the number of agents
 	 * @param {number} halfWidth half the width of their ground
+	 * @param {string[]} cast their shapes, used in turn
 	 */
-	constructor(count, halfWidth = HALF_WIDTH) {
+	constructor(count, halfWidth = HALF_WIDTH, cast = CAST) {
 		this.halfWidth = halfWidth;
 		for (let i = 0; i < count; i++) {
-			const agent = new Agent(CAST[i % CAST.length]);
+			const agent = new Agent(cast[i % cast.length]);
 			agent.moveTo(this.#between(-halfWidth, halfWidth), this.#between(-halfWidth, halfWidth), 0);
 			agent.heading = this.#between(0, 360);
 			agent.size = SIZE;

@@ -2,10 +2,11 @@
 import { Agent, CollisionBlocks } from "starlogo-collision";
 import { AGENTS, TOUCHING, VERDICTS } from "../shared/colours.js";
 import { listing } from "../shared/copying.js";
-import { button, choice, field, h, modes, short } from "../shared/dom.js";
+import { button, choice, field, fileButton, h, modes, short } from "../shared/dom.js";
 import { Lab } from "../shared/lab.js";
 import { loadLand } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
+import { openModel, ownModels } from "../shared/ownmodels.js";
 import { Sight } from "../shared/sight.js";
 import { orbitByKeys } from "../shared/stage.js";
 import { TraitSliders, dragAgents } from "../shared/traits.js";
@@ -29,8 +30,9 @@ const BEGINNING = [{ shape: "dragon", size: 2 }, { shape: "sphere", x: 0.2, y: 0
 const LATE = 300;
 
 export async function createView(main, link) {
-	const { models, greatLand } = await loadLand(SHAPES);
+	const [{ models, greatLand }, own] = await Promise.all([loadLand(SHAPES), ownModels()]);
 	const view = new CompareView(main, models, greatLand);
+	view.offer(own);
 	view.open(link);
 	return view;
 }
@@ -67,7 +69,7 @@ class CompareView {
 			this.#keep();
 		});
 		main.replaceChildren(
-			h("div.tools", {}, this.modes, button(texts.play.share, () => this.#share()), this.shared),
+			h("div.tools", {}, this.modes, button(texts.play.share, () => this.#share()), fileButton(texts.inspect.choose, ".obj,.dae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)), this.shared),
 			h("section.pair", { "aria-label": words.pair },
 				h("div.seen", {}, h("div.screen", {}, this.pairHost), this.verdicts),
 				h("div.side", { tabindex: "-1" }, h("h2", {}, words.pair), h("p.note", {}, words.pairNote), this.meeting, ...this.agents.map((agent, i) => this.#controls(agent, i)),
@@ -97,6 +99,30 @@ class CompareView {
 		this.#restart();
 	}
 
+	/** Offers further models to the two agents. */
+	offer(models) {
+		for (const [name, model] of models) {
+			if (this.models.has(name)) continue;
+			this.models.set(name, model);
+			this.greatLand.addModel(model);
+			for (const shape of this.shapes) shape.append(h("option", { value: name }, name));
+		}
+	}
+
+	/** Gives agent A the model in a file. */
+	async openFile(file, files) {
+		this.shared.textContent = "";
+		try {
+			this.offer([[file.name, await openModel(file, files)]]);
+		} catch (error) {
+			this.shared.textContent = `${texts.inspect.broken(file.name, error.message)} ${texts.inspect.kinds}`;
+			return;
+		}
+		this.shapes[0].value = this.agents[0].shape = file.name;
+		this.#turnTo("pair");
+		this.#change();
+	}
+
 	/** Shows either two agents or a whole game. Each has the window to itself. */
 	#turnTo(mode) {
 		this.main.querySelector(".pair").hidden = mode !== "pair";
@@ -108,7 +134,7 @@ class CompareView {
 
 	/** Shows the scene in an address. Without one it stays as it is. */
 	open(link) {
-		const scene = sceneFrom(link);
+		const scene = sceneFrom(link, (shape) => this.models.has(shape));
 		if (!scene) return;
 		this.#turnTo(scene.isGame ? "game" : "pair");
 		if (scene.isGame) {

@@ -1,10 +1,10 @@
 /** Inspect: shows a model, the structures around it, and their costs. */
 import { Agent, Model } from "starlogo-collision";
-import { AGENTS, LINES } from "../shared/colours.js";
+import { AGENTS, LINES, OWN_COLOURS } from "../shared/colours.js";
 import { button, choice, field, fileButton, h, modes, short, slider, tick } from "../shared/dom.js";
-import { contentOf } from "../shared/files.js";
 import { Lab } from "../shared/lab.js";
-import { loadModel, parseModel } from "../shared/models.js";
+import { loadModel } from "../shared/models.js";
+import { openModel, ownModels } from "../shared/ownmodels.js";
 import { MODELS } from "../shared/names.js";
 import { orbitByKeys } from "../shared/stage.js";
 import { texts } from "../shared/language.js";
@@ -16,6 +16,7 @@ const FIRST = "bear";
 
 export async function createView(main) {
 	const view = new InspectView(main);
+	ownModels().then((models) => view.offer(models));
 	await view.choose(FIRST);
 	return view;
 }
@@ -79,19 +80,27 @@ class InspectView {
 		h("button.primary", { type: "submit" }, words.apply));
 	}
 
+	/** Adds models to the menu. */
+	offer(models) {
+		for (const [title, model] of models) {
+			const name = `file ${title}`;
+			if (!this.#files.has(name)) this.models.append(h("option", { value: name }, title));
+			this.#files.set(name, model);
+		}
+	}
+
 	/** Shows a model of the game, or of a file that was opened before. */
 	async choose(name) {
 		const file = this.#files.get(name);
-		await this.#take(name, texts.shapes[name] ?? file.name, () => file ?? loadModel(name));
+		await this.#take(name, texts.shapes[name] ?? name.replace(/^file /, ""), () => file ?? loadModel(name));
 	}
 
 	async openFile(file, files = [file]) {
 		if (/\.json$/i.test(file.name) && await this.#isProgram(file)) return;
 		const name = `file ${file.name}`;
 		await this.#take(name, file.name, async () => {
-			const model = await parseModel(file.name, await contentOf(file, files));
-			if (!this.#files.has(name)) this.models.append(h("option", { value: name }, file.name));
-			this.#files.set(name, model);
+			const model = await openModel(file, files);
+			this.offer([[file.name, model]]);
 			return model;
 		}, words.kinds);
 	}
@@ -145,7 +154,7 @@ class InspectView {
 		if (!model) return;
 		this.questions.close();
 		const agent = new Agent(model.name);
-		agent.color = AGENTS.first;
+		agent.color = this.#files.has(this.#chosen) && model.colours ? OWN_COLOURS : AGENTS.first;
 		this.stage.showAgents([agent], new Map([[model.name, model]]));
 		const height = model.vertices.reduce((most, value, i) => (i % 3 === 2 ? Math.max(most, value) : most), 0);
 		this.stage.frame([0, 0, height / 2], Math.hypot(0.6, height / 2));
@@ -249,5 +258,5 @@ function withUp(model, axis, quarters) {
 		for (let k = 0; k < quarters; k++) [x, y] = [-y, x];
 		turned.push(x, y, z);
 	}
-	return new Model(name, turned, triangles);
+	return Object.assign(new Model(name, turned, triangles), { colours: model.colours });
 }

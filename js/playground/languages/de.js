@@ -43,6 +43,7 @@ export const texts = {
 		world: "Das Spiel. Solange es den Fokus hat, spielen es die Pfeiltasten und die Leertaste",
 		blocks: "Das Programm",
 		blocksKeys: "Seine Blöcke: Pfeiltasten gehen von einem zum nächsten und hinein, Eingabe ändert, Entf löscht, M verschiebt",
+		reading: { program: "Die Blöcke des Programms", drawer: "Blöcke zum Nehmen", gap: "leere Stelle", field: "zum Ändern" },
 		tabs: { game: "Welt", program: "Blöcke" },
 		run: "Start", stop: "Stopp", step: "Schritt", reset: "Von vorn", again: "Noch einmal",
 		system: "Kollisionssystem",

@@ -48,6 +48,7 @@ export const texts = {
 		world: "The game. While it has the focus, the arrow keys and the space bar play it",
 		blocks: "The program",
 		blocksKeys: "Its blocks: arrow keys go from one to the next and into them, Enter edits, Delete deletes, M moves",
+		reading: { program: "The program’s blocks", drawer: "Blocks to take", gap: "empty place", field: "to change" },
 		tabs: { game: "World", program: "Blocks" },
 		run: "Run", stop: "Stop", step: "Step", reset: "Reset", again: "Play again",
 		system: "Collision system",

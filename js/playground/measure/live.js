@@ -1,12 +1,13 @@
 /** A game of up to 20,000 agents that runs: its world, the parts of its frames, and kdbush and Rapier beside the engine. */
 import KDBush from "kdbush";
 import { Collision, CollisionBlocks } from "starlogo-collision";
-import { HALF_WIDTH, ScatteredGame } from "../compare/game.js";
+import { CAST, HALF_WIDTH, ScatteredGame } from "../compare/game.js";
 import { VERDICTS } from "../shared/colours.js";
 import { button, choice, field, h, short, slider, tick } from "../shared/dom.js";
 import { Figures } from "../shared/figures.js";
 import { failure, texts } from "../shared/language.js";
 import { Loop } from "../shared/loop.js";
+import { openModel } from "../shared/ownmodels.js";
 import { loadRapier } from "../shared/served.js";
 import { Crowd, DRAWN } from "./crowd.js";
 import { Parts } from "./parts.js";
@@ -34,6 +35,7 @@ export class Live {
 	#frame = 0;
 	#system = CollisionBlocks.TIGHTEST_FITS;
 	#count = FIRST;
+	#cast = CAST;
 	#isDrawn = true;
 	#isBeside = true;
 	/** For each agent, by its id, the number of the last frame in which it touched another one; and the first id. */
@@ -63,8 +65,12 @@ export class Live {
 			this.#system = name;
 			this.#begin();
 		});
+		this.models = choice([["", words.six]], "", (name) => {
+			this.#cast = name === "" ? CAST : [name];
+			this.#begin();
+		});
 		this.element = h("div.live", {},
-			h("div.tools", {}, this.runButton, count.element, field(words.system, systems),
+			h("div.tools", {}, this.runButton, count.element, field(words.system, systems), field(words.models, this.models),
 				tick(words.drawn, true, (isOn) => {
 					this.#isDrawn = isOn;
 					this.host.parentElement.hidden = !isOn;
@@ -78,7 +84,7 @@ export class Live {
 				}), loadRapier ? tick(words.besideRapier, false, (isOn) => this.#putRapier(isOn)) : null, this.said),
 			this.scene = h("div.scene", {}, h("div.screen", {}, this.host),
 				h("div.times", {}, this.figures.element,
-					this.canvas, h("p.note", {}, words.note))));
+					this.canvas, this.busy = h("p.busy", { role: "status", hidden: true }, texts.measure.busy), h("p.note", {}, words.note))));
 	}
 
 	/** Shows the world at its beginning. Called when the element is on the page. */
@@ -87,11 +93,34 @@ export class Live {
 		this.#begin();
 	}
 
+	/** Offers further models, in place of the six. */
+	offer(models) {
+		for (const [name, model] of models) {
+			if (this.greatLand.boundingStructures.has(name)) continue;
+			this.greatLand.addModel(model);
+			this.models.append(h("option", { value: name }, name));
+		}
+	}
+
+	/** Lets all agents have the model in a file. */
+	async openFile(file, files) {
+		try {
+			this.offer([[file.name, await openModel(file, files)]]);
+		} catch (error) {
+			this.said.textContent = `${texts.inspect.broken(file.name, error.message)} ${texts.inspect.kinds}`;
+			return;
+		}
+		this.said.textContent = "";
+		this.models.value = file.name;
+		this.#cast = [file.name];
+		this.#begin();
+	}
+
 	/** Begins the game anew, with the present number of agents and system. */
 	#begin() {
 		const count = this.#count;
 		this.halfWidth = HALF_WIDTH * Math.sqrt(count / USUAL);
-		this.game = new ScatteredGame(count, this.halfWidth);
+		this.game = new ScatteredGame(count, this.halfWidth, this.#cast);
 		this.#touched = new Uint32Array(count);
 		this.#first = this.game.agents[0].id;
 		const blocks = new CollisionBlocks(this.greatLand, this.game.agents);
@@ -189,12 +218,13 @@ export class Live {
 	}
 
 	#show() {
-		const { middles } = this.parts;
+		const { leasts, isBusy } = this.parts;
+		this.busy.hidden = !isBusy;
 		this.parts.draw((ms) => short(ms));
 		const { pairs, near, inRapier } = this.#found;
 		const counts = Object.entries({ pairs: pairs ?? this.#pairs, near, inRapier }).map(([name, value]) => [name, value >= 0 ? value.toLocaleString(texts.code) : "–"]);
 		const others = { ...!this.#isBeside && { kdbush: null, near: null }, ...!this.rapier && { rapier: null, inRapier: null } };
-		this.figures.show({ ...Object.fromEntries([...Object.entries(middles).map(([name, ms]) => [name, short(ms)]), ...counts]), ...others });
+		this.figures.show({ ...Object.fromEntries([...Object.entries(leasts).map(([name, ms]) => [name, short(ms)]), ...counts]), ...others });
 	}
 
 	close() {

@@ -1,9 +1,11 @@
 /** The graph of the parts of the last frames: moving, the engine and drawing one above the other, and other libraries as lines. */
 
-import { median } from "../shared/figures.js";
+import { isUneven } from "../shared/figures.js";
 
 /** The frames in the graph. */
 const FRAMES = 180;
+/** The number of averages of which the least is shown. */
+const AVERAGES = 15;
 /** The least height of the graph, in milliseconds: two frames of 60 a second. */
 const LEAST = 1000 / 30;
 const LEFT = 40;
@@ -35,9 +37,23 @@ export class Parts {
 		if (this.#frames.length > FRAMES) this.#frames.shift();
 	}
 
-	/** The middle value of each name in the last frames. */
-	get middles() {
-		return Object.fromEntries([...this.names, ...this.lines].map((name) => [name, median(this.#frames.map((frame) => frame[name]).filter(Number.isFinite))]));
+	/** The least of each name: of averages over a fifteenth of the last frames each, because clocks are coarse. */
+	get leasts() {
+		return Object.fromEntries([...this.names, ...this.lines].map((name) => {
+			const all = this.#averages(name);
+			return [name, all.length > 0 ? Math.min(...all) : NaN];
+		}));
+	}
+
+	/** Whether something else may have taken time in the last frames. */
+	get isBusy() {
+		return this.#frames.length === FRAMES && isUneven(this.#averages("engine"));
+	}
+
+	#averages(name) {
+		const times = this.#frames.map((frame) => frame[name]).filter(Number.isFinite);
+		const count = Math.max(1, Math.ceil(times.length / AVERAGES));
+		return Array.from({ length: Math.ceil(times.length / count) }, (_, i) => times.slice(count * i, count * (i + 1))).map((part) => part.reduce((sum, ms) => sum + ms, 0) / part.length);
 	}
 
 	/** Draws the graph in the colours of the page. */

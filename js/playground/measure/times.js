@@ -1,7 +1,7 @@
 /** Measures how long the frames of a game take, for each collision system and number of agents. Nothing here draws. */
 import { Collision, CollisionBlocks } from "starlogo-collision";
 import { HALF_WIDTH, ScatteredGame } from "../compare/game.js";
-import { median } from "../shared/figures.js";
+import { isUneven } from "../shared/figures.js";
 
 /** The numbers of agents that are measured, in turn. */
 export const COUNTS = [25, 50, 100, 200, 400, 800, 1600];
@@ -27,23 +27,25 @@ const SLICE = 12;
  *
  * @param {object} greatLand has the game's models
  * @param {number} most the largest number of agents
- * @param {(system: string, count: number, ms: number) => void} onFound called with each result, in milliseconds per frame
+ * @param {(system: string, count: number, ms: number, isBusy: boolean) => void} onFound called with each result, in milliseconds per
+ * frame, and whether something else may have taken time
  * @param {() => boolean} isWanted whether to go on
  */
 export async function measureAll(greatLand, most, onFound, isWanted) {
 	const slow = new Set();
 	for (const count of COUNTS.filter((each) => each <= most)) {
 		for (const system of CollisionBlocks.systemNames.filter((each) => !slow.has(each))) {
-			const ms = await timeOf(greatLand, system, count, isWanted);
+			const times = await timesOf(greatLand, system, count, isWanted);
 			if (!isWanted()) return;
-			onFound(system, count, ms);
+			const ms = Math.min(...times);
+			onFound(system, count, ms, isUneven(times));
 			if (ms > TOO_LONG) slow.add(system);
 		}
 	}
 }
 
-/** The milliseconds of a frame's collision detection: the median of some samples. */
-async function timeOf(greatLand, system, count, isWanted) {
+/** Samples of the milliseconds of a frame's collision detection. What else the machine does makes some longer, and none shorter. */
+async function timesOf(greatLand, system, count, isWanted) {
 	const game = new ScatteredGame(count, HALF_WIDTH * Math.sqrt(count / USUAL));
 	const blocks = new CollisionBlocks(greatLand, game.agents);
 	blocks.useCollisionSystem(system);
@@ -70,10 +72,10 @@ async function timeOf(greatLand, system, count, isWanted) {
 		if (times.length >= FEWEST && spent > ENOUGH_MS) break;
 		if (performance.now() - slice < SLICE) continue;
 		await new Promise((resolve) => setTimeout(resolve));
-		if (!isWanted()) return NaN;
+		if (!isWanted()) return [];
 		slice = performance.now();
 	}
-	return times.length > 0 ? median(times) : taken / frames;
+	return times.length > 0 ? times : [taken / frames];
 }
 
 /** Whether a value read from a file is a measurement of this page. */

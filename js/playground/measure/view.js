@@ -7,7 +7,9 @@ import { button, choice, field, fileButton, h, modes, short } from "../shared/do
 import { hand } from "../shared/hand.js";
 import { texts } from "../shared/language.js";
 import { recallList, rememberValue } from "../shared/memory.js";
+import { MODEL_FILE } from "../shared/files.js";
 import { loadLand } from "../shared/models.js";
+import { ownModels } from "../shared/ownmodels.js";
 import { chart, fileOf } from "./chart.js";
 import { Live } from "./live.js";
 import { COUNTS, isMeasured, measureAll } from "./times.js";
@@ -16,9 +18,14 @@ const words = texts.measure;
 const KEY = "starlogo-playground.measured";
 const MOST_KEPT = 12;
 const FIRST_MOST = 400;
+/** The share of times from which on the machine is called busy. */
+const BUSY = 0.2;
 
 export async function createView(main) {
-	return new MeasureView(main, (await loadLand(CAST)).greatLand);
+	const [{ greatLand }, own] = await Promise.all([loadLand(CAST), ownModels()]);
+	const view = new MeasureView(main, greatLand);
+	view.live.offer(own);
+	return view;
 }
 
 class MeasureView {
@@ -39,6 +46,7 @@ class MeasureView {
 		this.name = h("input", { type: "text", value: words.thisMachine, maxlength: 40 });
 		this.startButton = button(words.start, () => (this.#isRunning ? this.#stop(words.stopped) : this.run()), { class: "primary" });
 		this.status = h("p.status", { role: "status" });
+		this.busy = h("p.busy", { role: "status", hidden: true }, words.busy);
 		this.others = h("select", { onchange: () => this.#choose(this.others.value) });
 		this.picture = h("div.chart", { tabindex: "0", role: "group", "aria-label": words.chart });
 		this.table = h("div.table", { tabindex: "0", role: "region", "aria-label": words.table });
@@ -54,7 +62,7 @@ class MeasureView {
 			h("section.measuring", { "aria-label": words.title },
 				h("div.tools", {}, this.startButton, field(words.most, most), field(words.machine, this.name), ...this.keepers),
 				h("div.tools", {}, field(words.beside, this.others), fileButton(words.open, ".json", (file) => this.openFile(file)), h("small.hint", {}, words.openHint)),
-				this.status, this.picture),
+				this.status, this.busy, this.picture),
 			h("section.facts", {}, h("div.card", {}, h("h2", {}, words.title), h("p.note", {}, words.how), this.table)));
 		this.live.open();
 		this.#listOthers();
@@ -80,12 +88,18 @@ class MeasureView {
 		this.startButton.textContent = words.stop;
 		this.#show();
 		this.status.textContent = words.running;
-		await measureAll(this.greatLand, this.#most, (system, count, ms) => {
+		this.busy.hidden = true;
+		let [all, busy] = [0, 0];
+		await measureAll(this.greatLand, this.#most, (system, count, ms, isBusy) => {
+			all++;
+			if (isBusy) busy++;
 			// the browser's clock is coarse: a time below its step is not 0
 			points[system].push([count, Math.max(ms, 0.001)]);
 			this.#show();
 		}, () => turn === this.#turn);
-		if (turn === this.#turn) this.#stop(words.done);
+		if (turn !== this.#turn) return;
+		this.#stop(words.done);
+		this.busy.hidden = busy <= BUSY * all;
 	}
 
 	#stop(text) {
@@ -132,8 +146,9 @@ class MeasureView {
 		this.#show();
 	}
 
-	/** Shows the measurement of another machine beside this one's. */
-	async openFile(file) {
+	/** Shows the measurement of another machine beside this one's. While a game runs, its agents get the model in a file. */
+	async openFile(file, files) {
+		if (MODEL_FILE.test(file.name) && this.series.hidden) return this.live.openFile(file, files);
 		try {
 			const result = JSON.parse(await file.text());
 			if (!isMeasured(result)) throw new Error("something else");

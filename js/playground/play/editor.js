@@ -8,6 +8,7 @@ import { ICON, MEDIA } from "../shared/served.js";
 import { BLOCK_STYLES, CATEGORY_STYLES, DEFINITIONS, MENUS, NEW_BREED, SHAPE_OF, TOOLBOX, drawerFor, meet, withNumbers } from "./blocks.js";
 import { Building } from "./building.js";
 import { Placing } from "./placing.js";
+import { readAloud } from "./reading.js";
 
 const PARTS = {
 	light: { workspaceBackgroundColour: "#ffffff", toolboxBackgroundColour: "#f4f6fa", toolboxForegroundColour: "#1c2430", flyoutBackgroundColour: "#e9edf4", flyoutForegroundColour: "#1c2430", flyoutOpacity: 1, scrollbarColour: "#9aa6b6" },
@@ -240,6 +241,7 @@ export class Editor {
 		flyout.getFlyoutScale = () => this.#drawerScale;
 		this.placing = new Placing(this.workspace);
 		this.building = new Building(this.workspace);
+		readAloud(this.workspace);
 		this.#addTools(host, bar, say);
 		this.forgetTheme = onThemeChange(() => adoptStyles(() => this.workspace.setTheme(theme())));
 		this.observer = new ResizeObserver(() => Blockly.svgResize(this.workspace));

@@ -1,13 +1,10 @@
 /** The user's own models. The browser keeps them between visits, if it can. */
-import { Cabinet } from "../shared/cabinet.js";
-import { contentOf, toBytes, toText } from "../shared/files.js";
+import { MODEL_FILE, contentOf, toBytes, toText } from "../shared/files.js";
 import { parseModel } from "../shared/models.js";
+import { cabinet } from "../shared/ownmodels.js";
 import { texts } from "../shared/language.js";
 
 const words = texts.play;
-export const MODEL_FILE = /\.(obj|dae|glb|gltf|stl)$/i;
-
-const cabinet = new Cabinet("starlogo-playground", "models", "name");
 
 export class Models {
 	/** The models of this page: names and files' contents. */

@@ -1,9 +1,9 @@
 /** Manages which program is open, and what happens to it. The user's own programs are never lost when another one is opened. */
 import { CollisionBlocks } from "starlogo-collision";
 import { button, fileButton, h } from "../shared/dom.js";
+import { MODEL_FILE } from "../shared/files.js";
 import { fixed, learn, texts } from "../shared/language.js";
 import { download, handIn, print, share, showJavascript } from "./giving.js";
-import { MODEL_FILE } from "./kept.js";
 import { LESSON_NAMES, LessonCard } from "./lessoncard.js";
 import { menu, menuButton } from "./menu.js";
 import { create, program as programOf, size, start } from "./notation.js";

@@ -120,8 +120,10 @@ class PlayView {
 		this.speed.input.addEventListener("pointerup", () => this.#playOn());
 		this.rewind = slider(words.rewind, { min: 0, max: 0, step: 1, value: 0, format: (at) => (at < 0 ? words.rewindBack(fixed(-at / FRAMES_A_SECOND, 1)) : words.rewindNow) }, (at) => this.#goBack(-at));
 		this.fullscreen = button(h("span.icon"), () => this.theatre.requestFullscreen?.(), { class: "fullscreen", "aria-label": words.fullscreen, title: words.fullscreen });
+		// the words of a problem that are more than fit beside the buttons; readers have them there
+		this.whole = h("p.whole", { hidden: true, "aria-hidden": "true" });
 		this.dragNote = h("p.drag-note", { hidden: true }, words.drag);
-		this.screen = h("div.screen", {}, this.worldHost, this.dragNote);
+		this.screen = h("div.screen", {}, this.worldHost, this.dragNote, this.whole);
 		this.screens = h("div.screens", {}, this.screen);
 		this.theatre = h("div.theatre", {}, this.screens);
 		const besides = choice([["", words.alone], ...systems], "", (name) => this.putBeside(name));
@@ -483,6 +485,8 @@ class PlayView {
 	say(text, isProblem = false) {
 		this.status.textContent = text;
 		this.status.classList.toggle("problem", isProblem);
+		this.whole.textContent = text;
+		this.whole.hidden = !isProblem || this.status.scrollHeight <= this.status.clientHeight + 1;
 	}
 
 	draw(now = 0) {

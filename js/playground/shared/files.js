@@ -1,7 +1,7 @@
 /** Files that the user gives together: one is the model, and a glTF file may need others. */
 import { texts } from "./language.js";
 
-const MODEL = /\.(obj|dae|glb|gltf|stl)$/i;
+export const MODEL_FILE = /\.(obj|dae|glb|gltf|stl)$/i;
 
 /** Bytes as text, with the letters of base 64. */
 export function toText(bytes) {
@@ -14,7 +14,7 @@ export const toBytes = (text) => Uint8Array.from(atob(text), (letter) => letter.
 
 /** The main file among some files. */
 export function chiefOf(files) {
-	return files.find(({ name }) => MODEL.test(name)) ?? files.find(({ name }) => /\.json$/i.test(name)) ?? files[0];
+	return files.find(({ name }) => MODEL_FILE.test(name)) ?? files.find(({ name }) => /\.json$/i.test(name)) ?? files[0];
 }
 
 /**

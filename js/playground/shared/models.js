@@ -38,13 +38,19 @@ async function read(name) {
 }
 
 /**
- * The model in a file. The content decides the format. Throws an error that says what is wrong.
+ * The model in a file, with the base colours of a glTF file. The content decides the format. Throws an error that says what is wrong.
  *
  * @param {string} name the model's name
  * @param {Uint8Array} bytes the file's content
  */
 export async function parseModel(name, bytes) {
-	const { surfaceIn } = await import("./formats.js");
+	const [{ surfaceIn }, { coloursIn }] = await Promise.all([import("./formats.js"), import("./coats.js")]);
 	const { vertices, triangles } = await surfaceIn(name, bytes);
-	return new Model(name, vertices, triangles, Model.AS_GIVEN);
+	let colours;
+	try {
+		colours = coloursIn(bytes, (triangles?.length ?? 0) / 3);
+	} catch {
+		// the colours are not worth an error
+	}
+	return Object.assign(new Model(name, vertices, triangles, Model.AS_GIVEN), { colours });
 }

@@ -144,7 +144,7 @@ onFile("drop", ({ dataTransfer }) => {
 	main.classList.remove("dropping");
 	const files = [...dataTransfer.files];
 	const file = chiefOf(files);
-	if (shown?.view.openFile) shown.view.openFile(file, files);
+	if (shown?.view.openFile && shown.view.takes?.(file) !== false) shown.view.openFile(file, files);
 	else say(/\.json$/i.test(file.name) ? texts.dropProgram(file.name) : texts.dropElsewhere(file.name));
 });
 

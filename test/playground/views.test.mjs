@@ -555,7 +555,7 @@ test('a near miss that stands still is coloured as the chosen system sees it, an
 });
 
 test('a file that is dropped elsewhere, and a graphics card that goes away, are said in words', async () => {
-	const { page, leave } = await open(site, 'compare', { ...SIZES.desktop, isDrawn: true });
+	const { page, leave } = await open(site, 'level', { ...SIZES.desktop, isDrawn: true });
 	await drop(page, ['bear.obj', Buffer.from('v 1 2 3')]);
 	assert.match(await page.textContent('header [role=status]'), /^bear\.obj was not opened\. Open models in the view “Inspect”/);
 	await drop(page, ['mine.json', Buffer.from('{}')]);

@@ -3,6 +3,7 @@ import { Agent, CollisionBlocks } from "starlogo-collision";
 import { AGENTS, TOUCHING, VERDICTS } from "../shared/colours.js";
 import { listing } from "../shared/copying.js";
 import { button, choice, field, fileButton, h, modes, short } from "../shared/dom.js";
+import { MODEL_FILE } from "../shared/files.js";
 import { Lab } from "../shared/lab.js";
 import { loadLand } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
@@ -107,6 +108,11 @@ class CompareView {
 			this.greatLand.addModel(model);
 			for (const shape of this.shapes) shape.append(h("option", { value: name }, name));
 		}
+	}
+
+	/** Whether a dropped file is for this view. */
+	takes({ name }) {
+		return MODEL_FILE.test(name);
 	}
 
 	/** Gives agent A the model in a file. */

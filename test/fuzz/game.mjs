@@ -272,6 +272,10 @@ class Game {
 				const first = all.filter(({ distance }) => distance <= all[0].distance * (1 + 1e-14)).map((each) => each.agent);
 				assert.ok(hit === null ? all.length === 0 : first.includes(hit.agent), `cast and the first of castAll: ${hit?.agent}, not ${first}`);
 				for (const each of all) assert.ok(each.distance >= all[0].distance && each.distance <= 20, "castAll's distances");
+				const surfaces = queries.castAll(...ray, 20, null, null, true);
+				const firsts = new Map();
+				for (const each of surfaces) if (!firsts.has(each.agent)) firsts.set(each.agent, each.distance);
+				assert.deepEqual(firsts, new Map(all.map((each) => [each.agent, each.distance])), "each agent's first surface is its hit");
 			}
 			assert.equal(queries.canSee(agent, target), queries.canSee(target, agent), "canSee is not symmetric");
 		}

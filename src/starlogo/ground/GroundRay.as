@@ -5,12 +5,13 @@ package starlogo.ground
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayTriangleTest;
 
     use namespace engine;
 
     /**
-     * Finds where a ray first meets the ground.
+     * Finds where a ray first meets the ground, or all places where it does.
      *
      * @private
      */
@@ -42,18 +43,8 @@ package starlogo.ground
                 ray.faceBack();
                 return true;
             }
-            _box.x = ray.x;
-            _box.y = ray.y;
-            _box.z = ray.z;
-            _box.way.x = ray.directionX;
-            _box.way.y = ray.directionY;
-            _box.way.z = ray.directionZ;
-            _box.limit = FARTHEST;
-            _triangles.begin(grid, _box);
-            // only now, so that the distance does not depend on where the ray ends
-            _box.limit = Math.min(ray.to, FARTHEST);
+            begin(grid, ray, null);
             var isHit:Boolean = false;
-            _test.begin(ray, _triangles.corners, grid.cellWidth);
             while (_triangles.next())
             {
                 var before:Number = _test.least;
@@ -71,6 +62,50 @@ package starlogo.ground
                 ray.setNormal(_outside.x, _outside.y, _outside.z);
             }
             return isHit;
+        }
+
+        /**
+         * Adds all crossings of a ray with the ground. A ray that begins in it crosses it where it begins, and where it comes out.
+         *
+         * @param ray in the world; its normal is overwritten
+         * @param out the crossings are added to it
+         */
+        public function findAll(grid:HeightGrid, ray:Ray, out:RayCrossings):void
+        {
+            if (grid.heightAt(ray.x, ray.y) >= ray.z)
+            {
+                ray.faceBack();
+                out.addBeginning(ray, 0, RayCrossings.INSIDE);
+            }
+            begin(grid, ray, out);
+            while (_triangles.next())
+            {
+                var before:int = out.count;
+                _test.look(0, 1);
+                if (out.count > before)
+                {
+                    _outside.setTriangle(_triangles.corners, 0);
+                    ray.setNormal(_outside.x, _outside.y, _outside.z);
+                    out.setNormal(before, ray);
+                    out.triangles[before] = -1;
+                }
+            }
+        }
+
+        // Begins to visit the triangles near a ray.
+        private function begin(grid:HeightGrid, ray:Ray, all:RayCrossings):void
+        {
+            _box.x = ray.x;
+            _box.y = ray.y;
+            _box.z = ray.z;
+            _box.way.x = ray.directionX;
+            _box.way.y = ray.directionY;
+            _box.way.z = ray.directionZ;
+            _box.limit = FARTHEST;
+            _triangles.begin(grid, _box);
+            // only now, so that the distance does not depend on where the ray ends
+            _box.limit = Math.min(ray.to, FARTHEST);
+            _test.begin(ray, _triangles.corners, grid.cellWidth, all);
         }
     }
 }

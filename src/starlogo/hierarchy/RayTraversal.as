@@ -4,6 +4,8 @@ package starlogo.hierarchy
     import starlogo.bounding.Box;
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossings;
+    import starlogo.intersection.ray.crossStructure;
     import starlogo.intersection.ray.rayBox;
 
     use namespace engine;
@@ -21,6 +23,9 @@ package starlogo.hierarchy
         private var _standing:RelativePose = new RelativePose();
         private var _origin:BoxTree = BoxTree.ofOneNode();
         private var _boxes:Vector.<Number>;
+        private var _part:Ray = new Ray();
+        private var _all:RayCrossings = null;
+        private var _slack:Number = 0;
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
         /**
@@ -34,6 +39,7 @@ package starlogo.hierarchy
         public function findHit(tree:BoxTree, depth:int, ray:Ray):Boolean
         {
             _ray = ray;
+            _all = null;
             lowest = ray.from;
             if (!find(_standing, tree, depth, _origin, 1, null))
             {
@@ -46,6 +52,35 @@ package starlogo.hierarchy
             }
             ray.from = least;
             return true;
+        }
+
+        /**
+         * Adds where a ray enters and leaves each node that decides.
+         *
+         * @param tree the tree
+         * @param depth how many of its levels are visited
+         * @param ray in the tree's space; it is not changed
+         * @param slack how far a place may be wrong because of rounding
+         * @param out the crossings are added to it
+         */
+        public function findAll(tree:BoxTree, depth:int, ray:Ray, slack:Number, out:RayCrossings):void
+        {
+            _ray = ray;
+            _all = out;
+            _slack = slack;
+            lowest = ray.from;
+            find(_standing, tree, depth, _origin, 1, null);
+        }
+
+        /** @inheritDoc */
+        override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafTest):void
+        {
+            if (_all != null)
+            {
+                crossStructure(_ray, treeA.writeBox(a, _box), _slack, _part, _all);
+                // so the search does not end
+                bound = Infinity;
+            }
         }
 
         /** @inheritDoc */

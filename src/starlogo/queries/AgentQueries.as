@@ -411,20 +411,30 @@ package starlogo.queries
         /**
          * Lists every agent that a ray meets, with the point where the ray first meets it. The rules of <code>cast()</code> apply.
          *
+         * <p>With <code>allSurfaces</code> an agent has a hit for each surface that the ray crosses. The first of them is the agent's hit
+         * without <code>allSurfaces</code>. All hits are sorted by distance. At the same distance they are in the order of the list, and those
+         * of one agent along the ray. A ray enters a structure and leaves it. If the nodes of a tree are the surface, the ray crosses it where
+         * it enters the first of nodes that overlap, and where it leaves the last. If triangles decide, each triangle is a surface. Triangles
+         * that the ray meets at the same place, up to rounding, are one surface if the ray comes to them from the same side. So a common edge
+         * or corner is one hit. An edge at which the ray only grazes a closed model is two: there it goes in and out. Triangles that the ray
+         * runs along are one hit, where it begins to, or none if it meets another triangle there. A ray that begins inside of an agent has a
+         * hit at distance 0, and one where it comes out.</p>
+         *
          * @param origin where the ray begins, in the world
          * @param direction of any length but 0
          * @param maxDistance how far the ray goes, in patches
          * @param filter the agents that count; null for all
          * @param out receives the list; null for a new list. The hits in it are overwritten, and surplus hits are removed and used again later.
          *     Copy a hit that you want to keep
+         * @param allSurfaces whether an agent has a hit for each surface that the ray crosses, not only for its first
          * @return out, or the new list
          * @throws ArgumentError as cast does
          * @throws RangeError as cast does
          */
         public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null,
-                out:Vector.<RayHit> = null):Vector.<RayHit>
+                out:Vector.<RayHit> = null, allSurfaces:Boolean = false):Vector.<RayHit>
         {
-            return ask.rays.castAll(origin, direction, maxDistance, filter, out);
+            return ask.rays.castAll(origin, direction, maxDistance, filter, out, allSurfaces);
         }
 
         /**

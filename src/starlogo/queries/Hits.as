@@ -64,14 +64,13 @@ package starlogo.queries
         }
 
         /**
-         * Ends the search, sorts its answer, and makes a list have a hit for each row of it. It removes surplus hits one at a time, because V8
-         * frees an array's memory if its length is set to less.
+         * Makes a list have as many hits as an answer. It removes surplus hits one at a time, because V8 frees an array's memory if its length is
+         * set to less.
          *
          * @param hits a list of hits of the type
          */
-        public function fit(hits:Object):void
+        public function fit(hits:Object, length:int):void
         {
-            var length:int = _found.endSorted();
             while (hits.length > length)
             {
                 var hit:Object = hits.pop();

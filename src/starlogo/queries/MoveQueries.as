@@ -117,7 +117,7 @@ package starlogo.queries
             findWay(agent, body, dx, dy, dz, filter, _way);
             collect(Collector.ALL, null);
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
-            _hits.fit(hits);
+            _hits.fit(hits, _set.found.endSorted());
             for (var i:int = 0; i < hits.length; i++)
             {
                 write(i, hits[i]);

@@ -13,7 +13,7 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Answers which agents a ray meets.
+     * Answers which agents a ray meets, and where.
      *
      * @private
      */
@@ -23,6 +23,7 @@ package starlogo.queries
         private var _ray:Ray = new Ray();
 
         private var _hits:Hits;
+        private var _surfaces:RaySurfaces;
         private var _middleA:Vector3D = new Vector3D();
         private var _middleB:Vector3D = new Vector3D();
 
@@ -31,6 +32,7 @@ package starlogo.queries
         {
             _set = questions;
             _hits = new Hits(questions.found, RayHit);
+            _surfaces = new RaySurfaces(questions.seen);
         }
 
         /** See AgentQueries.cast. */
@@ -42,15 +44,33 @@ package starlogo.queries
         }
 
         /** See AgentQueries.castAll. */
-        public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, out:Vector.<RayHit>):Vector.<RayHit>
+        public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, out:Vector.<RayHit>,
+                allSurfaces:Boolean):Vector.<RayHit>
         {
-            begin(Collector.ALL, checked(origin), direction, maxDistance, filter);
-            collect();
             var hits:Vector.<RayHit> = out || new Vector.<RayHit>();
-            _hits.fit(hits);
+            begin(Collector.ALL, checked(origin), direction, maxDistance, filter);
+            if (allSurfaces)
+            {
+                collectSurfaces();
+                _set.found.end();
+                _surfaces.arrange(_set.found);
+                _hits.fit(hits, _surfaces.count);
+            }
+            else
+            {
+                collect();
+                _hits.fit(hits, _set.found.endSorted());
+            }
             for (var i:int = 0; i < hits.length; i++)
             {
-                write(i, hits[i]);
+                if (allSurfaces)
+                {
+                    _surfaces.write(i, hits[i]);
+                }
+                else
+                {
+                    write(i, hits[i]);
+                }
             }
             return hits;
         }
@@ -143,6 +163,21 @@ package starlogo.queries
                     contact.z = ray.z + ray.from * ray.directionZ;
                     contact.setNormal(ray.normalX, ray.normalY, ray.normalZ);
                     way.limit = ray.to = found.limit;
+                }
+            }
+        }
+
+        // Finds the rows that the ray meets, and keeps all surfaces that it crosses.
+        private function collectSurfaces():void
+        {
+            var found:Collector = _set.found;
+            var way:SweptBoxSearch = _set.boxSearch;
+            _surfaces.begin();
+            for (var row:int = found.nextOf(way); row >= 0; row = found.nextOf(way))
+            {
+                if (_set.rowRays.findSurfaces(row, _ray, _surfaces))
+                {
+                    found.add(row, _surfaces.firstDistanceOf(row));
                 }
             }
         }

@@ -11,6 +11,7 @@ package starlogo.search
     import starlogo.ground.GroundRay;
     import starlogo.ground.HeightGrid;
     import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossings;
 
     use namespace engine;
 
@@ -60,6 +61,12 @@ package starlogo.search
         override public function isMet(b:Body, ray:Ray):Boolean
         {
             return _rays.find(gridOf(b), ray);
+        }
+
+        /** @inheritDoc */
+        override public function findCrossings(b:Body, ray:Ray, out:RayCrossings):void
+        {
+            _rays.findAll(gridOf(b), ray, out);
         }
 
         /** @inheritDoc */

@@ -1,8 +1,7 @@
 package starlogo.search
 {
     /**
-     * Sorts things by keys, smallest first. Things with equal keys are sorted by their ranks. If there are no ranks, things with equal keys keep
-     * their order.
+     * Sorts things by keys, smallest first. Things with equal keys are sorted by their ranks. Things with equal keys and ranks keep their order.
      *
      * <p>It is a merge sort. It begins with short runs, which it sorts by insertion.</p>
      *
@@ -91,7 +90,7 @@ package starlogo.search
                 if (isLeft && right < high)
                 {
                     isLeft = fromKeys[left] < fromKeys[right]
-                        || (fromKeys[left] == fromKeys[right] && (ranks == null || ranks[from[left]] < ranks[from[right]]));
+                        || (fromKeys[left] == fromKeys[right] && (ranks == null || ranks[from[left]] <= ranks[from[right]]));
                 }
                 var next:int = right;
                 if (isLeft)

@@ -6,6 +6,7 @@ package starlogo.search
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossings;
 
     use namespace engine;
 
@@ -123,6 +124,11 @@ package starlogo.search
         public function isMet(b:Body, ray:Ray):Boolean
         {
             return false;
+        }
+
+        /** Adds all crossings of a ray with the surface of a body. Only the ground answers. */
+        public function findCrossings(b:Body, ray:Ray, out:RayCrossings):void
+        {
         }
 
         /** Whether a piece of the first body is deeper in the second than this, in patches. Only the ground answers. */

@@ -3,15 +3,17 @@ package starlogo.solid
     import flash.geom.Vector3D;
     import starlogo.convex.FaceNormal;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.MovingBoxTraversal;
     import starlogo.hierarchy.RayTraversal;
     import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayTriangleTest;
 
     use namespace engine;
 
     /**
-     * Finds where a ray first meets a model: its hierarchy, visited to a depth, or its triangles. A ray that begins inside of a closed
+     * Finds where a ray first meets a model, or all places where it does: its hierarchy, visited to a depth, or its triangles. A ray that begins inside of a closed
      * surface meets the model at once.
      *
      * <p>The answers are nested: no depth finds a hit farther away than a greater depth or the triangles do. The inside is tested at every
@@ -44,9 +46,8 @@ package starlogo.solid
          */
         public function find(hierarchy:SolidHierarchy, depth:int, exact:Boolean, ray:Ray):Boolean
         {
-            _start.setTo(ray.x + ray.from * ray.directionX, ray.y + ray.from * ray.directionY, ray.z + ray.from * ray.directionZ);
             triangle = -1;
-            if (hierarchy.isInside(_start, 0))
+            if (beginsInside(hierarchy, ray))
             {
                 ray.faceBack();
                 return true;
@@ -58,14 +59,45 @@ package starlogo.solid
             return _nodes.findHit(hierarchy.tree, exact ? int.MAX_VALUE : depth, ray);
         }
 
+        /**
+         * Adds all crossings of a ray with the surface of a model. The parameters are those of <code>find()</code>.
+         *
+         * @param ray in the model's space; its normal is overwritten
+         * @param out the crossings are added to it
+         * @return whether they are those of triangles, otherwise those of nodes
+         */
+        public function findAll(hierarchy:SolidHierarchy, depth:int, exact:Boolean, ray:Ray, out:RayCrossings):Boolean
+        {
+            ray.faceBack();
+            if (beginsInside(hierarchy, ray))
+            {
+                out.addBeginning(ray, 0, RayCrossings.INSIDE);
+            }
+            if (!exact || !hierarchy.hasTriangles)
+            {
+                _nodes.findAll(hierarchy.tree, exact ? int.MAX_VALUE : depth, ray, Tolerances.ROUNDING * reachOf(hierarchy.tree.boxes), out);
+                return false;
+            }
+            var first:int = out.count;
+            searchTriangles(hierarchy, ray, out);
+            for (var i:int = first; i < out.count; i++)
+            {
+                setNormal(hierarchy.facets, out.triangles[i], ray);
+                out.setNormal(i, ray);
+                out.triangles[i] = hierarchy.tree.order[out.triangles[i]];
+            }
+            return true;
+        }
+
+        private function beginsInside(hierarchy:SolidHierarchy, ray:Ray):Boolean
+        {
+            _start.setTo(ray.x + ray.from * ray.directionX, ray.y + ray.from * ray.directionY, ray.z + ray.from * ray.directionZ);
+            return hierarchy.isInside(_start, 0);
+        }
+
         private function findTriangle(hierarchy:SolidHierarchy, ray:Ray):Boolean
         {
-            var solid:Solid = hierarchy.facets;
-            _triangles.begin(ray, solid.corners, reachOf(hierarchy.tree.boxes));
-            _boxes.setPlace(ray.x, ray.y, ray.z, 0);
-            _boxes.setMotion(ray.directionX, ray.directionY, ray.directionZ);
-            _boxes.from = ray.from;
-            _boxes.find(solid.tree, _triangles);
+            searchTriangles(hierarchy, ray, null);
             var found:int = _triangles.triangle;
             if (found < 0)
             {
@@ -73,14 +105,31 @@ package starlogo.solid
             }
             triangle = hierarchy.tree.order[found];
             ray.from = _triangles.least;
+            setNormal(hierarchy.facets, found, ray);
+            return true;
+        }
+
+        // Tests the triangles near a ray: finds the first that it meets, or adds all crossings.
+        private function searchTriangles(hierarchy:SolidHierarchy, ray:Ray, all:RayCrossings):void
+        {
+            var solid:Solid = hierarchy.facets;
+            _triangles.begin(ray, solid.corners, reachOf(hierarchy.tree.boxes), all);
+            _boxes.setPlace(ray.x, ray.y, ray.z, 0);
+            _boxes.setMotion(ray.directionX, ray.directionY, ray.directionZ);
+            _boxes.from = ray.from;
+            _boxes.find(solid.tree, _triangles);
+        }
+
+        // Sets the normal of a ray to that of a triangle, against the ray. A triangle without area has no normal; then it is the opposite of the
+        // ray's direction.
+        private function setNormal(solid:Solid, index:int, ray:Ray):void
+        {
             ray.faceBack();
-            _face.setTriangle(solid.corners, 9 * found);
-            // A triangle without area has no normal.
+            _face.setTriangle(solid.corners, 9 * index);
             if (_face.length > 0)
             {
                 ray.setNormal(_face.x, _face.y, _face.z);
             }
-            return true;
         }
 
         // The radius of a sphere about the model's origin that encloses all triangles. The rounding error is relative to it.

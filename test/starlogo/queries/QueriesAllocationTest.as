@@ -175,6 +175,7 @@ package starlogo.queries
             _direction.setTo(agent.x + 9, agent.y, agent.z - 0.5);
             _answers += _queries.castAll(_point, _direction, Infinity, null, _hits).length;
             _answers += _queries.castAll(_point, _direction, 15, _filter, _hits).length;
+            _answers += _queries.castAll(_point, _direction, Infinity, null, _hits, true).length;
             _answers += _queries.cast(_point, _direction, Infinity, null, _hit) == null ? 0 : 1;
             _answers += _queries.cast(_point, _direction, Infinity, _filter, _hit) == null ? 0 : 1;
             _answers += _queries.canSee(agent, _agents[1]) ? 1 : 0;

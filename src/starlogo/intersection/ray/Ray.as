@@ -74,6 +74,30 @@ package starlogo.intersection.ray
             directionZ = placement.r02 * toX + placement.r12 * toY + placement.r22 * toZ;
         }
 
+        /** Copies the line and the part of another ray, without the normal and the triangle. */
+        public function copyFrom(other:Ray):void
+        {
+            x = other.x;
+            y = other.y;
+            z = other.z;
+            directionX = other.directionX;
+            directionY = other.directionY;
+            directionZ = other.directionZ;
+            from = other.from;
+            to = other.to;
+        }
+
+        /** Gives the line the opposite direction. The part stays, so it begins at its end. */
+        public function turnRound():void
+        {
+            var end:Number = -from;
+            from = -to;
+            to = end;
+            directionX = -directionX;
+            directionY = -directionY;
+            directionZ = -directionZ;
+        }
+
         /** Whether the products of the line's numbers are finite. */
         public function get isFinite():Boolean
         {

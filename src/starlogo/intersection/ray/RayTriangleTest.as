@@ -4,7 +4,7 @@ package starlogo.intersection.ray
     import starlogo.intersection.TriangleTest;
 
     /**
-     * Finds the first triangle that a ray meets, from either side (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", Journal
+     * Finds the first triangle that a ray meets, or all of them, from either side (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", Journal
      * of Computer Graphics Techniques 2(1), 2013, in double precision).
      *
      * <p>The corners are sheared so that the ray runs along an axis. Then the sign of one expression says on which side the ray passes an
@@ -27,6 +27,7 @@ package starlogo.intersection.ray
         public var triangle:int = -1;
 
         private var _ray:Ray = null;
+        private var _all:RayCrossings = null;
         private var _corners:Vector.<Number>;
 
         // The ray's point and its direction.
@@ -61,10 +62,12 @@ package starlogo.intersection.ray
          * @param ray in the space of the triangles; the object is kept
          * @param corners nine numbers for each triangle; kept
          * @param radius of a sphere around all triangles
+         * @param all receives the crossings with all triangles, without normals; kept. Null if the first triangle is wanted
          */
-        public function begin(ray:Ray, corners:Vector.<Number>, radius:Number):void
+        public function begin(ray:Ray, corners:Vector.<Number>, radius:Number, all:RayCrossings = null):void
         {
             _ray = ray;
+            _all = all;
             _corners = corners;
             least = ray.to;
             triangle = -1;
@@ -150,7 +153,8 @@ package starlogo.intersection.ray
                     }
                 }
                 var width:Number = Math.abs(aX) + Math.abs(aY) + Math.abs(bX) + Math.abs(bY) + Math.abs(cX) + Math.abs(cY);
-                if (Math.abs(sum) <= EDGE_ON * _gap * width)
+                var isEdgeOn:Boolean = Math.abs(sum) <= EDGE_ON * _gap * width;
+                if (isEdgeOn)
                 {
                     passEdges(9 * i);
                     // False too if no edge is near, because rounding has chosen the sides.
@@ -160,8 +164,30 @@ package starlogo.intersection.ray
                     }
                     crossing = Math.max(_first, _ray.from);
                 }
+                if (_all != null)
+                {
+                    var depth:Number = Math.abs(_stretch) * (Math.abs(aZ - bZ) + Math.abs(bZ - cZ));
+                    addCrossing(i, crossing, isEdgeOn, sum, width * depth);
+                    continue;
+                }
                 least = crossing;
                 triangle = i;
+            }
+        }
+
+        // Adds a crossing. The ray may pass a gap beside the place that is tested. On a steep triangle the place is then farther off along the ray.
+        private function addCrossing(index:int, crossing:Number, isEdgeOn:Boolean, sum:Number, spread:Number):void
+        {
+            var slack:Number = Tolerances.ROUNDING * Math.abs(crossing);
+            if (isEdgeOn)
+            {
+                slack += 4 * EDGE_ON * _gap;
+                _all.add(crossing, slack, Math.max(_last, crossing) + slack, RayCrossings.EDGE_ON, index);
+            }
+            else
+            {
+                slack += 4 * _gap * (1 + spread / Math.abs(sum));
+                _all.add(crossing, slack, crossing, sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES, index);
             }
         }
 

@@ -1,0 +1,69 @@
+package starlogo.intersection.ray
+{
+    /**
+     * Where a ray crosses the surface of one shape, as a record: the crossings, in any order.
+     *
+     * @private
+     */
+    public final class RayCrossings
+    {
+        /** A side: the ray begins inside of the shape. */
+        public static const INSIDE:int = 2;
+
+        /** A side: the ray enters the shape, or crosses a triangle from one side. */
+        public static const ENTERS:int = 1;
+
+        /** A side: the ray leaves the shape, or crosses a triangle from the other side. */
+        public static const LEAVES:int = -1;
+
+        /** A side: the ray runs along a triangle, from its place to its end. */
+        public static const EDGE_ON:int = 0;
+
+        /** The number of crossings. */
+        public var count:int = 0;
+
+        /** Where each crossing is on the ray. */
+        public var places:Vector.<Number> = new Vector.<Number>();
+
+        /** How far the place may be wrong because of rounding. */
+        public var slacks:Vector.<Number> = new Vector.<Number>();
+
+        /** Where a triangle ends that the ray runs along. For others it is the place. */
+        public var ends:Vector.<Number> = new Vector.<Number>();
+
+        /** INSIDE, ENTERS, LEAVES or EDGE_ON. */
+        public var sides:Vector.<int> = new Vector.<int>();
+
+        /** The number of the triangle that is crossed; -1 if it is none. */
+        public var triangles:Vector.<int> = new Vector.<int>();
+
+        /** The unit normal at each crossing, against the ray: x, y, z. */
+        public var normals:Vector.<Number> = new Vector.<Number>();
+
+        /** Adds a crossing without a normal. */
+        public function add(place:Number, slack:Number, end:Number, side:int, triangle:int):void
+        {
+            places[count] = place;
+            slacks[count] = slack;
+            ends[count] = end;
+            sides[count] = side;
+            triangles[count] = triangle;
+            count++;
+        }
+
+        /** Adds a crossing where a ray begins, with the ray's normal. No triangle decides about it. */
+        public function addBeginning(ray:Ray, slack:Number, side:int):void
+        {
+            add(ray.from, slack, ray.from, side, -1);
+            setNormal(count - 1, ray);
+        }
+
+        /** Sets the normal of a crossing to a ray's. */
+        public function setNormal(index:int, ray:Ray):void
+        {
+            normals[3 * index] = ray.normalX;
+            normals[3 * index + 1] = ray.normalY;
+            normals[3 * index + 2] = ray.normalZ;
+        }
+    }
+}

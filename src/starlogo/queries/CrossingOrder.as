@@ -1,0 +1,137 @@
+package starlogo.queries
+{
+    import starlogo.intersection.ray.RayCrossings;
+    import starlogo.search.KeySort;
+
+    /**
+     * Puts the crossings of a ray with one shape into the order of the ray, and leaves out those that are no surface of their own.
+     * AgentQueries.castAll says the rules.
+     *
+     * @private
+     */
+    public final class CrossingOrder
+    {
+        /** The number of crossings that are left. */
+        public var count:int = 0;
+
+        /** The indices of these crossings. */
+        public var indices:Vector.<int> = new Vector.<int>();
+
+        private var _keys:Vector.<Number> = new Vector.<Number>();
+        private var _sides:Vector.<int> = new Vector.<int>();
+        private var _sort:KeySort = new KeySort();
+
+        /**
+         * Sorts crossings.
+         *
+         * @param crossings how a ray crosses a shape
+         * @param areTriangles whether triangles are crossed; otherwise structures or nodes, which the ray enters and leaves
+         */
+        public function arrange(crossings:RayCrossings, areTriangles:Boolean):void
+        {
+            for (var i:int = 0; i < crossings.count; i++)
+            {
+                indices[i] = i;
+                // nodes that touch up to rounding overlap
+                _keys[i] = crossings.places[i] - (!areTriangles && crossings.sides[i] == RayCrossings.ENTERS ? crossings.slacks[i] : 0);
+            }
+            _sort.sort(indices, _keys, crossings.count);
+            count = 0;
+            if (areTriangles)
+            {
+                keepTriangles(crossings);
+            }
+            else
+            {
+                keepEnds(crossings);
+            }
+        }
+
+        // Keeps where the ray enters the first of parts that overlap, and where it leaves the last.
+        private function keepEnds(crossings:RayCrossings):void
+        {
+            var depth:int = 0;
+            var start:Number = NaN;
+            for (var i:int = 0; i < crossings.count; i++)
+            {
+                var index:int = indices[i];
+                var isKept:Boolean = true;
+                switch (crossings.sides[index])
+                {
+                    case RayCrossings.INSIDE:
+                        start = crossings.places[index];
+                        break;
+                    case RayCrossings.ENTERS:
+                        isKept = depth == 0 && crossings.places[index] != start;
+                        depth++;
+                        break;
+                    default:
+                        depth--;
+                        isKept = depth == 0;
+                        break;
+                }
+                if (isKept)
+                {
+                    keep(index);
+                }
+            }
+        }
+
+        // Keeps one of the triangles that the ray meets at the same place from the same side, and one of those that it runs along.
+        private function keepTriangles(crossings:RayCrossings):void
+        {
+            var runsUntil:Number = -Infinity;
+            var mostSlack:Number = 0;
+            for (var i:int = 0; i < crossings.count; i++)
+            {
+                var index:int = indices[i];
+                var side:int = crossings.sides[index];
+                if (side == RayCrossings.EDGE_ON)
+                {
+                    var runsOn:Boolean = crossings.places[index] <= runsUntil;
+                    runsUntil = Math.max(runsUntil, crossings.ends[index]);
+                    if (runsOn)
+                    {
+                        continue;
+                    }
+                }
+                if (!isKnown(crossings, index, side, mostSlack))
+                {
+                    _sides[count] = side;
+                    mostSlack = Math.max(mostSlack, crossings.slacks[index]);
+                    keep(index);
+                }
+            }
+        }
+
+        // Whether a crossing that is kept is the same surface. A triangle that the ray runs along takes the side of the first that it meets there.
+        private function isKnown(crossings:RayCrossings, index:int, side:int, mostSlack:Number):Boolean
+        {
+            var place:Number = crossings.places[index];
+            var slack:Number = crossings.slacks[index];
+            for (var k:int = count - 1; k >= 0; k--)
+            {
+                var other:int = indices[k];
+                var gap:Number = place - crossings.places[other];
+                if (gap > slack + mostSlack)
+                {
+                    return false;
+                }
+                var isSame:Boolean = side == _sides[k] || side == RayCrossings.EDGE_ON || _sides[k] == RayCrossings.EDGE_ON;
+                if (isSame && gap <= slack + crossings.slacks[other] && _sides[k] != RayCrossings.INSIDE)
+                {
+                    _sides[k] = _sides[k] == RayCrossings.EDGE_ON ? side : _sides[k];
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        // The crossings that are kept take the first places of the list.
+        private function keep(index:int):void
+        {
+            indices[count] = index;
+            count++;
+        }
+    }
+}

@@ -32,8 +32,12 @@ package starlogo.queries
             for (var i:int = 0; i < crossings.count; i++)
             {
                 indices[i] = i;
-                // nodes that touch up to rounding overlap
-                _keys[i] = crossings.places[i] - (!areTriangles && crossings.sides[i] == RayCrossings.ENTERS ? crossings.slacks[i] : 0);
+                _keys[i] = crossings.places[i];
+                if (!areTriangles && crossings.sides[i] == RayCrossings.ENTERS)
+                {
+                    // nodes that touch up to rounding overlap
+                    _keys[i] -= crossings.slacks[i];
+                }
             }
             _sort.sort(indices, _keys, crossings.count);
             count = 0;

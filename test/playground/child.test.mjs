@@ -65,20 +65,22 @@ for (const [code, hint, sizes] of [['en', 'A hint', [NARROW]], ['de', 'Ein Tipp'
 				await choose(page, `lesson-${name}`);
 				const before = await boxOf(page, '.screens');
 				await press(page, hint);
-				const [blocks, bin, screen, time] = [await boxOf(page, '.blocks'), await boxOf(page, '.tool-bin'), await boxOf(page, '.screens'), await boxOf(page, '.time')];
+				const [blocks, bin, screen, time, foot] = [await boxOf(page, '.blocks'), await boxOf(page, '.tool-bin'), await boxOf(page, '.screens'), await boxOf(page, '.time'), await boxOf(page, '.foot')];
 				const where = `${name} at ${width} x ${height}`;
 				const letters = await page.evaluate(() => ['.lesson h2', '.lesson .challenge', '.lesson .hint'].map((each) => Number.parseFloat(getComputedStyle(document.querySelector(each)).fontSize)));
 				assert.ok(letters[0] > letters[1] && letters[2] >= 14, `${where}: letters of ${letters} pixels`);
 				assert.ok(blocks.height >= least && blocks.bottom <= height, `${where}: ${blocks.height} pixels for blocks`);
 				assert.ok(bin.bottom < blocks.bottom && bin.right < blocks.right, `${where}: the trash can is in the window`);
-				assert.ok(screen.height > 140 && time.bottom <= height, `${where}: the world is ${screen.height} high`);
+				assert.ok(screen.height > 140 && Math.max(time.bottom, foot.bottom) <= height, `${where}: the world is ${screen.height} high`);
 				assert.deepEqual(screen, before, `${where}: the hint moves nothing`);
 				const categories = await page.evaluate(() => [...document.querySelectorAll('.blocklyToolboxCategory')].map((each) => each.getBoundingClientRect()).map(({ right, bottom }) => ({ right, bottom })));
 				assert.equal(categories.length, 10);
 				assert.ok(categories.every(({ right, bottom }) => bottom <= blocks.bottom && right <= bin.left), `${where}: categories in the window, and not below the trash can`);
 			}
 			assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth && document.documentElement.scrollHeight <= innerHeight), 'nothing to scroll');
+			await page.locator('.settings').click();
 			assert.ok((await boxOf(page, '.time input')).width > 40, 'Speed is a slider, and not a dot');
+			await page.locator('.settings').click();
 			// in one row
 			const tops = await page.evaluate(() => [...document.querySelectorAll('.naming > :is(button, input), .edit > button')].map((each) => Math.round(each.getBoundingClientRect().top)));
 			assert.ok(tops.length >= 7 && Math.max(...tops) - Math.min(...tops) < 3, `${tops}`);
@@ -87,6 +89,50 @@ for (const [code, hint, sizes] of [['en', 'A hint', [NARROW]], ['de', 'Ein Tipp'
 		await leave();
 	});
 }
+
+/** The part of the window below the header that the world takes, as far as it is in sight. */
+const shareOfWorld = (page) => page.evaluate(() => {
+	const [{ width, top, bottom }, header] = ['.world', 'header'].map((each) => document.querySelector(each).getBoundingClientRect());
+	return (width * (Math.min(bottom, innerHeight) - Math.max(top, header.bottom))) / (innerWidth * (innerHeight - header.bottom));
+});
+
+for (const [name, size, least] of [['on a small laptop', SMALL, 0.45], ['on a phone', SIZES.phone, 0.45], ['on a phone that is held across', { ...SIZES.phone, viewport: { width: 844, height: 390 } }, 0.6]]) {
+	test(`the world has ${100 * least} % of the window below the header at least, ${name}, and its settings are one click away`, async () => {
+		const { page, said, leave } = await open(site, 'play/paintball', size);
+		const share = await shareOfWorld(page);
+		assert.ok(share >= least, `${share}`);
+		const settings = page.locator('.settings');
+		const isOpen = await settings.getAttribute('aria-expanded') === 'true';
+		assert.equal(isOpen, size.viewport.height >= 700);
+		if (!isOpen) await settings.click();
+		await page.getByLabel('Camera').selectOption('all');
+		for (const label of ['Collision system', 'And beside it', 'What the engine sees', 'Speed', 'Rewind']) assert.ok(await page.getByLabel(label, { exact: true }).isVisible(), label);
+		await page.reload();
+		await ready(page, 'play');
+		assert.equal(await settings.getAttribute('aria-expanded'), 'true', 'it is remembered');
+		await settings.click();
+		for (const label of ['Collision system', 'Speed']) assert.equal(await page.getByLabel(label, { exact: true }).isVisible(), false, label);
+		// a lesson may be about them
+		await choose(page, 'lesson-helmet');
+		assert.ok(await page.getByLabel('Collision system').isVisible());
+		assert.deepEqual(said, []);
+		await leave();
+	});
+}
+
+test('on a phone, the menu of a block is gone when the world is shown', async () => {
+	const { page, leave } = await open(site, 'play/paintball', SIZES.phone);
+	await page.locator('[data-tab="program"]').filter({ hasText: 'Blocks' }).click();
+	await page.evaluate(() => {
+		const block = globalThis.playground.editor.workspace.getTopBlocks(true)[0];
+		block.showContextMenu(new PointerEvent('contextmenu', { clientX: 150, clientY: 400 }));
+	});
+	const menu = page.locator('.blocklyContextMenu');
+	await menu.waitFor();
+	await page.locator('button[data-tab="game"]').click();
+	await menu.waitFor({ state: 'detached' });
+	await leave();
+});
 
 test('a block from the drawer pushes no script away, and joins one even if it is dropped 12 pixels too high', async () => {
 	const { page, said, leave } = await open(site, 'play/lesson-blocks', SMALL);

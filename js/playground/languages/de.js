@@ -72,7 +72,7 @@ export const texts = {
 		handedElsewhere: "Diese Adresse gehört zu einem Programm einer Klasse, das dieser Browser nicht hat. Öffne die Dateien der Klasse noch einmal. Hier sind die Lektionen und Spiele.",
 		noAddress: (address) => `Unter der Adresse „${address}“ ist nichts. Vielleicht stimmt ein Buchstabe nicht. Hier sind die Lektionen und Spiele.`,
 		isWork: (file) => `${file} ist eine Arbeit, die jemand abgegeben hat. Öffne sie unter „Lehrkräfte“, „Die Arbeiten einer Klasse“.`,
-		menu: "Mehr zu diesem Programm",
+		menu: "Mehr zu diesem Programm", settings: "Einstellungen",
 		splitter: "Breite der Blöcke", mute: "Ton ausschalten", unmute: "Ton einschalten",
 		undo: "Rückgängig",
 		editor: {

@@ -77,7 +77,7 @@ export const texts = {
 		handedElsewhere: "This address is for a program of a class, and this browser does not have it. Open the class's files again. Here are the lessons and games.",
 		noAddress: (address) => `Nothing is at the address “${address}”. Perhaps a letter is wrong. Here are the lessons and games.`,
 		isWork: (file) => `${file} is the work that somebody has handed in. Open it under “For teachers”, “The work of a class”.`,
-		menu: "More for this program",
+		menu: "More for this program", settings: "Settings",
 		splitter: "Width of the blocks", mute: "Turn the sound off", unmute: "Turn the sound on",
 		undo: "Undo",
 		editor: {

@@ -237,7 +237,11 @@ export class Editor {
 		const flyout = this.workspace.getFlyout();
 		flyout.isDragTowardWorkspace = () => true;
 		const showItems = flyout.show.bind(flyout);
-		flyout.show = (items) => showItems(Array.isArray(items) ? drawerFor(items, this.program) : items);
+		flyout.show = (items) => {
+			// its blocks are as large as the room for them allows, which is more as soon as it is open
+			this.placing.widen(true);
+			showItems(Array.isArray(items) ? drawerFor(items, this.program) : items);
+		};
 		flyout.getFlyoutScale = () => this.#drawerScale;
 		this.placing = new Placing(this.workspace);
 		this.building = new Building(this.workspace);
@@ -362,6 +366,11 @@ export class Editor {
 	/** The block that sets the collision system at a program's start: the last one in a start, or null. */
 	get #systemBlock() {
 		return this.workspace.getBlocksByType("starlogo_system", true).filter((block) => block.getRootBlock().type === "starlogo_start" && block.isEnabled()).at(-1) ?? null;
+	}
+
+	/** Closes the drawer, and menus that lie over the page. */
+	closeMenus() {
+		Blockly.hideChaff();
 	}
 
 	/** Marks the block of an error, and scrolls to it if isSought; null removes the mark. */

@@ -38,9 +38,18 @@ export class Placing {
 		if (event.type === Blockly.Events.TOOLBOX_ITEM_SELECT) this.#makeRoom();
 		if (event.type === Blockly.Events.BLOCK_DRAG && !event.isStart) this.#stepAside(event);
 		const isOpen = workspace.getFlyout().isVisible();
-		workspace.getInjectionDiv().classList.toggle("drawer-open", isOpen);
+		this.widen(isOpen || workspace.isDragging());
 		if (!isOpen && !workspace.isDragging()) this.#takeRoom();
 		if (!event.isUiEvent && event.recordUndo) this.#spreadLater(event);
+	}
+
+	/** While a drawer is open, the blocks lie over a part of the world, so that there is room for scripts beside it. */
+	widen(isOpen) {
+		const { workspace } = this;
+		const { classList } = workspace.getInjectionDiv();
+		if (classList.contains("drawer-open") === isOpen) return;
+		classList.toggle("drawer-open", isOpen);
+		Blockly.svgResize(workspace);
 	}
 
 	/** Moves the scripts to the right of an open drawer. */

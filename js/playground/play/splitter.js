@@ -4,8 +4,10 @@ import { texts } from "../shared/language.js";
 import { recall, remember } from "../shared/memory.js";
 
 const KEY = "starlogo-playground.blocks-width";
-/** The least, the largest and the first width of the blocks, in percent of the window. */
-const [LEAST, MOST, FIRST] = [25, 72, 54];
+/** A window that is lower than this, in pixels, gives the world more of its width. */
+export const LOW = 700;
+/** The least, the largest and the first width of the blocks, in percent of the window, and the first one in a low window: as in style.css. */
+const [LEAST, MOST, FIRST, FIRST_IN_LOW] = [25, 72, 54, 40];
 const STEP = 2;
 
 /**
@@ -15,14 +17,16 @@ const STEP = 2;
  */
 export function splitter(main) {
 	const line = h("div.splitter", { role: "separator", tabindex: "0", "aria-orientation": "vertical", "aria-label": texts.play.splitter, "aria-valuemin": LEAST, "aria-valuemax": MOST });
-	let width = FIRST;
+	let width = innerHeight < LOW ? FIRST_IN_LOW : FIRST;
+	line.setAttribute("aria-valuenow", String(width));
 	const set = (percent) => {
 		width = Math.min(MOST, Math.max(LEAST, percent));
-		main.style.setProperty("--blocks", `${width}%`);
+		main.style.setProperty("--blocks", `${width}vw`);
 		line.setAttribute("aria-valuenow", String(Math.round(width)));
 	};
 	const keep = () => remember(KEY, String(width));
-	set(Number(recall(KEY)) || FIRST);
+	if (Number(recall(KEY))) set(Number(recall(KEY)));
+	main.classList.toggle("low", innerHeight < LOW);
 	line.addEventListener("pointerdown", (event) => {
 		line.setPointerCapture(event.pointerId);
 		event.preventDefault();

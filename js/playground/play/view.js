@@ -6,6 +6,7 @@
 import { CollisionBlocks } from "starlogo-collision";
 import { button, choice, field, h, slider, tick } from "../shared/dom.js";
 import { loadLand } from "../shared/models.js";
+import { recall, remember } from "../shared/memory.js";
 import { SHAPES } from "../shared/names.js";
 import { Stage } from "../shared/stage.js";
 import { fixed, texts } from "../shared/language.js";
@@ -18,7 +19,7 @@ import { loadMessages } from "./messages.js";
 import { Panel } from "./panel.js";
 import { STAGE, Scene } from "./scene.js";
 import { Sound } from "./sound.js";
-import { splitter } from "./splitter.js";
+import { LOW, splitter } from "./splitter.js";
 import { Programs } from "./programs.js";
 import { meaning } from "./storage.js";
 import { FRAMES_A_SECOND, SEED, World } from "./world.js";
@@ -30,6 +31,8 @@ const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 const PICTURE = [240, 150];
 /** A game with at most so many agents is looked at closely. */
 const FEW = 4;
+/** Where the browser remembers whether the settings are open. */
+const OPEN = "starlogo-playground.settings";
 /** The number of pieces of confetti, and the milliseconds that they fall. */
 const [PIECES, CELEBRATED] = [36, 3000];
 
@@ -80,7 +83,8 @@ class PlayView {
 		this.#build(main);
 		this.stage = new Stage(this.worldHost, { ...STAGE, label: words.world });
 		this.scene = new Scene(this.stage, world, models, this.screen);
-		this.theatre.append(h("div.foot", {}, this.scene.legend, this.keys.pad));
+		this.theatre.append(h("div.foot", {}, this.scene.legend, this.keys.pad, h("div.corner", {}, this.settings, this.buildBar.tick, this.sound.button, this.fullscreen)));
+		this.worldHost.addEventListener("pointerdown", () => this.editor?.closeMenus());
 		this.keys.listen(this.stage, (agent) => {
 			world.click(agent);
 			this.#choose(agent);
@@ -122,6 +126,11 @@ class PlayView {
 		this.fullscreen = button(h("span.icon"), () => this.theatre.requestFullscreen?.(), { class: "fullscreen", "aria-label": words.fullscreen, title: words.fullscreen });
 		// the words of a problem that are more than fit beside the buttons; readers have them there
 		this.whole = h("p.whole", { hidden: true, "aria-hidden": "true" });
+		this.settings = button(words.settings, () => {
+			const isOpen = this.main.classList.contains("folded");
+			remember(OPEN, String(isOpen));
+			this.#openSettings(isOpen);
+		}, { class: "settings" });
 		this.dragNote = h("p.drag-note", { hidden: true }, words.drag);
 		this.screen = h("div.screen", {}, this.worldHost, this.dragNote, this.whole);
 		this.screens = h("div.screens", {}, this.screen);
@@ -159,12 +168,21 @@ class PlayView {
 				h("div.tools", {}, field(words.system, this.system), field(words.beside, besides), field(words.camera, this.camera), sees),
 				this.theatre,
 				this.buildBar.element,
-				h("div.time", {}, this.speed.element, this.rewind.element, this.buildBar.tick, this.sound.button, this.fullscreen),
+				h("div.time", {}, this.speed.element, this.rewind.element),
 				this.panel.element)));
+		const kept = recall(OPEN);
+		this.#openSettings(kept === null ? innerHeight >= LOW : kept === "true");
+	}
+
+	/** Opens or folds the systems, the camera, speed and numbers. Folded, the world has their room. */
+	#openSettings(isOpen) {
+		this.main.classList.toggle("folded", !isOpen);
+		this.settings.setAttribute("aria-expanded", String(isOpen));
 	}
 
 	#turnTo(tab) {
 		this.main.dataset.tab = tab;
+		this.editor?.closeMenus();
 		for (const each of this.tabs) each.setAttribute("aria-pressed", each.dataset.tab === tab);
 	}
 

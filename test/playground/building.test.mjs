@@ -1,7 +1,7 @@
 /** A level that is built in the world, by mouse: kept in the program as blocks, and undone like them. */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { SIZES, begin, open } from './browser.mjs';
+import { SIZES, begin, open, rest } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -54,6 +54,67 @@ test('agents are moved, copied, turned, raised and deleted in the world, and Und
 	for (let i = 0; i < 6; i++) await page.locator('.tool-undo').click();
 	await changed((agents) => JSON.stringify(agents) === JSON.stringify(first));
 	assert.equal(await page.locator('.tool-undo').getAttribute('aria-disabled'), 'true', 'each was one step');
+	assert.deepEqual(said, []);
+	await leave();
+});
+
+/** Drags from one place of the ground to another, with the mouse. */
+async function drag(page, from, to) {
+	const [a, b] = await page.evaluate((places) => {
+		const { stage } = globalThis.playground;
+		const box = stage.canvas.getBoundingClientRect();
+		return places.map(([x, y]) => {
+			const at = stage.pixelOf(x, y, 0);
+			return { x: box.left + at.x, y: box.top + at.y };
+		});
+	}, [from, to]);
+	await page.mouse.move(a.x, a.y);
+	await page.mouse.down();
+	await page.mouse.move(b.x, b.y, { steps: 24 });
+	await page.mouse.up();
+	await rest(page, 100);
+}
+
+test('the ground is raised and lowered, and a maze is built, by mouse: as blocks, and Undo takes each stroke back', async () => {
+	const { page, said, leave } = await open(site, 'play/paintball', SIZES.laptop);
+	await page.evaluate(() => globalThis.playground.programs.openNew());
+	await page.waitForFunction(() => globalThis.playground.world.agents.length === 1);
+	await page.getByText('Build', { exact: true }).click();
+	const heights = (...places) => page.evaluate((all) => all.map(([x, y]) => globalThis.playground.world.terrain?.heightAt(x, y) ?? null), places);
+	const brush = (name) => page.getByRole('button', { name, exact: true }).click();
+	const blocks = (type) => page.evaluate((wanted) => globalThis.playground.editor.workspace.getBlocksByType(wanted).length, type);
+	await brush('Raise the ground');
+	await drag(page, [-3, -5], [3, -5]);
+	assert.deepEqual(await heights([-3, -5], [0, -5], [3, -5], [0, -3]), [1, 1, 1, 0]);
+	assert.equal(await blocks('starlogo_raise'), 7);
+	await drag(page, [0, -5], [1, -5]);
+	assert.deepEqual(await heights([0, -5], [1, -5], [2, -5]), [2, 2, 1]);
+	await brush('Lower the ground');
+	await drag(page, [3, -5], [3, -8]);
+	assert.deepEqual(await heights([3, -5], [3, -8]), [0, -1]);
+	assert.equal(await blocks('starlogo_raise'), 9, 'what is level again has no block');
+	await brush('Walls');
+	await drag(page, [-5, 5], [5, 5]);
+	await drag(page, [-5, 5], [-5, 1]);
+	const walls = (await agentsOf(page)).filter(([breed]) => breed === 'walls');
+	assert.deepEqual(walls.map(([, x, y,, heading]) => [x, y, heading]), [[-3.5, 5, 90], [0, 5, 90], [3.5, 5, 90], [-5, 3, 0]]);
+	assert.deepEqual([await blocks('starlogo_solid'), await page.evaluate(() => globalThis.playground.world.walker.solidBreeds)], [1, ['walls']], 'nobody goes through them');
+	// each stroke is one step
+	const states = [4, 3, 0, 0, 0];
+	for (let i = 1; i <= 4; i++) {
+		await page.locator('.tool-undo').click();
+		await page.waitForFunction((count) => globalThis.playground.world.agents.filter(({ breed }) => breed === 'walls').length === count, states[i]);
+	}
+	await page.waitForFunction(() => globalThis.playground.world.terrain?.heightAt(1, -5) === 1);
+	await page.locator('.tool-undo').click();
+	await page.waitForFunction(() => globalThis.playground.world.terrain === null);
+	assert.equal(await page.locator('.tool-undo').getAttribute('aria-disabled'), 'true');
+	// without the brush the pointer turns the world again
+	await brush('Agents');
+	const eye = () => page.evaluate(() => globalThis.playground.stage.camera.position.x);
+	const before_ = await eye();
+	await drag(page, [-3, -5], [3, -5]);
+	assert.notEqual(await eye(), before_);
 	assert.deepEqual(said, []);
 	await leave();
 });

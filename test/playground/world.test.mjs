@@ -135,6 +135,41 @@ test('keys that are held, pressed, and timers', () => {
 	assert.deepEqual([bear.x, bear.size], [3, 3]);
 });
 
+test('a message is received in the next frame, by those of a breed who are there then; agents have variables of their own', () => {
+	const own = (type, NAME, inputs) => ({ type, fields: { NAME }, inputs });
+	const state = program(
+		start(create(2, 'bears', 'bear', own('starlogo_own_set', 'lives', { VALUE: number(3) })), create(1, 'walls', 'wall'), { type: 'starlogo_own_show', fields: { NAME: 'lives', ON: 'on' } }, { type: 'starlogo_broadcast', fields: { MESSAGE: 'go' } }),
+		{ type: 'starlogo_receive', fields: { MESSAGE: 'go', BREED: 'bears' }, inputs: inside(own('starlogo_own_change', 'lives', { DELTA: number(-1) }), { type: 'starlogo_broadcast', fields: { MESSAGE: 'gone' } }) },
+		{ type: 'starlogo_receive', fields: { MESSAGE: 'gone', BREED: 'anyone' }, inputs: inside({ type: 'starlogo_size', inputs: { SIZE: value('starlogo_own', { NAME: 'lives' }) } }, { type: 'starlogo_up', inputs: { STEPS: number(1) } }) },
+	);
+	const bears = (world) => world.agents.slice(0, 2).map(({ own: { lives }, z }) => [lives, z]);
+	const world = new parts.World(greatLand);
+	world.begin(program(...state.blocks.blocks.slice(0, 2)));
+	assert.deepEqual(bears(world), [[3, 0], [3, 0]]);
+	world.step();
+	assert.deepEqual([bears(world), world.agents[2].own], [[[2, 0], [2, 0]], {}]);
+	world.step();
+	assert.deepEqual(bears(world), [[2, 0], [2, 0]], 'it is received once');
+	world.history.show(1);
+	world.step();
+	assert.deepEqual([bears(world), world.state.shown], [[[2, 0], [2, 0]], ['lives']], 'the same again after going back');
+	world.begin(program(...state.blocks.blocks.map((block, i) => (i === 0 ? { ...block, inputs: inside(create(2, 'bears', 'bear', own('starlogo_own_set', 'lives', { VALUE: number(3) })), { type: 'starlogo_broadcast', fields: { MESSAGE: 'go' } }) } : block))));
+	world.step();
+	world.step();
+	assert.deepEqual(world.agents.map(({ size, z }) => [size, z]), [[2, 1], [2, 1]]);
+	const text = parts.javascriptOf(state, 'messages', made);
+	for (const line of ['me.own.lives = (me.own.lives ?? 0) + -1;', 'broadcast("go");', 'whenReceiving("gone", Collision.ANY_BREED, ', 'received = messages;']) assert.ok(text.includes(line), line);
+	assert.ok(!parts.javascriptOf(program(start(create(1, 'bears', 'bear'))), 'none', made).includes('messages'));
+});
+
+test('the ground is raised at places, and a place outside of it is an error that names the block', () => {
+	const raise = (x, y, by) => ({ type: 'starlogo_raise', id: `at ${x}`, inputs: { HEIGHT: number(by), X: number(x), Y: number(y) } });
+	const world = played(program(start(raise(2, 3, 2), raise(2, 3, -0.5))), 0);
+	assert.deepEqual([world.hills.heightAt(2, 3), world.hills.heightAt(4, 3)], [1.5, 0]);
+	assert.throws(() => played(program(start(raise(50, 0, 1))), 0), { block: 'at 50', message: /"raise the ground" cannot build here/ });
+	assert.match(parts.javascriptOf(program(start(raise(2, 3, 2))), 'ground', made), /terrain\.raiseWall\(2, 3, 2\);/);
+});
+
 test('touches start and end; the one in the middle is a collision', () => {
 	const colours = (breed, type, name) => ({ type, fields: { BREED: 'paintballs', OTHER: breed }, inputs: inside({ type: 'starlogo_colour', fields: { WHO: 'collidee' }, inputs: { COLOUR: value('starlogo_pick', { COLOUR: name }) } }) });
 	const world = played(program(
@@ -851,6 +886,8 @@ const everything = () => {
 			{ type: 'starlogo_face', inputs: { AGENT: nearest } }, { type: 'starlogo_until', fields: { HOW: 'slide', BREED: 'walls' }, inputs: { STEPS: number(0.4) } }) } },
 		{ type: 'starlogo_key', fields: { KEY: 'up', MODE: 'held', BREED: 'bears' }, inputs: inside({ type: 'starlogo_until', fields: { HOW: 'moveUntilTouch', BREED: 'anyone' }, inputs: { STEPS: number(0.15) } }) },
 		{ type: 'starlogo_click', fields: { BREED: 'anyone' }, inputs: inside(grow(number(3))) },
+		start({ type: 'starlogo_raise', inputs: { HEIGHT: number(1.5), X: number(-2), Y: number(-4) } }, { type: 'starlogo_own_show', fields: { NAME: 'lives', ON: 'on' } }, { type: 'starlogo_broadcast', fields: { MESSAGE: 'go' } }),
+		{ type: 'starlogo_receive', fields: { MESSAGE: 'go', BREED: 'bears' }, inputs: inside({ type: 'starlogo_own_set', fields: { NAME: 'my lives' }, inputs: { VALUE: number(2) } }, { type: 'starlogo_own_change', fields: { NAME: 'lives' }, inputs: { DELTA: number(0.25) } }, forward(value('starlogo_own', { NAME: 'lives' })), wait(0.5), { type: 'starlogo_broadcast', fields: { MESSAGE: 'go' } }) },
 		{ type: 'starlogo_touch_start', fields: { BREED: 'balls', OTHER: 'turtles' }, inputs: inside({ type: 'starlogo_score_change', inputs: { SCORE: number(1) } }, wait(0.2), { type: 'starlogo_bounce' }, { type: 'math_change', fields: { VAR: { id: 'a' } }, inputs: { DELTA: number(0.5) } }) },
 		{ type: 'starlogo_touch_end', fields: { BREED: 'balls', OTHER: 'walls' }, inputs: inside({ type: 'starlogo_become', fields: { WHO: 'me', BREED: 'old' } }, paint('me', value('starlogo_colour_of', { WHO: 'collidee' }))) },
 		{ type: 'starlogo_collision', fields: { BREED: 'turtles', OTHER: 'walls' }, inputs: inside({ type: 'starlogo_back' }, { type: 'starlogo_ask', inputs: { AGENT: nearest, ...inside({ type: 'starlogo_turn', fields: { DIRECTION: 'right' }, inputs: { DEGREES: number(7) } }) } }) },

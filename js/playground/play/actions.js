@@ -158,6 +158,24 @@ export const STATEMENTS = {
 			world.terrain.raiseWall(x, y, high());
 		};
 	},
+	starlogo_raise: (block, world) => {
+		const [by, x, y] = ["HEIGHT", "X", "Y"].map((name) => number(block, name, world));
+		world.needTerrain(true);
+		return () => world.edges.raiseGround(x(), y(), by());
+	},
+	starlogo_broadcast: (block, world) => () => world.broadcast(block.fields.MESSAGE),
+	starlogo_own_set: (block, world) => {
+		const get = value(block, "VALUE", world);
+		return () => world.setOwn(me(block, world), block.fields.NAME, get());
+	},
+	starlogo_own_change: (block, world) => {
+		const by = number(block, "DELTA", world);
+		return () => {
+			const agent = me(block, world);
+			world.setOwn(agent, block.fields.NAME, Number(agent.own[block.fields.NAME] ?? 0) + by());
+		};
+	},
+	starlogo_own_show: (block, world) => () => world.showOwn(block.fields.NAME, block.fields.ON === "on"),
 	starlogo_flat: (block, world) => {
 		world.needTerrain();
 		return () => world.terrain.reset();
@@ -270,6 +288,7 @@ const VALUES = {
 	logic_boolean: (block) => () => block.fields.BOOL === "TRUE",
 	variables_get: (block, world) => () => world.variables[block.fields.VAR.id] ?? 0,
 	text: (block) => () => block.fields.TEXT,
+	starlogo_own: (block, world) => () => me(block, world).own[block.fields.NAME] ?? 0,
 	starlogo_trait: (block, world) => () => world.traitOf(me(block, world), block.fields.TRAIT),
 	starlogo_agent: (block, world) => () => whom(block, world),
 	starlogo_count: (block, world) => {

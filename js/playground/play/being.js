@@ -19,5 +19,7 @@ export class Being extends Agent {
 	hit = -1000;
 	/** Its upward speed, in patches a frame: more than 0 in a jump, less in a fall. */
 	rise = 0;
+	/** Its variables. Changed, it is another object, so that frames that are kept keep theirs. */
+	own = {};
 	color = OWN_COLOURS;
 }

@@ -54,7 +54,9 @@ const AS = dropdown("AS", options(words.structures));
 const KEY = dropdown("KEY", options(words.keys));
 const breed = (name, kind = name) => menu(name, kind);
 const anyone = menu("BREED", "ANYONE");
-const text = (value) => ({ type: "field_input", name: "TEXT", text: value });
+const text = (value, name = "TEXT") => ({ type: "field_input", name, text: value });
+const MESSAGE = text(words.someMessage, "MESSAGE");
+const OWN = text(words.someOwn, "NAME");
 const SIDE = dropdown("SIDE", options(words.sides));
 const AGENT = { type: "input_value", name: "AGENT", check: "Agent" };
 const COLOUR = { type: "input_value", name: "COLOUR", check: ["Colour", "Number"] };
@@ -82,6 +84,12 @@ export const DEFINITIONS = [
 	define("starlogo_key", "event", [KEY, dropdown("MODE", options(words.modes)), breed("BREED")], HAT),
 	define("starlogo_timer", "event", [input("SECONDS"), breed("BREED")], HAT),
 	define("starlogo_click", "event", [anyone], HAT),
+	define("starlogo_receive", "event", [MESSAGE, anyone], HAT),
+	define("starlogo_broadcast", "event", [MESSAGE], STATEMENT),
+	define("starlogo_own_set", "variable", [OWN, { type: "input_value", name: "VALUE" }], STATEMENT),
+	define("starlogo_own_change", "variable", [OWN, input("DELTA")], STATEMENT),
+	define("starlogo_own", "variable", [OWN], { output: null }),
+	define("starlogo_own_show", "variable", [OWN, ON], STATEMENT),
 	define("starlogo_collision", "collision", [breed("BREED"), breed("OTHER")], HAT),
 	define("starlogo_touch_start", "collision", [breed("BREED"), breed("OTHER")], HAT),
 	define("starlogo_touch_end", "collision", [breed("BREED"), breed("OTHER")], HAT),
@@ -113,6 +121,7 @@ export const DEFINITIONS = [
 	define("starlogo_free", "sense", [anyone, input("DISTANCE")], NUMBER),
 	define("starlogo_mound", "game", [input("HEIGHT"), input("WIDTH")], STATEMENT),
 	define("starlogo_wall", "game", [input("HEIGHT")], STATEMENT),
+	define("starlogo_raise", "game", [input("HEIGHT"), input("X"), input("Y")], STATEMENT),
 	define("starlogo_flat", "game", [], STATEMENT),
 	define("starlogo_ground_height", "sense", [], NUMBER),
 	define("starlogo_on_ground", "sense", [], TRUTH),
@@ -174,17 +183,19 @@ export const DEFINITIONS = [
 const number = (value) => ({ shadow: { type: "math_number", fields: { NUM: value } } });
 const shadow = (value) => (typeof value === "number" ? number(value) : value === true ? { shadow: { type: "logic_boolean", fields: { BOOL: "TRUE" } } } : value.startsWith("starlogo") ? { block: { type: value, ...(value === "starlogo_nearest" && { inputs: { DISTANCE: number(10) } }) } } : { shadow: { type: "text", fields: { TEXT: value } } });
 /** What a drawer has for variables, as Blockly makes it, with a number in “set”. */
-export const withNumbers = (items) => items.map((item) => (item.type === "variables_set" ? { ...item, inputs: { VALUE: number(0) } } : item));
+export const withNumbers = (items) => [...items.map((item) => (item.type === "variables_set" ? { ...item, inputs: { VALUE: number(0) } } : item)), ...OWN_BLOCKS()];
 
 const block = (type, inputs, fields) => ({ kind: "block", type, ...(fields && { fields }), ...(inputs && { inputs: Object.fromEntries(Object.entries(inputs).map(([name, value]) => [name, shadow(value)])) }) });
 const category = (name, ...contents) => ({ kind: "category", name: words.categories[name], categorystyle: `${STYLE_OF[name] ?? name}_category`, cssconfig: { icon: `icon icon-${name}` }, contents });
+/** The blocks about variables of an agent. */
+const OWN_BLOCKS = () => [block("starlogo_own_set", { VALUE: 3 }), block("starlogo_own_change", { DELTA: -1 }), block("starlogo_own"), block("starlogo_own_show")];
 const STYLE_OF = { events: "event", collisions: "collision", senses: "sense", agents: "agent", looks: "look", control: "logic", maths: "math", variables: "variable" };
 const NEAREST = "starlogo_nearest";
 
 export const TOOLBOX = {
 	kind: "categoryToolbox",
 	contents: [
-		category("events", block("starlogo_start"), block("starlogo_each"), block("starlogo_key"), block("starlogo_timer", { SECONDS: 1 }), block("starlogo_click")),
+		category("events", block("starlogo_start"), block("starlogo_each"), block("starlogo_key"), block("starlogo_timer", { SECONDS: 1 }), block("starlogo_click"), block("starlogo_receive"), block("starlogo_broadcast")),
 		category("collisions", block("starlogo_collision"), block("starlogo_touch_start"), block("starlogo_touch_end"), block("starlogo_bounce"), block("starlogo_push"), block("starlogo_side"), block("starlogo_touch"), block("starlogo_solid", null, { BREED: "walls" }), block("starlogo_sweep"), block("starlogo_system"),
 			block("starlogo_hierarchical"), block("starlogo_depth", { DEPTH: 5 }), block("starlogo_collide_as"), block("starlogo_show")),
 		category("movement", block("starlogo_forward", { STEPS: 0.1 }), block("starlogo_walk", { STEPS: 0.1 }), block("starlogo_jump", { HEIGHT: 3 }), block("starlogo_fall"), block("starlogo_until", { STEPS: 0.1 }), block("starlogo_turn", { DEGREES: 5 }), block("starlogo_face", { AGENT: NEAREST }),
@@ -193,7 +204,7 @@ export const TOOLBOX = {
 			block("starlogo_can_see", { AGENT: NEAREST }), block("starlogo_touching"), block("starlogo_ahead", { DISTANCE: 3 }), block("starlogo_free", { DISTANCE: 10 }), block("starlogo_standing"), block("starlogo_floor"), block("starlogo_at_edge"), block("starlogo_on_ground"), block("starlogo_ground_height"), block("starlogo_key_down"), block("starlogo_mouse")),
 		category("agents", block("starlogo_create", { COUNT: 1 }, { BREED: "bears", SHAPE: "bear" }), block("starlogo_hatch", null, { BREED: "paintballs", SHAPE: "sphere" }), block("starlogo_delete"), block("starlogo_ask", { AGENT: NEAREST }), block("starlogo_become"), block("starlogo_trait"), block("starlogo_agent")),
 		category("looks", block("starlogo_colour", { COLOUR: "starlogo_pick" }), block("starlogo_pick"), block("starlogo_any_colour"), block("starlogo_colour_of"), block("starlogo_size", { SIZE: 1 }), block("starlogo_say", { TEXT: words.hello }), block("starlogo_sound"), block("starlogo_note", { NOTE: 60 })),
-		category("game", block("starlogo_goal"), block("starlogo_score_change", { SCORE: 1 }), block("starlogo_score_set", { SCORE: 0 }), block("starlogo_score"), block("starlogo_clock"), block("starlogo_limit", { SECONDS: 60 }), block("starlogo_ground"), block("starlogo_mound", { HEIGHT: 2, WIDTH: 6 }), block("starlogo_wall", { HEIGHT: 1 }), block("starlogo_flat"), block("starlogo_end")),
+		category("game", block("starlogo_goal"), block("starlogo_score_change", { SCORE: 1 }), block("starlogo_score_set", { SCORE: 0 }), block("starlogo_score"), block("starlogo_clock"), block("starlogo_limit", { SECONDS: 60 }), block("starlogo_ground"), block("starlogo_mound", { HEIGHT: 2, WIDTH: 6 }), block("starlogo_wall", { HEIGHT: 1 }), block("starlogo_raise", { HEIGHT: 1, X: 0, Y: 0 }), block("starlogo_flat"), block("starlogo_end")),
 		category("control", block("controls_if"), block("controls_ifelse"), block("starlogo_wait", { SECONDS: 1 }), block("controls_repeat_ext", { TIMES: 4 }), block("controls_whileUntil"),
 			block("logic_compare", { A: 0, B: 0 }), block("logic_operation", { A: true, B: true }), block("logic_negate", { BOOL: true }), block("logic_boolean")),
 		category("maths", block("math_number"), block("math_arithmetic", { A: 1, B: 1 }), block("math_random_int", { FROM: 1, TO: 10 }), block("math_modulo", { DIVIDEND: 10, DIVISOR: 3 })),

@@ -1,5 +1,6 @@
-/** The switch “Build” and its buttons: they change the agent that was clicked, and with it the program. */
+/** The switch “Build”, its brushes, and buttons that change the agent that was clicked. With all of them the program changes. */
 import { button, h, tick } from "../shared/dom.js";
+import { paintGround } from "./painting.js";
 import { texts } from "../shared/language.js";
 
 const words = texts.play.building;
@@ -11,6 +12,7 @@ const [TURN, STEP, ASIDE] = [45, 0.5, 2];
 
 export class BuildBar {
 	isOn = false;
+	brush = "agents";
 	/** The block whose agent is chosen again when the game has begun anew. */
 	#kept = null;
 
@@ -22,9 +24,12 @@ export class BuildBar {
 		this.tick = tick(words.build, false, (on) => {
 			this.isOn = on;
 			if (on && (view.isRunning || view.world.frame > 0)) view.reset();
-			if (on) view.say(words.how);
-			view.draw();
+			this.brushes.hidden = !on;
+			this.#take("agents");
 		});
+		/** What the pointer does in the world: it moves agents, raises or lowers the ground, or builds walls. */
+		this.brushes = h("div.brushes", { role: "group", "aria-label": words.brush, hidden: true },
+			...Object.entries(words.brushes).map(([name, text]) => button(text, () => this.#take(name), { "data-brush": name })));
 		const tool = (name, action) => button(words[name], () => this.#with(action), { "data-tool": name });
 		this.element = h("div.build-bar", { role: "group", "aria-label": words.build, hidden: true },
 			tool("copy", (building, id, { x, y, z }) => building.copy(id, snapped(x + (x > 0 ? -ASIDE : ASIDE)), snapped(y), z)),
@@ -32,6 +37,25 @@ export class BuildBar {
 			tool("up", (building, id, { x, y, z }) => building.move(id, x, y, z + STEP)),
 			tool("down", (building, id, { x, y, z }) => building.move(id, x, y, Math.max(0, z - STEP))),
 			tool("remove", (building, id) => building.remove(id)));
+	}
+
+	/** Listens to the world's stage, before all others do. */
+	listen(stage) {
+		paintGround(stage, () => (this.isOn ? this.brush : "agents"), () => this.view.editor.building);
+	}
+
+	/** Takes a brush. All but the one for agents need the whole ground in sight, and a camera that stays. */
+	#take(brush) {
+		const { view } = this;
+		this.brush = brush;
+		for (const each of this.brushes.children) each.setAttribute("aria-pressed", String(each.dataset.brush === brush));
+		const isPainting = this.isOn && brush !== "agents";
+		view.scene.isStill = isPainting;
+		view.scene.chosen = isPainting ? null : view.scene.chosen;
+		if (view.stage.canvas) view.stage.canvas.style.touchAction = isPainting ? "none" : "pan-y";
+		if (isPainting) view.showGround();
+		if (this.isOn) view.say(words.how[brush]);
+		view.draw();
 	}
 
 	/** Whether an agent is at its beginning, and a block of its own says where that is. */

@@ -1,4 +1,7 @@
-/** Builds a level in the world: changes the blocks “create … of …” of agents that the user moves, turns, copies or deletes there. */
+/**
+ * Builds a level in the world: changes the blocks “create … of …” of agents that the user moves, turns, copies or deletes there, and adds blocks
+ * for walls and for the ground.
+ */
 import * as Blockly from "blockly/core";
 
 /** Blocks that move or turn an agent. What an agent does last decides its place and its heading. */
@@ -6,6 +9,7 @@ const MOVING = new Set(["starlogo_go", "starlogo_forward", "starlogo_up", "starl
 const TURNING = new Set(["starlogo_heading", "starlogo_turn", "starlogo_scatter", "starlogo_face"]);
 
 const isNumber = (input) => input.connection.targetBlock()?.type === "math_number";
+const numberOf = (block, name) => block.getInputTargetBlock(name).getFieldValue("NUM");
 const shadow = (NUM) => ({ shadow: { type: "math_number", fields: { NUM } } });
 
 /** The blocks of a chain. */
@@ -59,13 +63,65 @@ export class Building {
 		this.#change(id, (block) => block.dispose(true));
 	}
 
+	/**
+	 * Raises the ground at a place. What is built there has its own script, of which only the first line is shown.
+	 *
+	 * @param {string|boolean} group of changes that are undone together; true for a new one
+	 */
+	raise(x, y, by, group) {
+		this.#grouped(group, () => {
+			const raising = this.workspace.getBlocksByType("starlogo_raise", true).filter((block) => block.getRootBlock().type === "starlogo_start" && ["X", "Y", "HEIGHT"].every((name) => isNumber(block.getInput(name))));
+			const here = raising.find((block) => numberOf(block, "X") === x && numberOf(block, "Y") === y);
+			if (!here) {
+				const block = { type: "starlogo_raise", inputs: { HEIGHT: shadow(by), X: shadow(x), Y: shadow(y) } };
+				if (raising.length > 0) this.#append(raising[0].getRootBlock(), block);
+				// its first line names the block in it: a later change of that would be a step of its own for Undo
+				else this.#add({ type: "starlogo_start", collapsed: true, inputs: { DO: { block } } });
+				return;
+			}
+			const height = numberOf(here, "HEIGHT") + by;
+			if (height !== 0) here.getInputTargetBlock("HEIGHT").setFieldValue(height, "NUM");
+			else if (raising.length === 1 && here.getParent()?.type === "starlogo_start" && !here.getNextBlock()) here.getRootBlock().dispose();
+			else here.dispose(true);
+		});
+	}
+
+	/** Builds walls, each from a place to another one: [x, y, heading, size]. Nobody goes through them. */
+	wall(pieces) {
+		this.#grouped(true, () => {
+			const start = this.workspace.getBlocksByType("starlogo_create", true).map((block) => block.getRootBlock()).find(({ type }) => type === "starlogo_start") ?? this.workspace.getTopBlocks(true).find(({ type }) => type === "starlogo_start") ?? this.#add({ type: "starlogo_start" });
+			const isSolid = this.workspace.getBlocksByType("starlogo_solid").some((block) => block.getFieldValue("BREED") === "walls");
+			if (!isSolid) this.#append(start, { type: "starlogo_solid", fields: { BREED: "walls", ON: "on" } });
+			for (const [x, y, heading, size] of pieces) {
+				const set = { type: "starlogo_size", inputs: { SIZE: shadow(size) }, next: { block: { type: "starlogo_heading", inputs: { HEADING: shadow(heading) }, next: { block: { type: "starlogo_go", inputs: { X: shadow(x), Y: shadow(y), Z: shadow(0) } } } } } };
+				this.#append(start, { type: "starlogo_create", fields: { BREED: "walls", SHAPE: "wall" }, inputs: { COUNT: shadow(1), DO: { block: set } } });
+			}
+		});
+	}
+
+	/** Adds a block to the program. */
+	#add(state) {
+		return Blockly.serialization.blocks.append(state, this.workspace, { recordUndo: true });
+	}
+
+	/** Puts a block at the end of a script. */
+	#append(start, state) {
+		const added = this.#add(state);
+		let last = null;
+		for (const each of chain(start.getInputTargetBlock("DO"))) last = each;
+		(last ? last.nextConnection : start.getInput("DO").connection).connect(added.previousConnection);
+	}
+
 	/** Does something with a block, as one step that is undone at once. */
 	#change(id, action) {
 		const block = this.#blockOf(id);
-		if (!block) return null;
-		Blockly.Events.setGroup(true);
+		return block ? this.#grouped(true, () => action(block)) : null;
+	}
+
+	#grouped(group, action) {
+		Blockly.Events.setGroup(group);
 		try {
-			return action(block) ?? null;
+			return action() ?? null;
 		} finally {
 			Blockly.Events.setGroup(false);
 		}

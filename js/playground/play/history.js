@@ -2,7 +2,7 @@
 const MOST_FRAMES = 900;
 const MOST_AGENTS = 150000;
 
-const TRAITS = ["shape", "breed", "x", "y", "z", "heading", "pitch", "roll", "size", "color", "hierarchical", "traversalDepth", "collideAs", "sweeps", "born", "said", "rise", "touched", "hit", "isAlive"];
+const TRAITS = ["shape", "breed", "x", "y", "z", "heading", "pitch", "roll", "size", "color", "hierarchical", "traversalDepth", "collideAs", "sweeps", "born", "said", "rise", "touched", "hit", "isAlive", "own"];
 const PLACED = new Set(["x", "y", "z"]);
 
 export class History {

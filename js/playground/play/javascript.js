@@ -75,6 +75,9 @@ class Writer {
 	}
 }
 
+/** A variable of the agent that a script is about. */
+const ownOf = ({ fields: { NAME: name } }, { me }) => (NAME.test(name) ? `${me}.own.${name}` : `${me}.own[${text(name)}]`);
+
 /** An expression without its outer brackets. */
 function bare(expression) {
 	if (!expression.startsWith("(")) return expression;
@@ -132,6 +135,11 @@ const STATEMENTS = {
 	starlogo_back: (block, { me, collidee }) => [`goBack(${me}, ${collidee});`],
 	starlogo_mound: (block, place, writer) => [`terrain.raiseMound(${place.me}.x, ${place.me}.y, ${writer.value(block, "WIDTH", place)}, ${writer.value(block, "HEIGHT", place)});`],
 	starlogo_wall: (block, place, writer) => [`terrain.raiseWall(${place.me}.x, ${place.me}.y, ${writer.value(block, "HEIGHT", place)});`],
+	starlogo_raise: (block, place, writer) => [`terrain.raiseWall(${["X", "Y", "HEIGHT"].map((name) => writer.value(block, name, place)).join(", ")});`],
+	starlogo_broadcast: ({ fields }) => [`broadcast(${text(fields.MESSAGE)});`],
+	starlogo_own_set: (block, place, writer) => [`${ownOf(block, place)} = ${writer.value(block, "VALUE", place)};`],
+	starlogo_own_change: (block, place, writer) => [`${ownOf(block, place)} = (${ownOf(block, place)} ?? 0) + ${writer.value(block, "DELTA", place)};`],
+	starlogo_own_show: ({ fields }) => [`// here the game ${fields.ON === "on" ? "shows" : "hides"} the agents' variable ${text(fields.NAME)}`],
 	starlogo_flat: () => ["terrain.reset();"],
 	starlogo_solid: ({ fields }) => [`walking().setSolid(${text(fields.BREED)}, ${fields.ON === "on"});`],
 	starlogo_push: (block, { me, collidee }) => [`contacts.pushAway(${me}, ${collidee});`],
@@ -198,6 +206,7 @@ const VALUES = {
 	logic_boolean: ({ fields }) => String(fields.BOOL === "TRUE"),
 	variables_get: (block, place, writer) => writer.variable(block.fields.VAR.id),
 	text: ({ fields }) => text(fields.TEXT),
+	starlogo_own: (block, place) => `(${ownOf(block, place)} ?? 0)`,
 	starlogo_trait: ({ fields: { TRAIT } }, { me }) => (TRAIT === "age" ? `((game.frame - ${me}.born) / ${FRAMES_A_SECOND})` : `${me}.${TRAIT}`),
 	starlogo_agent: (block, place, writer) => writer.who(block, place),
 	starlogo_count: (block, place, writer) => `senses().countWithin(${place.me}, ${breedOf(block.fields.BREED)}, ${writer.value(block, "DISTANCE", place)})`,
@@ -232,6 +241,7 @@ const EVENTS = {
 	starlogo_timer: ({ fields }, seconds) => `everySeconds(() => ${seconds}, ${breedOf(fields.BREED)}, `,
 	starlogo_click: ({ fields }) => `whenClicked(${breedOf(fields.BREED)}, `,
 	starlogo_collision: ({ fields }) => `whenColliding(${breedOf(fields.BREED)}, ${breedOf(fields.OTHER)}, `,
+	starlogo_receive: ({ fields }) => `whenReceiving(${text(fields.MESSAGE)}, ${breedOf(fields.BREED)}, `,
 	starlogo_touch_start: ({ fields }) => `whenTouchingStarts(${breedOf(fields.BREED)}, ${breedOf(fields.OTHER)}, `,
 	starlogo_touch_end: ({ fields }) => `whenTouchingEnds(${breedOf(fields.BREED)}, ${breedOf(fields.OTHER)}, `,
 };
@@ -288,7 +298,7 @@ export function javascriptOf(program, title, models, file = "game") {
 	const hasEdges = /\bedges\.|Collision\.EDGE/.test(main);
 	const helpers = neededBy(`${main}\n${ENGINE}`, hasEdges ? INSIDE_EDGES : {});
 	const has = (word) => new RegExp(`\\b${word}\\b`).test(`${main}\n${helpers.join("\n")}`);
-	const fill = (part) => part.replaceAll("/*old*/", has("areSensesOld") ? "\n\tareSensesOld = true;" : "").replaceAll("/*limit*/", has("game\\.limit") ? "\n\tif (game.limit && game.frame >= game.limit.until) game.ended ??= { how: \"lost\", text: game.limit.text };" : "").replaceAll("/*welcome*/", `${has("traits") ? "\n\ttraits.welcome(agent);" : ""}${has("sweeping") ? "\n\tagent.sweeps = sweeping[agent.breed] ?? agent.sweeps;" : ""}`);
+	const fill = (part) => part.replaceAll("/*old*/", has("areSensesOld") ? "\n\tareSensesOld = true;" : "").replaceAll("/*receive*/", has("(messages|received)") ? "\n\treceived = messages;\n\tmessages = [];" : "").replaceAll("/*own*/", has("\\.own") ? "\n\town = {}; // its variables" : "").replaceAll("/*limit*/", has("game\\.limit") ? "\n\tif (game.limit && game.frame >= game.limit.until) game.ended ??= { how: \"lost\", text: game.limit.text };" : "").replaceAll("/*welcome*/", `${has("traits") ? "\n\ttraits.welcome(agent);" : ""}${has("sweeping") ? "\n\tagent.sweeps = sweeping[agent.breed] ?? agent.sweeps;" : ""}`);
 	const colours = Object.entries(COLOURS).filter(([name]) => has(`colours\\.${name}`)).map(([name, colour]) => `${name}: ${hex(colour)}`);
 	const variables = [...writer.names.values()].map((name) => `${NAME.test(name) ? name : text(name)}: 0`);
 	const state = [
@@ -301,6 +311,7 @@ export function javascriptOf(program, title, models, file = "game") {
 		...(has("seed") ? ["let seed = 20150601;"] : []),
 		...(has("sweeping") ? ["/** The breeds that collide along their way, or do not. */", "const sweeping = {};"] : []),
 		...(has("mouse") ? ["export const mouse = { x: 0, y: 0, isDown: false };"] : []),
+		...(has("(messages|received)") ? ["let messages = [];", "let received = [];"] : []),
 		"const held = new Set();", "const pressed = new Set();", "let clicked = null;", "let threads = [];", "const starts = [];", "const scripts = [];",
 	];
 	const blocks = [
@@ -322,7 +333,7 @@ export function javascriptOf(program, title, models, file = "game") {
 		"",
 		"const greatLand = new GreatLand();",
 		...addModels, "",
-		...state, "", BEING, "", ...blocks, "",
+		...state, "", fill(BEING), "", ...blocks, "",
 		"// the program", "",
 		scripts.join("\n\n"), "",
 		"for (const script of starts) start(script, null, null);", "",

@@ -165,6 +165,13 @@ function wait(seconds, me) {
 function whileKey(key, mode, breed, script) {
 	scripts.push({ isDue: () => pressed.has(key) || (mode === "held" && held.has(key)), breed, script });
 }`,
+	broadcast: `/** Sends a message to all agents, which receive it in the next frame. */
+function broadcast(message) {
+	messages.push(message);
+}`,
+	whenReceiving: `function whenReceiving(message, breed, script) {
+	scripts.push({ isDue: () => received.includes(message), breed, script });
+}`,
 	everySeconds: `function everySeconds(seconds, breed, script) {
 	scripts.push({ isDue: () => game.frame % Math.max(1, Math.round(seconds() * ${FRAMES_A_SECOND})) === 0, breed, script });
 }`,
@@ -197,7 +204,7 @@ class Being extends Agent {
 	before = [0, 0, 0, 0];
 	isAlive = true;
 	rise = 0; // its upward speed
-	said = "";
+	said = "";/*own*/
 }`;
 
 /** Part of every module: the code that runs in every frame. */
@@ -218,7 +225,7 @@ function goOn(thread) {
 
 /** One frame, a sixtieth of a second: scripts, then collisions. */
 export function step() {
-	game.frame++;/*old*/
+	game.frame++;/*old*//*receive*/
 	for (const agent of agents) agent.before = [agent.x, agent.y, agent.z, agent.heading];
 	const waiting = threads;
 	threads = waiting.filter(({ until }) => until > game.frame);

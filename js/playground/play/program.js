@@ -144,7 +144,7 @@ function has(block, type) {
 }
 
 /** Blocks that only prepare something, or contain what is done. */
-const PREPARING = /^(starlogo_(heading|go|ask)|controls_\w+|variables_set|math_change)$/;
+const PREPARING = /^(starlogo_(heading|go|ask)|controls_\w+|variables_set|math_change|starlogo_own_\w+)$/;
 
 /** The first block of a chain that does more than to prepare something, or the first one in it; null if there is none. */
 function acting(first) {
@@ -169,7 +169,7 @@ function doing(first, key) {
 
 const EVENTS = {
 	starlogo_start: "start", starlogo_each: "each", starlogo_key: "key", starlogo_timer: "timer", starlogo_click: "click", starlogo_collision: "collision",
-	starlogo_touch_start: "touchStart", starlogo_touch_end: "touchEnd",
+	starlogo_touch_start: "touchStart", starlogo_touch_end: "touchEnd", starlogo_receive: "receive",
 };
 
 /** Blocks that contain other blocks, or wait. */

@@ -4,6 +4,7 @@ import { pairsOf } from "../compare/game.js";
 import { LINES, VERDICTS } from "../shared/colours.js";
 import { button, h, short } from "../shared/dom.js";
 import { fixed, plain, texts } from "../shared/language.js";
+import { said as asSaid } from "./actions.js";
 import { Being } from "./being.js";
 import { Hiding } from "./hiding.js";
 import { nameOf } from "./panel.js";
@@ -31,6 +32,8 @@ const MIDDLE = [-NEAR, -NEAR, 0, NEAR, NEAR, 2];
 export class Scene {
 	camera = "all";
 	isSeen = false;
+	/** Whether the camera stays where it is when a game begins. */
+	isStill = false;
 	chosen = null;
 	/** Agents that touch in this game only ("wrong"), or in the game beside it only ("missed"). */
 	differing = new Map();
@@ -95,7 +98,14 @@ export class Scene {
 	 */
 	frame(isAsked = false) {
 		const part = this.#part;
-		if (this.camera === "all" && (isAsked || String(part) !== this.#framed)) this.#showAll(part);
+		if (this.isStill) this.#framed = String(part);
+		else if (this.camera === "all" && (isAsked || String(part) !== this.#framed)) this.#showAll(part);
+	}
+
+	/** Shows the whole ground. */
+	showGround() {
+		this.camera = "all";
+		this.stage.showAll(null);
 	}
 
 	#showAll(part) {
@@ -290,7 +300,9 @@ export class Scene {
 	/** Shows the agents' words over their heads. */
 	#placeBubbles() {
 		const { agents, frame } = this.world;
-		const talking = agents.filter(({ said }) => said.text !== "" && said.until > frame).slice(0, MOST_SAID);
+		const { shown } = this.world.state;
+		const wordsOf = ({ said, own }) => [...(said.text !== "" && said.until > frame ? [said.text] : []), ...shown.filter((name) => name in own).map((name) => `${name} ${asSaid(own[name])}`)].join("\n");
+		const talking = agents.filter((agent) => wordsOf(agent) !== "").slice(0, MOST_SAID);
 		for (const [agent, bubble] of this.#said) {
 			if (talking.includes(agent)) continue;
 			bubble.remove();
@@ -302,7 +314,7 @@ export class Scene {
 			const height = this.#height(agent);
 			const { x, y } = this.stage.pixelOf(agent.x, agent.y, agent.z + height + 0.2);
 			bubble.hidden = !this.stage.pixelOf(agent.x, agent.y, agent.z + height / 2).isSeen;
-			bubble.textContent = agent.said.text;
+			bubble.textContent = wordsOf(agent);
 			// no higher than the picture
 			bubble.style.transform = `translate(${x.toFixed(1)}px, max(${y.toFixed(1)}px, 100%)) translate(-50%, -100%)`;
 		}

@@ -92,6 +92,7 @@ class PlayView {
 			// as in Level; a game that is stepped through, or that is built, waits for “Run”
 			if (!this.isRunning && world.frame === 0 && !this.isBroken && !this.buildBar.isOn) this.run();
 		});
+		this.buildBar.listen(this.stage);
 		dragAgents(this.stage, {
 			// the camera would follow, and run away
 			mayDrag: (agent) => this.scene.camera === "all" || agent !== (this.scene.chosen ?? this.scene.main),
@@ -167,7 +168,7 @@ class PlayView {
 			h("div.show", {}, this.controls, h("section.game", { "aria-label": words.world },
 				h("div.tools", {}, field(words.system, this.system), field(words.beside, besides), field(words.camera, this.camera), sees),
 				this.theatre,
-				this.buildBar.element,
+				this.buildBar.brushes, this.buildBar.element,
 				h("div.time", {}, this.speed.element, this.rewind.element),
 				this.panel.element)));
 		const kept = recall(OPEN);
@@ -178,6 +179,12 @@ class PlayView {
 	#openSettings(isOpen) {
 		this.main.classList.toggle("folded", !isOpen);
 		this.settings.setAttribute("aria-expanded", String(isOpen));
+	}
+
+	/** Shows the whole ground, from a camera that stays. */
+	showGround() {
+		this.camera.value = "all";
+		this.scene.showGround();
 	}
 
 	#turnTo(tab) {

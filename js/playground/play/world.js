@@ -39,6 +39,8 @@ export class World {
 	sounds = [];
 	#pressed = new Set();
 	#clicked = null;
+	/** The messages of the frame before, which are received in this one. */
+	#received = [];
 	#scripts = [];
 	#areSensesOld = true;
 	#now;
@@ -61,7 +63,7 @@ export class World {
 
 	#forget(seed = SEED) {
 		/** The data of a frame that History keeps, in addition to the agents. */
-		this.state = { frame: 0, seed, sweeping: {}, solid: [], variables: {}, threads: [], score: null, goal: null, limit: null, ground: MEADOW, ended: null, totals: new Map(), events: [], meetings: 0, touching: 0, made: 0, pairs: new Map() };
+		this.state = { frame: 0, seed, sweeping: {}, solid: [], messages: [], shown: [], variables: {}, threads: [], score: null, goal: null, limit: null, ground: MEADOW, ended: null, totals: new Map(), events: [], meetings: 0, touching: 0, made: 0, pairs: new Map() };
 		this.agents.length = this.sounds.length = 0;
 		this.collisions.collision.terrain = this.collisions.collision.bounds = null;
 		this.walker.solidBreeds = [];
@@ -151,6 +153,8 @@ export class World {
 			agent.before[2] = agent.z;
 			agent.before[3] = agent.heading;
 		}
+		this.#received = this.state.messages;
+		this.state.messages = [];
 		const threads = this.threads;
 		this.state.threads = threads.filter(({ until }) => until > this.frame);
 		for (const thread of threads) if (thread.until <= this.frame && (thread.me?.isAlive ?? true)) this.#go(thread);
@@ -179,6 +183,7 @@ export class World {
 	#isDue(event, fields, seconds) {
 		if (event === "each") return true;
 		if (event === "click") return this.#clicked !== null;
+		if (event === "receive") return this.#received.includes(fields.MESSAGE);
 		// a key that was pressed for less than a frame counts for the whole frame
 		if (event === "key") return this.#pressed.has(fields.KEY) || (fields.MODE === "held" && this.held.has(fields.KEY));
 		return event === "timer" && this.frame % Math.max(1, Math.round(seconds() * FRAMES_A_SECOND)) === 0;
@@ -400,6 +405,21 @@ export class World {
 	/** Colours an agent, or all of a breed. */
 	paint(whom, colour) {
 		for (const agent of this.subjects(whom)) agent.color = colour;
+	}
+
+	/** Sends a message to all agents. Their scripts receive it in the next frame. */
+	broadcast(message) {
+		this.state.messages = [...this.state.messages, message];
+	}
+
+	/** Sets a variable of an agent. */
+	setOwn(agent, name, value) {
+		agent.own = { ...agent.own, [name]: value };
+	}
+
+	/** Shows a variable above all agents that have it, or no more. */
+	showOwn(name, isOn) {
+		this.state.shown = [...this.state.shown.filter((each) => each !== name), ...(isOn ? [name] : [])];
 	}
 
 	say(agent, text) {

@@ -8,7 +8,7 @@ package starlogo.blocks
     import starlogo.terrain.WorldBounds;
 
     /**
-     * The blocks for the ground and the edges of the world: "build wall", "build mound", "terrain height", "reset terrain", "touching ground?",
+     * The blocks for the ground and the edges of the world: "build wall", "build mound", "raise the ground", "terrain height", "reset terrain", "touching ground?",
      * "touching edge?", "edge I touch", "stop at the edge", "bounce off the edge", "wrap at the edge". The ground is <code>collision.terrain</code> of the collision blocks, and the edges are <code>collision.bounds</code>. The
      * client gives both to the game. "when touching starts" with <code>Collision.EDGE</code> is the event of the edges.
      */
@@ -94,6 +94,27 @@ package starlogo.blocks
                         throw new BlockError("build mound", "needs a width of more than 0, but got " + width + ".");
                     }
                     ground.raiseMound(agent.x, agent.y, width, height);
+                });
+        }
+
+        /**
+         * The block "raise the ground": raises the ground's height that is nearest to a place. It needs no agent, so a level that is built by mouse is
+         * kept as such blocks.
+         *
+         * @param x of the place
+         * @param y of the place
+         * @param height by how much, in patches; a negative height digs
+         * @throws BlockError if the game has no ground, a number is wrong, or the place is outside of the ground
+         */
+        public function raiseGround(x:Number, y:Number, height:Number):void
+        {
+            raise("raise the ground", height, function(ground:Terrain):void
+                {
+                    if (!isFinite(x) || !isFinite(y))
+                    {
+                        throw new BlockError("raise the ground", "needs numbers for the place, but got (" + x + ", " + y + ").");
+                    }
+                    ground.raiseWall(x, y, height);
                 });
         }
 
@@ -248,9 +269,14 @@ package starlogo.blocks
         }
 
         // Calls a function that raises the ground at an agent's place.
-        private function build(block:String, agent:Agent, height:Number, raise:Function):void
+        private function build(block:String, agent:Agent, height:Number, change:Function):void
         {
             BlockSubject.checkAgent(block, agent);
+            raise(block, height, change);
+        }
+
+        private function raise(block:String, height:Number, change:Function):void
+        {
             var ground:Terrain = groundOf(block);
             if (!isFinite(height))
             {
@@ -258,7 +284,7 @@ package starlogo.blocks
             }
             try
             {
-                raise(ground);
+                change(ground);
             }
             catch (error:RangeError)
             {

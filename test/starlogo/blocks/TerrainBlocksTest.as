@@ -51,6 +51,20 @@ package starlogo.blocks
         }
 
         [Test]
+        public function raisesTheGroundWithoutAnAgent():void
+        {
+            _blocks.raiseGround(2.4, -1.4, 3);
+            _blocks.raiseGround(2, -1, -0.5);
+            assertEquals(2.5, _terrain.heightAt(2, -1));
+            assertEquals(0, _terrain.heightAt(3, -1));
+            assertThrows(BlockError, /"raise the ground" needs a number for the height, but got NaN/, _blocks.raiseGround, 0, 0, NaN);
+            assertThrows(BlockError, /"raise the ground" needs numbers for the place, but got \(NaN, 0\)/, _blocks.raiseGround, NaN, 0, 1);
+            assertThrows(BlockError, /"raise the ground" cannot build here: a wall at \(6, 0\) is outside of the terrain\.$/, _blocks.raiseGround, 6, 0, 1);
+            _collisions.collision.terrain = null;
+            assertThrows(BlockError, /"raise the ground" needs a terrain, but this game has none/, _blocks.raiseGround, 0, 0, 1);
+        }
+
+        [Test]
         public function tellsTheHeight():void
         {
             _terrain.setHeight(6, 5, 4);

@@ -224,6 +224,81 @@ test('a second script has its own place, wherever it is dropped, and however the
 	await leave();
 });
 
+/** Takes a block out of an open drawer, to a place: with one fast step at the end. */
+async function takeFast(page, type, to, last) {
+	const from = await page.evaluate((wanted) => {
+		const block = globalThis.playground.editor.workspace.getFlyout().getWorkspace().getTopBlocks(true).find((each) => each.type === wanted);
+		const { left, top, height } = block.getSvgRoot().querySelector(':scope > .blocklyPath').getBoundingClientRect();
+		return { x: left, y: top, middle: top + height / 2 };
+	}, type);
+	const dy = to.isValue ? from.middle - from.y : 10;
+	await page.mouse.move(from.x + 9, from.y + dy);
+	await page.mouse.down();
+	await page.mouse.move(from.x + 120, from.y + 60);
+	await page.mouse.move(to.x + 9 + last, to.y + dy + last, { steps: 2 });
+	await page.mouse.move(to.x + 9, to.y + dy);
+	await page.mouse.up();
+	await rest(page, 400);
+}
+
+test('a block that is dropped fast is not loose, one that is replaced lies beside its script, and keys leave no script aside', async () => {
+	const { page, said, leave } = await open(site, 'play/jump', SMALL);
+	for (const last of [15, 40]) {
+		for (const at of [0, 2]) {
+			await page.evaluate(() => globalThis.playground.programs.choose('jump', false, true));
+			await rest(page, 50);
+			await openDrawer(page, 'Control');
+			const to = await page.evaluate((wanted) => {
+				const { workspace } = globalThis.playground.editor;
+				const chain = (block) => (block ? [block, ...chain(block.getNextBlock())] : []);
+				const all = workspace.getTopBlocks(true).slice(0, 2).flatMap((top) => chain(top.getInputTargetBlock('DO')));
+				const { left, bottom } = all[wanted].getSvgRoot().querySelector(':scope > .blocklyPath').getBoundingClientRect();
+				return { x: left, y: bottom - 7 };
+			}, at);
+			const count = () => page.evaluate(() => globalThis.playground.editor.workspace.getTopBlocks(false).length);
+			const before_ = await count();
+			await takeFast(page, 'controls_if', to, last);
+			assert.equal(await count(), before_, `${last} pixels, block ${at}`);
+		}
+	}
+	await page.evaluate(() => globalThis.playground.programs.choose('jump', false, true));
+	await rest(page, 50);
+	await openDrawer(page, 'Senses');
+	const to = await page.evaluate(() => {
+		const { left, top } = globalThis.playground.editor.workspace.getBlocksByType('starlogo_standing')[0].getSvgRoot().querySelector(':scope > .blocklyPath').getBoundingClientRect();
+		return { x: left, y: top, isValue: true };
+	});
+	await takeFast(page, 'starlogo_touching', to, 15);
+	await rest(page, 500);
+	const overlaps = await page.evaluate(() => {
+		const { workspace } = globalThis.playground.editor;
+		const [old] = workspace.getBlocksByType('starlogo_standing');
+		const place = old.getBoundingRectangle();
+		return old.getParent() ? ['it is not replaced'] : workspace.getTopBlocks(false).filter((each) => each !== old && each.getBoundingRectangle().intersects(place)).map(({ type }) => type);
+	});
+	assert.deepEqual(overlaps, []);
+	await page.locator('.tool-undo').click();
+	await page.waitForFunction(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_standing')[0].getParent()?.type === 'controls_if');
+	// by keys
+	await choose(page, 'lesson-blocks');
+	const scrolled = () => page.evaluate(() => Math.round(globalThis.playground.editor.workspace.scrollX));
+	const first = await scrolled();
+	await page.locator('.title').focus();
+	for (let i = 0; i < 20 && !(await page.evaluate(() => globalThis.playground.editor.workspace.getFlyout().isVisible())); i++) {
+		await page.keyboard.press('Tab');
+		await rest(page, 30);
+	}
+	await page.keyboard.press('ArrowDown');
+	await page.keyboard.press('ArrowRight');
+	await rest(page, 100);
+	assert.ok(await scrolled() > first + 200, 'scripts give way to the drawer');
+	await page.keyboard.press('Escape');
+	await rest(page, 200);
+	assert.equal(await scrolled(), first);
+	assert.deepEqual(said, []);
+	await leave();
+});
+
 test('a program that is changed while it runs has a button that says so', async () => {
 	const { page, said, leave } = await open(site, 'play/lesson-blocks', SMALL);
 	const look = () => page.evaluate(() => {

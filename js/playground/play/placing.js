@@ -18,11 +18,16 @@ export class Placing {
 	/** The pixels by which the scripts have given way to the drawer, and where they are since then. */
 	#given = 0;
 	#at = 0;
+	/** Whether the user has scrolled since then. */
+	#isScrolled = false;
 	#wanted = null;
 
 	/** @param {Blockly.WorkspaceSvg} workspace */
 	constructor(workspace) {
 		this.workspace = workspace;
+		workspace.getInjectionDiv().addEventListener("wheel", () => {
+			this.#isScrolled = true;
+		}, { passive: true });
 		// further to the right than Blockly lets scripts go
 		const metrics = workspace.getMetricsManager();
 		const padded = metrics.getPaddedContent_;
@@ -36,7 +41,11 @@ export class Placing {
 	hear(event) {
 		const { workspace } = this;
 		if (event.type === Blockly.Events.TOOLBOX_ITEM_SELECT) this.#makeRoom();
-		if (event.type === Blockly.Events.BLOCK_DRAG && !event.isStart) this.#stepAside(event);
+		if (event.type === Blockly.Events.BLOCK_DRAG && !event.isStart) {
+			this.#join(event);
+			this.#stepAside(event);
+		}
+		if (event.type === Blockly.Events.BLOCK_MOVE && event.reason?.includes("bump")) this.#clear(event);
 		const isOpen = workspace.getFlyout().isVisible();
 		this.widen(isOpen || workspace.isDragging());
 		if (!isOpen && !workspace.isDragging()) this.#takeRoom();
@@ -65,14 +74,41 @@ export class Placing {
 		workspace.scroll(workspace.scrollX + by, workspace.scrollY);
 		this.#given += by;
 		this.#at = workspace.scrollX;
+		this.#isScrolled = false;
 	}
 
-	/** Moves them back, unless the user has moved them meanwhile. */
+	/** Moves them back to where they were, unless the user has moved them meanwhile. Keys that leave the drawer scroll to the block that they reach. */
 	#takeRoom() {
 		const { workspace } = this;
 		const by = this.#given;
 		this.#given = 0;
-		if (by > 0 && Math.abs(workspace.scrollX - this.#at) < 1) workspace.scroll(workspace.scrollX - by, workspace.scrollY);
+		if (by > 0 && !this.#isScrolled) workspace.scroll(this.#at - by, workspace.scrollY);
+	}
+
+	/** Joins a dropped block to the connection that it lies on, if a fast pointer has left it loose there. */
+	#join({ blockId, group }) {
+		const { previousConnection } = this.workspace.getBlockById(blockId) ?? {};
+		if (!previousConnection || previousConnection.isConnected()) return;
+		const { connection } = previousConnection.closest(SNAP, new Blockly.utils.Coordinate(0, 0));
+		if (connection) within(group, () => connection.connect(previousConnection));
+	}
+
+	/** Moves a block that another one has replaced to the right of all scripts that it would lie on. */
+	#clear({ blockId, group }) {
+		const { workspace } = this;
+		const block = workspace.getBlockById(blockId);
+		if (!block || block.getParent()) return;
+		const place = block.getBoundingRectangle();
+		const { left } = place;
+		const others = workspace.getTopBlocks(false).filter((each) => each !== block).map((each) => each.getBoundingRectangle());
+		for (let other = null; (other = others.find((each) => each.intersects(place))); ) {
+			const by = other.right + GAP - place.left;
+			place.left += by;
+			place.right += by;
+		}
+		if (place.left === left) return;
+		within(group, () => block.moveBy(place.left - left, 0));
+		workspace.scrollBoundsIntoView(place);
 	}
 
 	/** Moves a dropped value away from an input that it does not fit, so that it does not seem to be in it. */

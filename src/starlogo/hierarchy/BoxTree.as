@@ -15,8 +15,8 @@ package starlogo.hierarchy
      * pairs of nodes of two trees, and a MovingBoxTraversal visits the nodes that a box or ray meets. Read this class first, then
      * HierarchyBuilder, then NodePairTraversal.</p>
      *
-     * <p>A node is an index into the columns. The root is 0. The two children of a node stand side by side, after their parent. The columns do
-     * not change once the tree is made. Clients see a node as a HierarchyNode.</p>
+     * <p>A node is an index into the columns. The root is 0. The two children of a node stand side by side, after their parent. Once the
+     * tree is made, only <code>refit()</code> changes it: it gives all nodes new boxes. Clients see a node as a HierarchyNode.</p>
      *
      * <p>A tree of triangles goes on below the thesis's leaves, down to a few triangles, for exact tests. Only a visit without a depth limit
      * reaches these nodes.</p>
@@ -30,6 +30,9 @@ package starlogo.hierarchy
 
         // A node with more triangles is divided.
         private static const LEAF_SIZE:int = 8;
+
+        // The extents of all nodes while a tree is refitted.
+        private static var sExtents:Vector.<Number> = new Vector.<Number>();
 
         /** The model's vertices: x, y, z of each. */
         public var vertices:Vector.<Number>;
@@ -58,7 +61,7 @@ package starlogo.hierarchy
          */
         public var stop:Vector.<int> = new Vector.<int>();
 
-        /** Whether the nodes are made. From then on the tree does not change. */
+        /** Whether the nodes are made. From then on only their boxes change. */
         public var isMade:Boolean = false;
 
         /** The radius of the sphere around the root's box. */
@@ -200,25 +203,94 @@ package starlogo.hierarchy
          */
         public function writeExtents(from:int, to:int, out:Vector.<Number>, at:int = 0):void
         {
-            var corners:int = hasTriangles ? 3 : 1;
-            for (var along:int = 0; along < 3; along++)
+            var points:Vector.<Number> = vertices;
+            var corners:Vector.<uint> = triangles;
+            var items:Vector.<int> = order;
+            var perItem:int = corners == null ? 1 : 3;
+            var minX:Number = Infinity;
+            var minY:Number = Infinity;
+            var minZ:Number = Infinity;
+            var maxX:Number = -Infinity;
+            var maxY:Number = -Infinity;
+            var maxZ:Number = -Infinity;
+            for (var i:int = from; i < to; i++)
             {
-                var least:Number = Infinity;
-                var largest:Number = -Infinity;
-                for (var i:int = from; i < to; i++)
+                var corner:int = perItem * items[i];
+                for (var end:int = corner + perItem; corner < end; corner++)
                 {
-                    var item:int = corners * order[i];
-                    for (var corner:int = item; corner < item + corners; corner++)
+                    var vertex:int = corner;
+                    if (perItem == 3)
                     {
-                        var vertex:int = hasTriangles ? triangles[corner] : corner;
-                        var coordinate:Number = vertices[int(3 * vertex + along)];
-                        least = coordinate < least ? coordinate : least;
-                        largest = coordinate > largest ? coordinate : largest;
+                        vertex = corners[corner];
                     }
+                    vertex *= 3;
+                    var x:Number = points[vertex];
+                    var y:Number = points[int(vertex + 1)];
+                    var z:Number = points[int(vertex + 2)];
+                    minX = x < minX ? x : minX;
+                    maxX = x > maxX ? x : maxX;
+                    minY = y < minY ? y : minY;
+                    maxY = y > maxY ? y : maxY;
+                    minZ = z < minZ ? z : minZ;
+                    maxZ = z > maxZ ? z : maxZ;
                 }
-                out[int(at + along)] = least;
-                out[int(at + along + 3)] = largest;
             }
+            out[at] = minX;
+            out[int(at + 1)] = minY;
+            out[int(at + 2)] = minZ;
+            out[int(at + 3)] = maxX;
+            out[int(at + 4)] = maxY;
+            out[int(at + 5)] = maxZ;
+        }
+
+        /**
+         * For makers of trees: writes the extents of a node's part. The extents of its children must be there already.
+         *
+         * @param extents six numbers for each node, in the order of the nodes: minX, minY, minZ, maxX, maxY, maxZ
+         */
+        engine function measure(node:int, extents:Vector.<Number>):void
+        {
+            var at:int = 6 * node;
+            var child:int = 6 * low[node];
+            if (child == 0)
+            {
+                writeExtents(first[node], end[node], extents, at);
+                return;
+            }
+            for (var i:int = 0; i < 3; i++)
+            {
+                var a:Number = extents[int(child + i)];
+                var b:Number = extents[int(child + 6 + i)];
+                extents[int(at + i)] = b < a ? b : a;
+                a = extents[int(child + 3 + i)];
+                b = extents[int(child + 9 + i)];
+                extents[int(at + 3 + i)] = b > a ? b : a;
+            }
+        }
+
+        /**
+         * Gives all nodes boxes around the places where the vertices are now. The division of the items stays. The boxes are those that a
+         * maker of the tree gives to this division, to the last bit. Cost: linear in the number of items.
+         */
+        engine function refit():void
+        {
+            var extents:Vector.<Number> = sExtents;
+            var count:int = low.length;
+            if (extents.length < 6 * count)
+            {
+                extents.length = 6 * count;
+            }
+            // Children come after their parents.
+            for (var node:int = count - 1; node >= 0; node--)
+            {
+                measure(node, extents);
+            }
+            setExtents(extents);
+            for (node = 0; node < count; node++)
+            {
+                enclose(node, extents, 6 * node);
+            }
+            measureRadius();
         }
 
         /** For makers of trees: adds the root, without children. */
@@ -261,6 +333,7 @@ package starlogo.hierarchy
          */
         engine function setExtents(extents:Vector.<Number>):void
         {
+            _reach = 0;
             for (var i:int = 0; i < 6; i++)
             {
                 _reach = Math.max(_reach, Math.abs(extents[i]));
@@ -317,6 +390,11 @@ package starlogo.hierarchy
             stop = stop.slice();
             _splits = _splits.slice();
             isMade = true;
+            measureRadius();
+        }
+
+        private function measureRadius():void
+        {
             radius = Math.sqrt(boxes[3] * boxes[3] + boxes[4] * boxes[4] + boxes[5] * boxes[5]);
         }
 

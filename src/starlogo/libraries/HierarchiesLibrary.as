@@ -135,7 +135,8 @@ package starlogo.libraries
 
         /**
          * The work that builds the hierarchy of a shape. None of its steps is done yet. The vertices and triangles are neither checked nor
-         * copied, because a Model checks them and never changes.
+         * copied, because a Model checks them, and tells its GreatLand when it
+         * changes.
          *
          * @private
          */

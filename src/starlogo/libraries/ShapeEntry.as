@@ -1,20 +1,24 @@
 package starlogo.libraries
 {
+    import starlogo.engine;
     import starlogo.models.Model;
+    import starlogo.models.PoseListener;
     import starlogo.solid.SolidHierarchy;
     import starlogo.solid.SolidHierarchyBuilder;
+
+    use namespace engine;
 
     /**
      * The data under the name of one shape.
      *
      * @private
      */
-    public final class ShapeEntry
+    public final class ShapeEntry implements PoseListener
     {
         /** The number of models of this name that are loading. */
         public var loading:int = 0;
 
-        /** The number of times that data under this name was replaced or removed. */
+        /** The number of times that data under this name was replaced, removed or posed. */
         public var revision:int = 0;
 
         /** The model; null if none was added. Set it with setModel(). */
@@ -54,7 +58,25 @@ package starlogo.libraries
         public function setModel(value:Model):void
         {
             countChange(model);
+            if (model != null)
+            {
+                model.removeListener(this);
+            }
             model = value;
+            if (model != null)
+            {
+                model.addListener(this);
+            }
+        }
+
+        /** @inheritDoc */
+        public function onPose():void
+        {
+            if (hasHierarchy)
+            {
+                (_builder == null ? _hierarchy : _builder.hierarchy).refit();
+            }
+            countChange(model);
         }
 
         /** Sets the structures; null for none. */

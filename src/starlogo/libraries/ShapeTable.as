@@ -1,7 +1,7 @@
 package starlogo.libraries
 {
     /**
-     * The data of a game under the names of shapes. It counts how often data was replaced or removed. If that number has changed, results
+     * The data of a game under the names of shapes. It counts how often data was replaced, removed or posed. If that number has changed, results
      * derived from the data are out of date.
      *
      * @private
@@ -11,7 +11,7 @@ package starlogo.libraries
         // stands before every key, because a shape may be called "hasOwnProperty"
         private static const PREFIX:String = ":";
 
-        /** The number of times that data of any shape was replaced or removed. */
+        /** The number of times that data of any shape was replaced, removed or posed. */
         public var revision:int = 0;
 
         private var _entries:Object = {};

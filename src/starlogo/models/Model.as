@@ -1,6 +1,7 @@
 package starlogo.models
 {
     import starlogo.engine;
+    import starlogo.geometry.VertexBounds;
     import starlogo.geometry.VertexData;
     import starlogo.models.cooked.CookedFile;
     import starlogo.steps.Steps;
@@ -14,8 +15,8 @@ package starlogo.models
      * <p>The vertices are normalised: <code>FOOTPRINT</code>, <code>VOLUME</code> and <code>AS_GIVEN</code> say how. To place an agent, its
      * model is scaled by the agent's size, turned about the model's origin and moved to the agent's position.</p>
      *
-     * <p>A model never changes. Its coordinates are finite, and its triangles use only existing vertices. Triangles without area are
-     * kept.</p>
+     * <p>Its coordinates are finite, and its triangles use only existing vertices. Triangles without area are kept. Only
+     * <code>pose()</code> changes a model.</p>
      */
     public class Model
     {
@@ -58,6 +59,10 @@ package starlogo.models
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
         private var _source:SourceFrame;
+
+        // What is told about each pose, and the vertices of the next one until they are checked. Null before they are first needed.
+        private var _listeners:Vector.<PoseListener> = new Vector.<PoseListener>();
+        private var _posed:Vector.<Number> = null;
 
         /**
          * Copies and normalises a shape.
@@ -104,7 +109,10 @@ package starlogo.models
             return _name;
         }
 
-        /** The normalised vertices: x, y, z, x, y, z, ... This is the model's own vector: do not change it. */
+        /**
+         * The normalised vertices: x, y, z, x, y, z, ... This is the model's own vector: do not change it. A pose writes its vertices into
+         * the same vector.
+         */
         public function get vertices():Vector.<Number>
         {
             return _vertices;
@@ -114,6 +122,75 @@ package starlogo.models
         public function get triangles():Vector.<uint>
         {
             return _triangles;
+        }
+
+        /**
+         * Moves the vertices to new places. The triangles stay the same ones. For figures whose joints move, call it once a frame, before
+         * <code>Collision.update()</code> and <code>AgentQueries.update()</code>.
+         *
+         * <p>The vertices are given in the coordinates of the source, as they were for the constructor: see <code>SourceFrame</code>. The
+         * model's scale and origin stay those of its first vertices, so a figure that stretches its arms becomes wider than 1. The first
+         * vertices themselves give the first shape again, but for rounding.</p>
+         *
+         * <p>All agents with the model have the new shape from the next <code>update()</code> on, in each GreatLand to which the model was
+         * added. <code>areColliding()</code> sees it at once. Hierarchies keep their division and get new boxes. Exact colliders test the new triangles. Bounding structures stay as they are,
+         * because fitting them takes much longer. To fit them to the pose, call
+         * <code>greatLand.boundingStructures.add(model.name, model.vertices)</code>. Until then colliders that use structures have the old
+         * ones. The order of the vertices must not change. A pose that is very different from the first one makes tests slower, but not
+         * wrong.</p>
+         *
+         * <p>If it throws, nothing has changed. Cost: linear in the numbers of vertices and triangles, a small part of the time in which the
+         * hierarchy is built. It allocates nothing after the first time. What is inside of the surface is prepared again when it is next
+         * needed, which takes longer.</p>
+         *
+         * @param vertices x, y, z of each vertex, in the order of the model's vertices; is neither kept nor changed
+         * @throws ArgumentError if these are not as many coordinates as the model has, if one is not finite, or if one is larger than 1e60 in
+         * the model
+         */
+        public function pose(vertices:Vector.<Number>):void
+        {
+            if (vertices == null || vertices.length != _vertices.length)
+            {
+                throw new ArgumentError("model \"" + _name + "\": a pose needs its " + _vertices.length / 3 + " vertices with three coordinates each, not "
+                        + (vertices == null ? "null" : vertices.length + " numbers"));
+            }
+            _posed ||= new Vector.<Number>(_vertices.length, true);
+            _source.place(vertices, _posed);
+            var bounds:VertexBounds = VertexBounds.of(_posed);
+            if (!bounds.areFinite)
+            {
+                throw new ArgumentError("model \"" + _name + "\": " + (VertexData.vertexProblem(vertices) || VertexData.vertexProblem(_posed)));
+            }
+            VertexBounds.requireWithin(bounds.largest);
+            for (var i:int = 0; i < _posed.length; i++)
+            {
+                _vertices[i] = _posed[i];
+            }
+            cooked = null;
+            for each (var listener:PoseListener in _listeners)
+            {
+                listener.onPose();
+            }
+        }
+
+        /**
+         * Tells a listener about each pose from now on.
+         *
+         * @private
+         */
+        engine final function addListener(listener:PoseListener):void
+        {
+            _listeners.push(listener);
+        }
+
+        /**
+         * Ends what addListener began.
+         *
+         * @private
+         */
+        engine final function removeListener(listener:PoseListener):void
+        {
+            _listeners.splice(_listeners.indexOf(listener), 1);
         }
 
         /**

@@ -170,7 +170,7 @@ package starlogo.models
         {
             var size:Number = _bounds.maxX - _bounds.minX + _bounds.maxY - _bounds.minY + _bounds.maxZ - _bounds.minZ;
             check(size < Infinity ? null : "the coordinates are too large: the model's extent is not a finite number");
-            frame.place(lowX + halfX, lowY + halfY, lowZ + halfZ, divisor);
+            frame.add(lowX + halfX, lowY + halfY, lowZ + halfZ, divisor);
             return new Slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     // 0 - 0 is 0, but -0 would be negative

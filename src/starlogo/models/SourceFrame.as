@@ -84,6 +84,41 @@ package starlogo.models
         }
 
         /**
+         * Takes points of the source to the model.
+         *
+         * @param points x, y, z of each
+         * @param out receives the points; as long as the points
+         *
+         * @private
+         */
+        engine function place(points:Vector.<Number>, out:Vector.<Number>):void
+        {
+            var n:Vector.<Number> = _numbers;
+            var m00:Number = n[0];
+            var m10:Number = n[1];
+            var m20:Number = n[2];
+            var m01:Number = n[3];
+            var m11:Number = n[4];
+            var m21:Number = n[5];
+            var m02:Number = n[6];
+            var m12:Number = n[7];
+            var m22:Number = n[8];
+            var fromX:Number = n[9];
+            var fromY:Number = n[10];
+            var fromZ:Number = n[11];
+            var length:int = points.length;
+            for (var i:int = 0; i < length; i += 3)
+            {
+                var x:Number = points[i] - fromX;
+                var y:Number = points[int(i + 1)] - fromY;
+                var z:Number = points[int(i + 2)] - fromZ;
+                out[i] = m00 * x + m01 * y + m02 * z;
+                out[int(i + 1)] = m10 * x + m11 * y + m12 * z;
+                out[int(i + 2)] = m20 * x + m21 * y + m22 * z;
+            }
+        }
+
+        /**
          * Whether the other frame is equal to the last bit.
          *
          * @private
@@ -135,7 +170,7 @@ package starlogo.models
          *
          * @private
          */
-        internal function place(x:Number, y:Number, z:Number, divisor:Number):void
+        internal function add(x:Number, y:Number, z:Number, divisor:Number):void
         {
             // a turn's inverse is its transpose; the factors along the new axes are divided out
             for (var row:int = 0; row < 3; row++)

@@ -81,15 +81,41 @@ package starlogo.solid
         /** @param tree the boxes around the triangles */
         public function Solid(tree:BoxTree)
         {
-            var box:Vector.<Number> = tree.boxes;
             this.tree = tree;
+            corners = new Vector.<Number>(9 * tree.order.length, true);
+            least = Infinity;
+            measure();
+        }
+
+        // Measures the box around all triangles.
+        private function measure():void
+        {
+            var box:Vector.<Number> = tree.boxes;
             _axis = box[3] <= box[4] && box[3] <= box[5] ? 0 : (box[4] <= box[5] ? 1 : 2);
             _axisB = (_axis + 1) % 3;
             _axisC = (_axis + 2) % 3;
             _reach = tree.radius + Math.abs(box[0]) + Math.abs(box[1]) + Math.abs(box[2]);
             flatness = Tolerances.PLANES * _reach;
-            corners = new Vector.<Number>(9 * tree.order.length, true);
-            least = Infinity;
+        }
+
+        /** Takes over new corners, after the tree has new boxes. The inside is not known any more. */
+        public function refit():void
+        {
+            measure();
+            surface = null;
+            isClosed = false;
+            places = new Vector.<Number>();
+            placesAt = null;
+            partPoints = null;
+            leastPartExtent = Infinity;
+            if (_planes != null)
+            {
+                placePlanes(0, corners.length / 9);
+            }
+            if (_extents != null)
+            {
+                placeExtents();
+            }
         }
 
         /**
@@ -113,14 +139,19 @@ package starlogo.solid
         {
             if (_extents == null)
             {
-                var count:int = corners.length / 9;
-                var spans:Vector.<Number> = _extents = new Vector.<Number>(6 * count, true);
-                for (var i:int = 0; i < count; i++)
-                {
-                    writeTriangleExtents(corners, 9 * i, spans, 6 * i);
-                }
+                _extents = new Vector.<Number>(6 * corners.length / 9, true);
+                placeExtents();
             }
             return _extents;
+        }
+
+        private function placeExtents():void
+        {
+            var count:int = corners.length / 9;
+            for (var i:int = 0; i < count; i++)
+            {
+                writeTriangleExtents(corners, 9 * i, _extents, 6 * i);
+            }
         }
 
         /** One more than the number of a triangle's piece, negative if the triangle is reversed; 0 without area. */

@@ -9,7 +9,7 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * A model's tree, together with the solid that its triangles make. The tree does not change. The solid is prepared when it is first needed, or when the
+     * A model's tree, together with the solid that its triangles make. Only <code>refit()</code> changes them. The solid is prepared when it is first needed, or when the
      * model is loaded. For the engine.
      *
      * <p>The package solid says how two models meet whose hierarchies, and for exact tests whose triangles, decide: whether they overlap, when they
@@ -140,6 +140,26 @@ package starlogo.solid
             if (hasTriangles && readySolid == null)
             {
                 finish(new SolidBuilder(this, true));
+            }
+        }
+
+        /**
+         * @private Follows the vertices of the tree to their new places. The tree keeps its division. The triangles follow at once if they
+         *     are prepared. Their inside has to be prepared again, because it depends on which surfaces are closed and around which others.
+         */
+        engine function refit():void
+        {
+            surface = null;
+            readySolid = null;
+            _root = null;
+            if (tree.isMade)
+            {
+                tree.refit();
+            }
+            if (readyFacets != null)
+            {
+                writeCorners(0, tree.order.length, null, readyFacets.corners, 0);
+                readyFacets.refit();
             }
         }
 

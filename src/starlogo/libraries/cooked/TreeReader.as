@@ -148,17 +148,8 @@ package starlogo.libraries.cooked
             while (_left > 0 && items < ITEMS_PER_STEP)
             {
                 _left--;
-                var low:int = _tree.low[_left];
-                if (low > 0)
-                {
-                    unite(6 * _left, 6 * low, 6 * low + 6);
-                    items += 2;
-                }
-                else
-                {
-                    _tree.writeExtents(_tree.first[_left], _tree.end[_left], _extents, 6 * _left);
-                    items += _tree.end[_left] - _tree.first[_left];
-                }
+                _tree.measure(_left, _extents);
+                items += _tree.low[_left] > 0 ? 2 : _tree.end[_left] - _tree.first[_left];
             }
             if (_left > 0)
             {
@@ -167,16 +158,6 @@ package starlogo.libraries.cooked
             _left = _tree.low.length;
             _tree.setExtents(_extents);
             return false;
-        }
-
-        private function unite(at:int, left:int, right:int):void
-        {
-            var extents:Vector.<Number> = _extents;
-            for (var i:int = 0; i < 3; i++)
-            {
-                extents[int(at + i)] = Math.min(extents[int(left + i)], extents[int(right + i)]);
-                extents[int(at + i + 3)] = Math.max(extents[int(left + i + 3)], extents[int(right + i + 3)]);
-            }
         }
 
         private function encloseNodes():Boolean

@@ -1,0 +1,156 @@
+package starlogo.models
+{
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertStrictlyEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.Box;
+    import starlogo.collision.HierarchicalCollider;
+    import starlogo.engine;
+    import starlogo.geometry.VertexData;
+    import support.assertClose;
+    import support.assertThrows;
+    import support.landOf;
+
+    use namespace engine;
+
+    /** What Model.pose() writes, what it refuses, and who is told. */
+    public class ModelPoseTest
+    {
+        private static const CORNERS:Vector.<Number> = new <Number>[1, 1, 5, 5, 1, 5, 1, 3, 5, 1, 1, 8];
+        private static const FACES:Vector.<uint> = new <uint>[0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3];
+
+        [Test]
+        public function thePoseHasTheScaleAndOriginOfTheFirstVertices():void
+        {
+            var model:Model = new Model("pyramid", CORNERS, FACES);
+            var first:Vector.<Number> = model.vertices.slice();
+            var own:Vector.<Number> = model.vertices;
+            var pose:Vector.<Number> = CORNERS.slice();
+            // from (5, 1, 5) to (9, 1, 5), which is twice as far from the middle as it was
+            pose[3] = 9;
+            model.pose(pose);
+            assertStrictlyEquals(own, model.vertices);
+            assertEquals(first[3] + 1, model.vertices[3]);
+            assertEquals(first[4], model.vertices[4]);
+            assertEquals(4, model.source.unit);
+            model.pose(CORNERS);
+            for (var i:int = 0; i < first.length; i++)
+            {
+                assertClose(first[i], model.vertices[i], 1e-15);
+            }
+        }
+
+        [Test]
+        public function aTransformTurnsThePoseToo():void
+        {
+            for each (var scaling:String in [Model.FOOTPRINT, Model.VOLUME, Model.AS_GIVEN])
+            {
+                var transform:ModelTransform = new ModelTransform(new Vector3D(90, 20, 30), new Vector3D(2, 2, 2), new Vector3D(1, 2, 3));
+                var model:Model = new ObjModel("pyramid", "v 1 1 5\nv 5 1 5\nv 1 3 5\nv 1 1 8\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n", transform, scaling);
+                var first:Vector.<Number> = model.vertices.slice();
+                model.pose(CORNERS);
+                for (var i:int = 0; i < first.length; i++)
+                {
+                    assertClose(first[i], model.vertices[i], 1e-14);
+                }
+            }
+        }
+
+        [Test]
+        public function whatIsRefusedChangesNothing():void
+        {
+            var model:Model = new Model("pyramid", CORNERS, FACES);
+            var land:GreatLand = landOf(model);
+            var first:Vector.<Number> = model.vertices.slice();
+            var revision:int = land.revisionOf("pyramid");
+            var bad:Vector.<Number> = CORNERS.slice();
+            bad[10] = NaN;
+            var large:Vector.<Number> = CORNERS.slice();
+            large[0] = 1e61;
+            assertThrows(ArgumentError, /null/, model.pose, null);
+            assertThrows(ArgumentError, /"pyramid".*4 vertices.*9 numbers/, model.pose, CORNERS.slice(3));
+            assertThrows(ArgumentError, /"pyramid".*4 vertices.*15 numbers/, model.pose, CORNERS.concat(CORNERS.slice(9)));
+            assertThrows(ArgumentError, /"pyramid".*y coordinate of vertex 3.*NaN/, model.pose, bad);
+            assertThrows(ArgumentError, /at most 1e\+60/, model.pose, large);
+            assertTrue(VertexData.areSame(first, model.vertices));
+            assertEquals(revision, land.revisionOf("pyramid"));
+            assertTrue(Box(land.hierarchies.root("pyramid").bounds).halfX < 0.6);
+        }
+
+        [Test]
+        public function eachLandOfTheModelFollows():void
+        {
+            var model:Model = new Model("pyramid", CORNERS, FACES);
+            var lands:Array = [landOf(model), landOf(model)];
+            var pose:Vector.<Number> = CORNERS.slice();
+            pose[3] = 9;
+            model.pose(pose);
+            for each (var land:GreatLand in lands)
+            {
+                assertClose(1, Box(land.hierarchies.root("pyramid").bounds).halfX, 1e-6);
+                assertEquals(1, land.revisionOf("pyramid"));
+            }
+            var removed:GreatLand = lands[0];
+            removed.removeModel("pyramid");
+            var replaced:GreatLand = lands[1];
+            replaced.addModel(new Model("pyramid", CORNERS, FACES));
+            var revisions:int = removed.revisionOf("pyramid") + replaced.revisionOf("pyramid");
+            model.pose(CORNERS);
+            assertEquals(revisions, removed.revisionOf("pyramid") + replaced.revisionOf("pyramid"));
+            // a model that was posed before it is added, and added again
+            model.pose(pose);
+            removed.addModel(model);
+            removed.addModel(model);
+            assertClose(1, Box(removed.hierarchies.root("pyramid").bounds).halfX, 1e-6);
+            model.pose(CORNERS);
+            assertClose(0.5, Box(removed.hierarchies.root("pyramid").bounds).halfX, 1e-6);
+        }
+
+        [Test]
+        public function structuresFollowOnRequest():void
+        {
+            var model:Model = new Model("pyramid", CORNERS, FACES);
+            var land:GreatLand = new GreatLand();
+            land.loadHulls = true;
+            land.addModel(model);
+            var before:Number = land.boundingStructures.tightestFit("pyramid").volume;
+            var hull:Number = land.boundingStructures.hull("pyramid").volume;
+            var pose:Vector.<Number> = CORNERS.slice();
+            pose[3] = 9;
+            model.pose(pose);
+            assertEquals(before, land.boundingStructures.tightestFit("pyramid").volume);
+            land.boundingStructures.add(model.name, model.vertices);
+            assertTrue(land.boundingStructures.tightestFit("pyramid").volume > 1.5 * before);
+            assertTrue(land.boundingStructures.hull("pyramid").volume > 1.5 * hull);
+        }
+
+        /** A cooked model's stored results are those of its first vertices. */
+        [Test]
+        public function aPosedModelForgetsItsCookedFile():void
+        {
+            var kitchen:GreatLand = new GreatLand();
+            var cooked:CookedModel = CookedModel.fromBytes("pyramid", kitchen.bake(new Model("pyramid", CORNERS, FACES)));
+            var lazily:GreatLand = landOf(cooked);
+            var pose:Vector.<Number> = CORNERS.slice();
+            pose[3] = 9;
+            // the first land has not read the tree yet
+            cooked.pose(pose);
+            assertNull(cooked.cooked);
+            var later:GreatLand = landOf(cooked);
+            for each (var land:GreatLand in [lazily, later, landOf(CookedModel.fromBytes("pyramid", kitchen.bake(cooked)))])
+            {
+                var collider:HierarchicalCollider = new HierarchicalCollider(land);
+                collider.exact = true;
+                var inside:Agent = new Agent("pyramid");
+                inside.size = 0.01;
+                inside.moveTo(0.6, -0.22, 0.03);
+                assertClose(1, Box(land.hierarchies.root("pyramid").bounds).halfX, 1e-6);
+                assertTrue(collider.areColliding(new Agent("pyramid"), inside));
+            }
+        }
+    }
+}

@@ -216,7 +216,7 @@ package starlogo.hierarchy
             for (var i:int = from; i < to; i++)
             {
                 var corner:int = perItem * items[i];
-                for (var end:int = corner + perItem; corner < end; corner++)
+                for (var last:int = corner + perItem; corner < last; corner++)
                 {
                     var vertex:int = corner;
                     if (perItem == 3)

@@ -212,7 +212,7 @@ test('no word of the page is anywhere but in its language', { skip: isChromium ?
 	await page.goto(`${site.url}#compare`);
 	await ready(page, 'compare');
 	assert.deepEqual(await page.evaluate(unmarked), [], 'Compare');
-	for (const view of ['measure', 'level', 'teach', 'teach/helmet', 'teach/class']) {
+	for (const view of ['measure', 'level', 'teach', 'teach/helmet', 'teach/class', 'teach/in-class']) {
 		await page.goto(`${site.url}#${view}`);
 		await ready(page, view.split('/')[0]);
 		assert.deepEqual(await page.evaluate(unmarked), [], view);

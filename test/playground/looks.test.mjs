@@ -446,7 +446,7 @@ test('a program is shown as JavaScript, with the way to documentation and exampl
 	const dialog = page.getByRole('dialog', { name: 'This program as JavaScript' });
 	const shown = await dialog.locator('pre').textContent();
 	assert.match(shown, /^\/\/ “Chase”: [^]*import \{ Agent, [^]* \} from "starlogo-collision";[^]*everyFrame\("dragons", function\* \(me\) \{/);
-	assert.equal(await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click()), shown);
+	assert.equal(await saved(page, () => dialog.getByRole('button', { name: 'Download', exact: true }).click()), shown);
 	const folder = path.join(root, 'bin/playground');
 	const links = await dialog.locator('a').evaluateAll((all) => all.map((each) => each.getAttribute('href')));
 	assert.deepEqual(links, ['docs/index.html', 'docs/examples.html']);

@@ -80,7 +80,8 @@ export const texts = {
 			howToDelete: "Ziehe einen Block auf den Papierkorb, um ihn zu löschen. Oder klicke zuerst auf den Block und dann auf den Papierkorb.",
 		},
 		javascript: {
-			title: "Dieses Programm als JavaScript", note: "Ein Modul auf dem npm-Paket starlogo-collision, das dasselbe Spiel spielt, ohne Bild. Seine ersten Zeilen sagen, wie man das Paket installiert und das Modul startet; seine Modelle sind darin. Wer ein Bild will, zeichnet die Agenten.",
+			title: "Dieses Programm als JavaScript", note: "Ein Modul auf dem npm-Paket starlogo-collision, das dasselbe Spiel spielt, ohne Bild. „Seite herunterladen“ gibt eine, die three.js zeichnet. Seine ersten Zeilen sagen, wie man das Paket installiert und das Modul startet; seine Modelle sind darin.",
+			page: "Seite herunterladen", pageNote: "Eine Seite, die das Spiel mit three.js zeichnet. Ihre ersten Zeilen sagen, was man installiert und wie man sie ausliefert.",
 			download: "Herunterladen", documentation: "Dokumentation (englisch)", examples: "Beispiele (englisch)",
 		},
 		ask: { take: "Gut", leave: "Abbrechen", letters: (count, most) => `${count} von ${most} Buchstaben` },

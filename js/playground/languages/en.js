@@ -85,7 +85,8 @@ export const texts = {
 			howToDelete: "Drag a block to the trash can to delete it. Or click on the block first and then on the trash can.",
 		},
 		javascript: {
-			title: "This program as JavaScript", note: "A module that plays the same game with the npm package starlogo-collision. Its first lines say how to install it and how to run it, and its models are in it. It has no picture: draw its agents yourself.",
+			title: "This program as JavaScript", note: "A module that plays the same game with the npm package starlogo-collision. Its first lines say how to install it and how to run it, and its models are in it. It has no picture. “Download a page” gives one that three.js draws.",
+			page: "Download a page", pageNote: "A page that draws the game with three.js. Its first lines say how to install what it needs and how to serve it.",
 			download: "Download", documentation: "Documentation", examples: "Examples",
 		},
 		ask: { take: "OK", leave: "Cancel", letters: (count, most) => `${count} of ${most} letters` },

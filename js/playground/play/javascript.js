@@ -247,7 +247,7 @@ const EVENTS = {
 };
 
 /** The shapes that a program names, in order. */
-function shapesOf(program) {
+export function shapesOf(program) {
 	const found = new Set();
 	JSON.stringify(program, (key, value) => {
 		if (key === "SHAPE" && typeof value === "string") found.add(value);
@@ -272,6 +272,12 @@ function models() {
 	];
 }`;
 
+const TEN_SECONDS = `// ten seconds of it
+
+for (let i = 0; i < ${10 * FRAMES_A_SECOND} && !game.ended; i++) step();
+console.log(\`\${agents.length} agents after \${game.frame} frames\`, game);
+`;
+
 /**
  * Writes a program as a module.
  *
@@ -279,9 +285,10 @@ function models() {
  * @param {string} title the program's title
  * @param {Map} models by their names
  * @param {string} file the file's name without its ending
+ * @param {string} ending what the module does in the end: unless told it plays for ten seconds
  * @returns {string}
  */
-export function javascriptOf(program, title, models, file = "game") {
+export function javascriptOf(program, title, models, file = "game", ending = TEN_SECONDS) {
 	const writer = new Writer(program);
 	const scripts = (program.blocks?.blocks ?? []).filter(({ type }) => type in EVENTS).map((block) => {
 		const isAlone = block.type === "starlogo_start";
@@ -337,9 +344,7 @@ export function javascriptOf(program, title, models, file = "game") {
 		"// the program", "",
 		scripts.join("\n\n"), "",
 		"for (const script of starts) start(script, null, null);", "",
-		"// ten seconds of it", "",
-		`for (let i = 0; i < ${10 * FRAMES_A_SECOND} && !game.ended; i++) step();`,
-		"console.log(`${agents.length} agents after ${game.frame} frames`, game);", "",
+		ending,
 		"// what makes it a game", "",
 		[ENGINE, ...helpers].map(fill).join("\n\n"), "",
 		...(brought.length > 0 ? [MODELS(brought), ""] : []),

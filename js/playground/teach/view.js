@@ -34,8 +34,13 @@ class TeachView {
 		return null;
 	}
 
-	/** Shows the page of a class, or a program to print. */
+	/** Shows how a class gets the page, the work of a class, or a program to print. */
 	async #showPage(name) {
+		if (name === "in-class") {
+			const { showInClass } = await import("./inclass.js");
+			if (this.asked === name && this.main.isConnected) showInClass(this.main);
+			return;
+		}
 		const [{ ClassPage }, { showProgram }, { handed }] = await Promise.all([import("./class.js"), import("./program.js"), import("../shared/handed.js")]);
 		await handed.open();
 		if (this.asked !== name || !this.main.isConnected) return;
@@ -58,6 +63,7 @@ class TeachView {
 			note ? h("p.status.problem", { role: "alert" }, note) : null,
 			h("h2", {}, words.title), h("p", {}, words.intro(NAMES.length, total)),
 			h("p", {}, h("a", { href: "#teach/sheets" }, words.allSheets)),
+			h("p", {}, h("a", { href: "#teach/in-class" }, texts.inClass.title), `: ${texts.inClass.note}`),
 			h("p", {}, h("a", { href: "#teach/class" }, texts.handing.classTitle), `: ${words.classNote}`),
 			h("div.table", {}, h("table", {},
 				h("thead", {}, h("tr", {}, ...[words.lesson, words.minutes, words.page, words.open].map((text) => h("th", { scope: "col" }, text)))),

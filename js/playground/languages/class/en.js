@@ -25,6 +25,20 @@ export const texts = {
 			jump: { aim: "A platform game needs three things of its world: floors, gravity and a jump from a floor.", ask: "Why does the bear jump only if it stands? What would the game be like otherwise?", solution: "Put “nobody goes through platforms: on” into the start, and “jump 2 high” and “fall” below “walk”." },
 		},
 	},
+	/** How a class gets the page. */
+	inClass: {
+		title: "In class", note: "how pupils get the page: from a server, from a stick, by a link or a QR code.",
+		intro: "Nothing is installed, and nobody needs an account. The page is a folder of files, or one file. It loads nothing from elsewhere and sends nothing away.",
+		links: "Links and QR codes", linksNote: "Choose what opens. Show the code on the wall, print it, or send the link.",
+		line: "Line for the terminal", address: "Address of the page", place: "What opens", qr: "QR code of the link",
+		noAddress: "Write the address at which your class opens this page. It begins with http.",
+		onlyHere: "Only this computer opens this address. Write the one that it has in your network, for example http://192.168.0.10:8080/.",
+		server: "From a web server", serverNote: "Any web server will do, also your school’s: copy the folder “playground” of the release to it. Or your own computer serves it. Open a terminal in this folder and write one of these lines:",
+		serverSteps: ["Find your computer’s address in the network: “ipconfig” in Windows, “ifconfig” in macOS, “hostname -I” in Linux.", "Pupils in the same network open http://, this address and :8080/.", "If they cannot open it, your computer’s firewall has to allow it, or the network keeps computers apart. Then use a stick."],
+		antw: "Who has the project’s sources writes this instead. It prints the addresses and a QR code:",
+		stick: "From a stick, without a network", stickSteps: ["Copy “starlogo-nova.html” onto a stick. It is the whole page.", "Copy it from there onto each computer and open it by a double click.", "Pupils choose a lesson on the first screen. Each browser keeps its own programs. “Hand in…” gives you a file of them."],
+		file: "Download starlogo-nova.html",
+	},
 	/** A pupil's work, which goes to the teacher, and the page of a class. */
 	handing: {
 		title: "Hand in your work", name: "Name", needsName: "Write your name first.",

@@ -7,7 +7,7 @@ import { Program } from "./translate.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const standins = join(here, "../standins/module");
-const FILES = ["language.mjs", "ByteArray.mjs", "machine.mjs", "contacts.mjs"];
+const FILES = ["language.mjs", "ByteArray.mjs", "machine.mjs", "contacts.mjs", "warnings.mjs"];
 
 /**
  * Translates the compiler's output in a folder.
@@ -24,7 +24,7 @@ export function translate(folder, signatures, { externals = {}, hasAllStatics = 
 
 /** The text of the stand-ins. */
 export function standinsText() {
-	return FILES.map((file) => readFileSync(join(standins, file), "utf8").replaceAll(/^export /gm, "")).join("\n");
+	return FILES.map((file) => readFileSync(join(standins, file), "utf8").replaceAll(/^import .*\n/gm, "").replaceAll(/^export /gm, "")).join("\n");
 }
 
 /** The files of some classes, and of all that these use, as the compiler says in each. */

@@ -38,8 +38,11 @@ mkdirSync(out, { recursive: true });
 const readable = `${NAME}.js`;
 const minified = `${NAME}.min.js`;
 writeFileSync(join(out, readable), text);
-const small = minify(text, hiddenNames());
-writeFileSync(join(out, minified), small);
+const users = forUsers(text);
+const { code: small, map } = minify(users, hiddenNames());
+mkdirSync(join(out, "maps"));
+writeFileSync(join(out, "maps", `${minified}.map`), map);
+writeFileSync(join(out, minified), `${small}//# sourceMappingURL=maps/${minified}.map\n`);
 writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
 writeFileSync(join(out, "package.json"), `${JSON.stringify(manifest(), null, 2)}\n`);
 copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
@@ -72,6 +75,13 @@ function cleaned(code) {
 		.replaceAll(/[\0-\x08\x0b-\x1f]/g, (control) => `\\x${control.charCodeAt(0).toString(16).padStart(2, "0")}`);
 }
 
+/** The text without warnings for developers. Its lines have the same numbers, for the map. */
+function forUsers(code) {
+	const switched = code.replace("const $isForUsers = false;", "const $isForUsers = true;").replaceAll(/(function \$warn(?:OfNames)?\(\w+\)) \{(\n[\s\S]*?\n)\}\n/g, (_, head, body) => `${head} {${body.replaceAll(/[^\n]/g, "")}}\n`);
+	if (switched === code) throw new Error("there is no switch for warnings");
+	return switched;
+}
+
 /** The members that may get short names: those that only the engine's classes read, by names that stand nowhere else. */
 function hiddenNames() {
 	const platform = [Array, Error, Function, Map, Math, Number, Object, RegExp, Set, String, Uint8Array].flatMap((type) => [type, type.prototype ?? type]);
@@ -95,8 +105,12 @@ function minify(code, hidden) {
 	// $stateOf shows no names with a _, and a game's own subclass hardly has one with _$
 	const mangleCache = Object.fromEntries(hidden.filter((name) => /^[_$]/.test(name)).map((name, i) => [name, `_$${i.toString(36)}`]));
 	const mangleProps = new RegExp(`^(?:${hidden.map((name) => name.replaceAll("$", "\\$")).join("|")})$`);
-	const options = { minifyWhitespace: true, minifyIdentifiers: true, mangleProps, mangleCache, format: "esm", target: "es2022" };
-	return transformSync(code.replaceAll("/* @__PURE__ */", "__PURE__ &&"), options).code.replaceAll("__PURE__&&", "/* @__PURE__ */");
+	// as long as the mark, so that the columns of the map are right
+	const name = "__PURE_MARK__";
+	const source = `../${readable}`;
+	const options = { minifyWhitespace: true, minifyIdentifiers: true, mangleProps, mangleCache, format: "esm", target: "es2022", sourcemap: "external", sourcesContent: false, sourcefile: source };
+	const { code: written, map } = transformSync(code.replaceAll("/* @__PURE__ */", `${name}&&`), options);
+	return { code: written.replaceAll(`${name}&&`, "/* @__PURE__ */"), map };
 }
 
 function fail(qname) {
@@ -127,6 +141,6 @@ function manifest() {
 		peerDependencies: { three: ">=0.180.0" },
 		peerDependenciesMeta: { three: { optional: true } },
 		bin: { "starlogo-bake": "./bake.mjs" },
-		files: ["*.js", "*.mjs", "*.d.ts", "*.md", "*.svg", "three", "nova"],
+		files: ["*.js", "*.mjs", "*.d.ts", "*.md", "*.svg", "maps", "three", "nova"],
 	};
 }

@@ -9,6 +9,7 @@ const PRIMITIVES = { Number: "number", int: "number", uint: "number", Boolean: "
 const BY_NAME = new Map([
 	["accepts", '{ accept(agent: Agent): boolean }["accept"] | null'], // a method's parameter may be a subclass of Agent
 	["buffers", "Record<string, ByteArray>"],
+	["collisionOrShapes", "Collision<A> | CollisionSystem | LevelShapes"],
 	["collisionOrSystem", "Collision<A> | CollisionSystem"],
 	["scaling", "Scaling"],
 	["structureNames", "string[]"],
@@ -88,11 +89,12 @@ export function writeDeclarations(types) {
 	return [HEAD, ...[...types.values()].map((type) => writer.text(type)), BY_HAND, "export {};\n"].join("\n");
 }
 
-/** Whether a class has a type parameter for a client's own class of agents: its update takes them, or it has one for its user. */
+/** Whether a class has a type parameter for a client's own class of agents: its update takes them, it asks about them, or it has one for its user. */
 function isGeneric(type) {
 	const hasAgents = (member) => member.name === "update" && member.parameters[0]?.type === "Vector.<Agent>";
 	const hasAgent = (member) => member.kind === "var" && member.isPublic && !member.isPrivate && member.result === "Agent";
-	return type?.kind === "class" && type.members.some((member) => hasAgents(member) || hasAgent(member));
+	const isAboutThem = (member) => member.kind === "constructor" && member.parameters[0]?.type === "SeenAgents";
+	return type?.kind === "class" && type.members.some((member) => hasAgents(member) || hasAgent(member) || isAboutThem(member));
 }
 
 class Writer {
@@ -229,7 +231,7 @@ class Writer {
 	#parameterType(parameter, said = "") {
 		// it may have been made for any class of agents before
 		const agent = this.#agent;
-		if (isGeneric(this.#exported.get(/^(?:Vector\.<)?(\w+)>?$/.exec(parameter.type)?.[1]))) this.#agent = "Agent";
+		if (parameter.type !== "SeenAgents" && isGeneric(this.#exported.get(/^(?:Vector\.<)?(\w+)>?$/.exec(parameter.type)?.[1]))) this.#agent = "Agent";
 		const text = this.#parameterText(parameter, said);
 		this.#agent = agent;
 		return text;

@@ -15,6 +15,8 @@ export const EXTERNALS = {
 	"flash.errors.EOFError": ["ByteArray.mjs", "EOFError"],
 	"flash.utils.ByteArray": ["ByteArray.mjs", "ByteArray"],
 	"starlogo.search.textOf": ["language.mjs", "$named"],
+	"starlogo.search.warn": ["warnings.mjs", "$warn"],
+	"starlogo.search.warnOfNames": ["warnings.mjs", "$warnOfNames"],
 	"starlogo.handlers.mayTakeMore": ["contacts.mjs", "mayTakeMore"],
 	"standin.LocalStore.read": ["machine.mjs", "readLocal"],
 	"standin.LocalStore.remove": ["machine.mjs", "removeLocal"],

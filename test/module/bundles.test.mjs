@@ -74,6 +74,21 @@ test("a bundle has what is used and no more", () => {
 	assert.match(bundle(["ModelLoader"]), /COLLADA/);
 });
 
+test("a game loads the questions that it asks", () => {
+	const level = ["Agent", "GreatLand", "Model", "LevelShapes", "SeenAgents"];
+	const limits = [
+		[["Agent", "BinCollider", "SeenAgents", "AgentPlaces"], 35],
+		[["Agent", "Collision", "BinCollider", "SeenAgents", "AgentPlaces"], 45],
+		[[...level, "AgentRays"], 62],
+		[[...level, "AgentWalks"], 98],
+	];
+	for (const [names, limit] of limits) {
+		const size = weigh(bundle(names)) / KB;
+		assert.ok(size <= limit, `${names.join(", ")}: ${size.toFixed(1)} KB of ${limit}`);
+	}
+	assert.ok(weigh(bundle([...level, "AgentRays"])) < weigh(bundle([...level, "AgentWalks"])));
+});
+
 test("nothing runs when it is imported, so that bundlers may leave it out", () => {
 	const text = readFileSync(path.join(folder, "starlogo-collision.js"), "utf8");
 	assert.doesNotMatch(text, /^\s+static \{/m);

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, symlinkSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
+import { SourceMap, createRequire } from "node:module";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
@@ -202,11 +202,57 @@ test("importing it reads no global but the language's own, and adds none", () =>
 	assert.doesNotMatch(code, /\beval\(|new Function\(/);
 });
 
-test("the package weighs 3 MB at most, and names no map that it does not have", () => {
+test("the package weighs 3 MB at most, and its map 1.2", () => {
 	const files = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((file) => file.isFile()).map((file) => path.join(file.parentPath ?? file.path, file.name));
-	const bytes = files.reduce((sum, file) => sum + statSync(file).size, 0);
-	assert.ok(bytes < 3e6, `${bytes} bytes`);
-	assert.doesNotMatch(readFileSync(minified, "utf8"), /sourceMappingURL/);
+	const sizeOf = (some) => some.reduce((sum, file) => sum + statSync(file).size, 0);
+	const isMap = (file) => path.dirname(file) === path.join(folder, "maps");
+	assert.ok(sizeOf(files.filter((file) => !isMap(file))) < 3e6);
+	assert.ok(sizeOf(files.filter(isMap)) < 1.2e6);
+});
+
+test("the minified module has a map to the readable one, in a folder of its own", () => {
+	const [, name] = /\n\/\/# sourceMappingURL=(.*)\n$/.exec(readFileSync(minified, "utf8"));
+	const map = new SourceMap(JSON.parse(readFileSync(path.join(folder, name), "utf8")));
+	const [small, readable] = [minified, path.join(folder, "starlogo-collision.js")].map((file) => readFileSync(file, "utf8").split("\n"));
+	assert.deepEqual(readdirSync(path.join(folder, "maps")), [path.basename(name)]);
+	for (const said of ["is listed twice: agents[", "there is no model ", "is no option; the nearest is", "greatLand must not be null", "must not be called from a filter's accepts"]) {
+		const line = small.findIndex((text) => text.includes(said));
+		const { originalSource, originalLine } = map.findEntry(line, small[line].indexOf(said));
+		assert.equal(originalSource, "../starlogo-collision.js");
+		assert.ok(readable.slice(originalLine - 2, originalLine + 3).join().includes(said), `${said}: ${readable[originalLine]}`);
+	}
+});
+
+test("while a game is developed, names that do nothing are warned of, once", () => {
+	const program = (module) => `import { Agent, BinCollider, Collision, CombinationCollider, GreatLand, Model } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+		const said = [];
+		console.warn = (text) => said.push(text);
+		class Wolf extends Agent { hunger = 3; colour = "grey"; }
+		const [agent, wolf, plain] = [new Agent("sphere"), new Wolf("sphere"), new Agent("sphere")];
+		agent.sweep = true;
+		agent.speed = 3;
+		wolf.Heading = 3;
+		wolf.sweep = true;
+		const collider = new BinCollider();
+		collider.exact = true;
+		const collision = new Collision(collider);
+		for (let i = 0; i < 3; i++) collision.update([agent, wolf, plain]);
+		const land = new GreatLand();
+		const side = 80;
+		const vertices = Array.from({ length: side * side }, (_, i) => [i % side, Math.floor(i / side), Math.sin(i)]).flat();
+		const triangles = Array.from({ length: side * (side - 1) - 1 }, (_, i) => [i, i + 1, i + side, i + 1, i + side + 1, i + side]).flat();
+		land.addModel(new Model("level", vertices, triangles, Model.AS_GIVEN));
+		const other = new Collision(new CombinationCollider(land));
+		const [level, boxed] = [new Agent("level"), new Agent("level")];
+		boxed.collideAs = "box";
+		other.update([level, boxed]);
+		console.log(JSON.stringify(said));`;
+	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
+	const said = run("starlogo-collision.js");
+	const expected = [/exact does nothing on a BinCollider/, /sweep is no property of Agent.*is sweeps meant/, /colour is no property of Wolf.*is color meant/, /Heading is no property of Wolf.*is heading meant/, /sweep is no property of Wolf/, /12638 triangles.*set hierarchical/];
+	assert.equal(said.length, expected.length, said.join("\n"));
+	expected.forEach((pattern, i) => assert.match(said[i], pattern));
+	assert.deepEqual(run("starlogo-collision.min.js"), []);
 });
 
 test("it runs in Node", async () => {

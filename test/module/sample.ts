@@ -110,6 +110,11 @@ import {
 	WalkBlocks,
 	Footing,
 	WalkOptions,
+	AgentPlaces,
+	AgentRays,
+	AgentWalks,
+	LevelShapes,
+	SeenAgents,
 } from "starlogo-collision";
 
 /** What went on, line by line. */
@@ -204,6 +209,15 @@ function ask(greatLand: GreatLand, agents: Agent[]): void {
 	const [eye, ahead] = [new Vector3D(-9, 0, 0.5), new Vector3D(1, 0, 0)];
 	const hit: RayHit | null = queries.cast(eye, ahead, Infinity, filter, new RayHit());
 	const hits: RayHit[] = queries.castAll(eye, ahead);
+	const seen: SeenAgents = new SeenAgents(collision);
+	seen.update(agents);
+	const [places, walks]: [AgentPlaces, AgentWalks] = [new AgentPlaces(seen), new AgentWalks(seen)];
+	if (places.nearest(agents[0], Infinity, filter) !== nearest || walks.moveUntilTouch(agents[0], 0, 0, 0) !== 1) log.push("other answers");
+	const level = new LevelShapes(greatLand);
+	level.exact = true;
+	const seenInLevel = new SeenAgents(level);
+	seenInLevel.update(agents);
+	if (new AgentRays(seenInLevel).castAll(eye, ahead).length > hits.length) log.push("other hits");
 	log.push(`${hit?.agent} at ${hit?.distance}, ${hits.length} hits, ${queries.canSee(agents[0], agents[1])}`);
 	const bump: ShapeHit | null = queries.castShape(new Sphere(eye, 0.5), 20, 0, 0, filter, new ShapeHit());
 	const bumps: ShapeHit[] = queries.castAgentAll(agents[0], 0, 0, 9, null, []);

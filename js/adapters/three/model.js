@@ -75,10 +75,10 @@ class Surface {
 		const { geometry } = mesh;
 		const position = geometry.getAttribute("position");
 		if (!position) return;
-		if (mesh.isSkinnedMesh) for (const bone of mesh.skeleton.bones) bone.updateWorldMatrix(true, false);
-		const points = Array.from({ length: position.count }, (_, i) => mesh.getVertexPosition(i, new Vector3()));
 		const corners = cornersOf(geometry, mesh.material);
-		for (const corner of corners) if (!(corner < points.length)) throw this.#error(mesh, `a triangle names vertex ${corner}, the last one is ${points.length - 1}`);
+		const { count } = position;
+		for (let i = 0; i < corners.length; i++) if (!(corners[i] < count)) throw this.#error(mesh, `a triangle names vertex ${corners[i]}, the last one is ${count - 1}`);
+		const points = pointsOf(mesh, position);
 		if (!mesh.isInstancedMesh) this.#add(points, corners, place);
 		else for (let i = 0; i < mesh.count; i++) {
 			const instance = new Matrix4();
@@ -91,22 +91,41 @@ class Surface {
 		// scaled to 0, as hidden instances often are
 		if (place.getMaxScaleOnAxis() === 0) return;
 		const [second, third] = place.determinant() < 0 ? [2, 1] : [1, 2];
-		const pointOf = new Int32Array(points.length).fill(-1);
+		const { triangles } = this;
+		const known = this.#known;
+		const isYUp = this.#isYUp;
+		const numbers = new Int32Array(points.length / 3).fill(-1);
 		const at = new Vector3();
 		const numberOf = (i) => {
-			if (pointOf[i] < 0) {
-				const { x, y, z } = at.copy(points[i]).applyMatrix4(place);
-				pointOf[i] = this.#isYUp ? this.#known.indexOf(x, -z, y) : this.#known.indexOf(x, y, z);
-			}
-			return pointOf[i];
+			at.set(points[3 * i], points[3 * i + 1], points[3 * i + 2]).applyMatrix4(place);
+			return (numbers[i] = isYUp ? known.indexOf(at.x, -at.z, at.y) : known.indexOf(at.x, at.y, at.z));
 		};
-		for (let i = 0; i < corners.length; i += 3) this.triangles.push(numberOf(corners[i]), numberOf(corners[i + second]), numberOf(corners[i + third]));
+		for (let i = 0; i < corners.length; i += 3) {
+			const [a, b, c] = [corners[i], corners[i + second], corners[i + third]];
+			triangles.push(numbers[a] < 0 ? numberOf(a) : numbers[a], numbers[b] < 0 ? numberOf(b) : numbers[b], numbers[c] < 0 ? numberOf(c) : numbers[c]);
+		}
 	}
 
 	#error(mesh, problem) {
 		const title = mesh.name || mesh.geometry.name;
 		return new ModelError(String(this.#name), title && `mesh "${title}"`, problem);
 	}
+}
+
+/** The places of a mesh's vertices in its own space, x, y, z, ..., in its present pose. */
+function pointsOf(mesh, position) {
+	const points = new Float64Array(3 * position.count);
+	const isPosed = mesh.isSkinnedMesh || mesh.geometry.morphAttributes.position !== undefined;
+	if (mesh.isSkinnedMesh) for (const bone of mesh.skeleton.bones) bone.updateWorldMatrix(true, false);
+	const at = new Vector3();
+	for (let i = 0; i < position.count; i++) {
+		if (isPosed) mesh.getVertexPosition(i, at);
+		else at.fromBufferAttribute(position, i);
+		points[3 * i] = at.x;
+		points[3 * i + 1] = at.y;
+		points[3 * i + 2] = at.z;
+	}
+	return points;
 }
 
 /**
@@ -117,24 +136,26 @@ function cornersOf({ index, attributes, drawRange, groups }, material) {
 	const total = index ? index.count : attributes.position.count;
 	const drawn = Array.isArray(material) ? groups.filter(({ materialIndex }) => material[materialIndex]) : [{ start: 0, count: total }];
 	const taken = new Uint8Array(total);
-	const corners = [];
+	const corners = new Float64Array(3 * total);
+	let length = 0;
 	for (const { start, count } of drawn) {
 		const end = Math.min(total, start + count, drawRange.start + drawRange.count);
 		for (let i = Math.max(start, drawRange.start); i + 2 < end; i += 3) {
 			if (taken[i]++) continue;
-			for (let k = i; k < i + 3; k++) corners.push(index ? index.getX(k) : k);
+			for (let k = i; k < i + 3; k++) corners[length++] = index ? index.getX(k) : k;
 		}
 	}
-	return corners;
+	return corners.subarray(0, length);
 }
 
 /** Gives positions indices. Equal positions get one index, because exporters repeat them for normals and textures. */
 class PointTable {
 	#points;
-	#numbers = new Map();
+	#count = 0;
+	#slots = new Int32Array(1024).fill(-1); // by hash: the index of a point. The next free slot is taken if several have one hash
+	#hashes = [];
 	#bits = new Float64Array(3);
 	#words = new Uint32Array(this.#bits.buffer);
-	#next = [];
 
 	/** @param {number[]} points x, y, z, ...: new positions are appended */
 	constructor(points) {
@@ -143,18 +164,43 @@ class PointTable {
 
 	indexOf(x, y, z) {
 		const points = this.#points;
+		const slots = this.#slots;
+		const last = slots.length - 1;
 		const hash = this.#hash(x, y, z);
-		const first = this.#numbers.get(hash) ?? -1;
-		for (let i = first; i >= 0; i = this.#next[i]) if (points[3 * i] === x && points[3 * i + 1] === y && points[3 * i + 2] === z) return i;
-		const added = this.#next.push(first) - 1;
-		this.#numbers.set(hash, added);
+		let slot = hash & last;
+		for (let i = slots[slot]; i >= 0; i = slots[slot]) {
+			if (points[3 * i] === x && points[3 * i + 1] === y && points[3 * i + 2] === z) return i;
+			slot = (slot + 1) & last;
+		}
+		const added = this.#count++;
+		slots[slot] = added;
+		this.#hashes.push(hash);
 		points.push(x, y, z);
+		if (2 * this.#count > last) this.#grow();
 		return added;
 	}
 
+	#grow() {
+		const slots = new Int32Array(4 * this.#slots.length).fill(-1);
+		for (let i = 0; i < this.#count; i++) {
+			let slot = this.#hashes[i] & (slots.length - 1);
+			while (slots[slot] >= 0) slot = (slot + 1) & (slots.length - 1);
+			slots[slot] = i;
+		}
+		this.#slots = slots;
+	}
+
 	#hash(x, y, z) {
+		const words = this.#words;
 		// turns -0 into 0
-		this.#bits.set([x + 0, y + 0, z + 0]);
-		return this.#words.reduce((hash, word) => Math.imul(hash ^ word, 0x9e3779b1) ^ (hash >>> 15), 0);
+		this.#bits[0] = x + 0;
+		this.#bits[1] = y + 0;
+		this.#bits[2] = z + 0;
+		let hash = 0;
+		for (let i = 0; i < 6; i++) {
+			hash = Math.imul(hash ^ words[i], 0x9e3779b1);
+			hash ^= hash >>> 15;
+		}
+		return hash;
 	}
 }

@@ -5,6 +5,9 @@
 
 const closures = new WeakMap();
 
+/** Whether this is the module that users of a game get, which has no warnings for its developers. The build sets it for the minified one. */
+export const $isForUsers = false;
+
 /** `new Vector.<T>(length)`. zero is the first value of a T. */
 export function $vector(length, zero) {
 	return new Array(length).fill(zero);
@@ -180,7 +183,7 @@ function refuseOption(target, name, key, names) {
  * How far one word is from another: how many letters have to be inserted, removed or replaced (Levenshtein, 1966), less two for each letter of a
  * beginning that both have, because abbreviations are common.
  */
-function distanceOf(word, other) {
+export function distanceOf(word, other) {
 	let same = 0;
 	while (same < word.length && word[same] === other[same]) same++;
 	let counts = [...other, ""].map((_, i) => i);

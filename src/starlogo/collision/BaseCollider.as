@@ -6,7 +6,9 @@ package starlogo.collision
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
+    import starlogo.search.NarrowPhase;
     import starlogo.search.textOf;
+    import starlogo.search.warnOfNames;
 
     use namespace engine;
 
@@ -14,7 +16,7 @@ package starlogo.collision
      * The base class for collision systems of your own. It has all methods that a Collision uses. A subclass overrides some of them, and another
      * collision system does the rest.
      */
-    public class BaseCollider implements CollisionSystem
+    public class BaseCollider extends QuerySource implements CollisionSystem
     {
         private var _collisionSystem:CollisionSystem;
         private var _found:Vector.<Agent> = new Vector.<Agent>();
@@ -33,6 +35,7 @@ package starlogo.collision
         /** @private Returns the system itself if it is a BaseCollider, otherwise a BaseCollider around it. */
         engine static function of(system:CollisionSystem):BaseCollider
         {
+            warnOfNames(system);
             return system as BaseCollider || new BaseCollider(system);
         }
 
@@ -100,6 +103,16 @@ package starlogo.collision
         {
             var inside:BaseCollider = _collisionSystem as BaseCollider;
             return inside == null ? null : inside.innerCollider;
+        }
+
+        override engine function findTests():NarrowPhase
+        {
+            var collider:Collider = equivalentCollider;
+            if (collider != null)
+            {
+                return collider.narrowPhase;
+            }
+            throw errorAbout(_collisionSystem || this);
         }
 
         /** @private The engine's collider that finds the same pairs as this one, or null. Snapshots and questions use it. */

@@ -11,6 +11,7 @@ package starlogo.collision
     import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
+    import starlogo.search.SpherePairTests;
 
     use namespace engine;
 
@@ -69,6 +70,7 @@ package starlogo.collision
         {
             super();
             narrowPhase = new NarrowPhase(choice);
+            SpherePairTests.bringTo(narrowPhase);
             search = new CollisionSearch(choice, narrowPhase);
             this.choice = choice;
             _seen = search;

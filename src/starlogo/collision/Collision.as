@@ -13,6 +13,7 @@ package starlogo.collision
     import starlogo.search.BreedInterests;
     import starlogo.search.FrameInput;
     import starlogo.search.textOf;
+    import starlogo.search.NarrowPhase;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
 
@@ -36,7 +37,7 @@ package starlogo.collision
      * because a collider keeps the agents' positions of the last frame. The time for the calls is in proportion to the number of agents and
      * calls. If a handler removes an agent from the list, or gives it another place in it, this costs one search of the list.</p>
      */
-    public class Collision
+    public class Collision extends QuerySource
     {
         /** Stands for any breed in place of a breed's name (§6.1, "any other agent"). */
         public static const ANY_BREED:String = BreedInterests.ANY_BREED;
@@ -371,6 +372,21 @@ package starlogo.collision
             collider.seeFrame();
             keepList(agents, collider);
             _hasFailed = false;
+        }
+
+        override engine function findTests():NarrowPhase
+        {
+            return _system.findTests();
+        }
+
+        override engine function groundFor(own:Terrain):Terrain
+        {
+            return terrain;
+        }
+
+        override engine function takeGround(value:Terrain):void
+        {
+            terrain = value;
         }
 
         // Lets another Collision have a system's collider, unless this one still needs it.

@@ -2,6 +2,7 @@ package starlogo.collision
 {
     import starlogo.GreatLand;
     import starlogo.engine;
+    import starlogo.search.StructurePairTests;
     import starlogo.search.TightestFits;
 
     use namespace engine;
@@ -24,6 +25,7 @@ package starlogo.collision
         public function TightestFitCollider(greatLand:GreatLand)
         {
             super(new TightestFits(greatLand));
+            StructurePairTests.bringTo(narrowPhase);
         }
     }
 }

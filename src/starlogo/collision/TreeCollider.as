@@ -1,7 +1,9 @@
 package starlogo.collision
 {
     import starlogo.engine;
-    import starlogo.search.ShapeChoice;
+    import starlogo.search.AgentShapes;
+    import starlogo.search.StructurePairTests;
+    import starlogo.search.TreePairTests;
 
     use namespace engine;
 
@@ -13,9 +15,11 @@ package starlogo.collision
          *
          * @param choice chooses the shapes of agents
          */
-        public function TreeCollider(choice:ShapeChoice)
+        public function TreeCollider(choice:AgentShapes)
         {
             super(choice);
+            StructurePairTests.bringTo(narrowPhase);
+            TreePairTests.bringTo(narrowPhase);
         }
 
         /**
@@ -27,16 +31,12 @@ package starlogo.collision
          */
         public function get maxDepth():int
         {
-            return narrowPhase.trees.maxDepth;
+            return narrowPhase.treeLimits.maxDepth;
         }
 
         public function set maxDepth(value:int):void
         {
-            if (value < 1)
-            {
-                throw new RangeError("maxDepth must be at least 1: " + value);
-            }
-            narrowPhase.trees.maxDepth = value;
+            narrowPhase.treeLimits.takeDepth(value);
         }
 
         /**
@@ -51,12 +51,12 @@ package starlogo.collision
          */
         public function get exact():Boolean
         {
-            return narrowPhase.trees.exact;
+            return narrowPhase.treeLimits.exact;
         }
 
         public function set exact(value:Boolean):void
         {
-            narrowPhase.trees.exact = value;
+            narrowPhase.treeLimits.exact = value;
         }
     }
 }

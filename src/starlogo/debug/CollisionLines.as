@@ -15,7 +15,7 @@ package starlogo.debug
     import starlogo.search.AgentShapes;
     import starlogo.search.ModelShape;
     import starlogo.search.TightestFits;
-    import starlogo.search.TreePairTests;
+    import starlogo.search.TreeLimits;
 
     use namespace engine;
 
@@ -82,7 +82,7 @@ package starlogo.debug
             }
             // a system that is not the engine's tells nothing about its shapes
             var choice:AgentShapes = collider == null ? new TightestFits(_greatLand) : collider.choice;
-            var level:int = collider == null || collider.narrowPhase.trees == null ? 0 : levelOf(agent, collider.narrowPhase.trees);
+            var level:int = collider == null || collider.narrowPhase.trees == null ? 0 : levelOf(agent, collider.narrowPhase.treeLimits);
             var key:String = level + " " + choice.kindOf(agent) + " " + agent.shape;
             if (_lines[key] == null)
             {
@@ -101,13 +101,13 @@ package starlogo.debug
         }
 
         // In exact mode all levels, because the triangles decide.
-        private static function levelOf(agent:Agent, trees:TreePairTests):int
+        private static function levelOf(agent:Agent, limits:TreeLimits):int
         {
-            if (trees.exact)
+            if (limits.exact)
             {
                 return int.MAX_VALUE;
             }
-            return agent.traversalDepth > 0 ? agent.traversalDepth : trees.maxDepth;
+            return agent.traversalDepth > 0 ? agent.traversalDepth : limits.maxDepth;
         }
 
         // A Matrix3D is not used, because it has single precision.

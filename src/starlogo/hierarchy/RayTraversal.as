@@ -77,7 +77,7 @@ package starlogo.hierarchy
         {
             if (_all != null)
             {
-                crossStructure(_ray, treeA.writeBox(a, _box), _slack, _part, _all);
+                crossStructure(_ray, treeA.writeBox(a, _box), _slack, _part, null, _all);
                 // so the search does not end
                 bound = Infinity;
             }

@@ -10,6 +10,7 @@ package starlogo.queries
     import starlogo.geometry.requireGiven;
     import starlogo.geometry.requireInWorld;
     import starlogo.search.Body;
+    import starlogo.search.StructurePairTests;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
 
@@ -39,13 +40,16 @@ package starlogo.queries
      * <p>An update takes a few tenths of a microsecond per agent. The first question after it builds a tree of the places, or of the extents.
      * The time of a question grows with the logarithm of the number of agents, and with the length of its answer. Agents of breeds that do
      * not count take no time, unless agents get other breeds between questions.</p>
+     *
+     * <p>A page that asks only some of the questions, and wants to load no more than these, takes SeenAgents with AgentPlaces, AgentRays or
+     * AgentWalks in place of this class. Their answers are the same.</p>
      */
     public class AgentQueries
     {
         private var _seen:QueryWorld;
 
         // By the number of questions under way that call accepts.
-        private var _sets:Vector.<QuerySet> = new Vector.<QuerySet>();
+        private var _sets:Vector.<AllQueries> = new Vector.<AllQueries>();
 
         /**
          * Begins without agents. Call <code>update()</code> before you ask: before the first one, questions that search the list throw an
@@ -57,8 +61,14 @@ package starlogo.queries
          */
         public function AgentQueries(collisionOrSystem:Object)
         {
+            if (collisionOrSystem is LevelShapes)
+            {
+                throw new ArgumentError("the shapes of a level are for AgentRays and AgentWalks: an AgentQueries needs a Collision or a collision system");
+            }
             _seen = new QueryWorld(collisionOrSystem);
-            _sets.push(new QuerySet(_seen));
+            // questions may be about any structure
+            _seen.need(StructurePairTests.bringTo);
+            _sets.push(new AllQueries(_seen));
         }
 
         /**
@@ -125,7 +135,7 @@ package starlogo.queries
         public function near(agent:Agent, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             var at:Placement = _seen.placeOf(agent);
-            return ask.near(agent, at.x, at.y, at.z, radius, Collector.ALL, filter).list(out);
+            return ask.places.near(agent, at.x, at.y, at.z, radius, Collector.ALL, filter).list(out);
         }
 
         /**
@@ -138,7 +148,7 @@ package starlogo.queries
         public function countNear(agent:Agent, radius:Number, filter:AgentFilter = null):int
         {
             var at:Placement = _seen.placeOf(agent);
-            return ask.countNear(agent, at.x, at.y, at.z, radius, filter);
+            return ask.places.countNear(agent, at.x, at.y, at.z, radius, filter);
         }
 
         /**
@@ -153,7 +163,7 @@ package starlogo.queries
         public function nearest(agent:Agent, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
             var at:Placement = _seen.placeOf(agent);
-            return ask.near(agent, at.x, at.y, at.z, radius, 1, filter).firstAgent();
+            return ask.places.near(agent, at.x, at.y, at.z, radius, 1, filter).firstAgent();
         }
 
         /**
@@ -173,7 +183,7 @@ package starlogo.queries
         {
             QuerySet.requireNotNegative("count", count);
             var at:Placement = _seen.placeOf(agent);
-            return ask.near(agent, at.x, at.y, at.z, radius, count, filter).list(out);
+            return ask.places.near(agent, at.x, at.y, at.z, radius, count, filter).list(out);
         }
 
         /** An older name of <code>nearestFew()</code>. */
@@ -194,7 +204,7 @@ package starlogo.queries
         public function nearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             requirePoint(point);
-            return ask.near(null, point.x, point.y, point.z, radius, Collector.ALL, filter).list(out);
+            return ask.places.near(null, point.x, point.y, point.z, radius, Collector.ALL, filter).list(out);
         }
 
         /**
@@ -207,7 +217,7 @@ package starlogo.queries
         public function countNearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null):int
         {
             requirePoint(point);
-            return ask.countNear(null, point.x, point.y, point.z, radius, filter);
+            return ask.places.countNear(null, point.x, point.y, point.z, radius, filter);
         }
 
         /**
@@ -221,7 +231,7 @@ package starlogo.queries
         public function nearestToPoint(point:Vector3D, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
             requirePoint(point);
-            return ask.near(null, point.x, point.y, point.z, radius, 1, filter).firstAgent();
+            return ask.places.near(null, point.x, point.y, point.z, radius, 1, filter).firstAgent();
         }
 
         /**
@@ -242,7 +252,7 @@ package starlogo.queries
         {
             QuerySet.requireNotNegative("degrees", degrees);
             var at:Placement = _seen.placeOf(agent);
-            return ask.near(agent, at.x, at.y, at.z, radius, Collector.ALL, filter, degrees).list(out);
+            return ask.places.near(agent, at.x, at.y, at.z, radius, Collector.ALL, filter, degrees).list(out);
         }
 
         /**
@@ -257,7 +267,7 @@ package starlogo.queries
          */
         public function touching(agent:Agent, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return ask.touching(agent, ask.bodyOf(agent), Collector.ALL, filter).list(out);
+            return ask.touches.touching(agent, ask.room.bodyOf(agent), Collector.ALL, filter).list(out);
         }
 
         /**
@@ -270,7 +280,7 @@ package starlogo.queries
          */
         public function touchesAny(agent:Agent, filter:AgentFilter = null):Boolean
         {
-            return ask.touching(agent, ask.bodyOf(agent), 1, filter).end() > 0;
+            return ask.touches.touching(agent, ask.room.bodyOf(agent), 1, filter).end() > 0;
         }
 
         /**
@@ -284,8 +294,8 @@ package starlogo.queries
         public function touchesEdge(agent:Agent, bounds:WorldBounds):Boolean
         {
             requireGiven("bounds", bounds);
-            var body:Body = ask.bodyOf(agent);
-            return body.shape != null && _seen.narrowPhase.areTouching(body, ask.bodyOf(bounds.agent, ask.second));
+            var body:Body = ask.room.bodyOf(agent);
+            return body.shape != null && _seen.narrowPhase.areTouching(body, ask.room.bodyOf(bounds.agent, ask.room.second));
         }
 
         /**
@@ -304,7 +314,7 @@ package starlogo.queries
         public function wouldTouchAt(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter = null):Boolean
         {
             requireInWorld("a place", x, y, z);
-            return ask.touching(agent, ask.bodyAt(agent, x, y, z), 1, filter).end() > 0;
+            return ask.touches.touching(agent, ask.room.bodyAt(agent, x, y, z), 1, filter).end() > 0;
         }
 
         /** An older name of <code>wouldTouchAt()</code>. */
@@ -327,7 +337,7 @@ package starlogo.queries
          */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return ask.touching(null, ask.bodyOfStructure(structure), Collector.ALL, filter).list(out);
+            return ask.touches.touching(null, ask.room.bodyOfStructure(structure), Collector.ALL, filter).list(out);
         }
 
         /**
@@ -472,7 +482,7 @@ package starlogo.queries
          */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return ask.moves.cast(null, ask.bodyOfStructure(structure), dx, dy, dz, filter, hit);
+            return ask.moves.cast(null, ask.room.bodyOfStructure(structure), dx, dy, dz, filter, hit);
         }
 
         /**
@@ -493,7 +503,7 @@ package starlogo.queries
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return ask.moves.castAll(null, ask.bodyOfStructure(structure), dx, dy, dz, filter, out);
+            return ask.moves.castAll(null, ask.room.bodyOfStructure(structure), dx, dy, dz, filter, out);
         }
 
         /**
@@ -513,7 +523,7 @@ package starlogo.queries
          */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return ask.moves.cast(agent, ask.bodyOfCast(agent), dx, dy, dz, filter, hit);
+            return ask.moves.cast(agent, ask.room.bodyOfCast(agent), dx, dy, dz, filter, hit);
         }
 
         /**
@@ -534,7 +544,7 @@ package starlogo.queries
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return ask.moves.castAll(agent, ask.bodyOfCast(agent), dx, dy, dz, filter, out);
+            return ask.moves.castAll(agent, ask.room.bodyOfCast(agent), dx, dy, dz, filter, out);
         }
 
         /**
@@ -620,22 +630,13 @@ package starlogo.queries
             return ask.walks.walk(agent, dx, dy, options, out);
         }
 
-        private function get ask():QuerySet
+        private function get ask():AllQueries
         {
             if (_seen.asking == _sets.length)
             {
-                _sets.push(new QuerySet(_seen));
+                _sets.push(new AllQueries(_seen));
             }
             return _sets[_seen.asking];
-        }
-
-        private static function requirePoint(point:Vector3D):void
-        {
-            if (point == null)
-            {
-                throw new ArgumentError("a point is needed, not null");
-            }
-            requireInWorld("a point", point.x, point.y, point.z);
         }
     }
 }

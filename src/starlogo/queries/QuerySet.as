@@ -3,17 +3,17 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
-    import starlogo.search.AgentTable;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.ListedAgents;
 
     use namespace engine;
 
     /**
-     * Answers all kinds of questions about the same agents: what is near, what is met or touched, how far apart, how far a body can go. A question
-     * searches the trees of a QueryWorld (NearSearch, SweptBoxSearch), tests what it finds (RowFilter, RowRays, Mover), and gives it to the
-     * Collector. Read this file first, then RayQueries for a ray, or Mover for a motion.
+     * What a question works with: the agents that it sees, the collector of its answer, and bodies to write to. A question searches the trees
+     * of a QueryWorld (NearSearch, SweptBoxSearch), tests what it finds (RowFilter, RowRays, Mover), and gives it to the Collector. Each kind
+     * of question is a class with such a set: PlaceQueries, TouchQueries, DistanceQueries, RayQueries, MoveQueries, WalkQueries. A public class
+     * names only the kinds that it needs: AgentPlaces, AgentRays, AgentWalks, or AgentQueries for all. Read this file first, then RayQueries
+     * for a ray, or Mover for a motion.
      *
      * <p>A filter's <code>accepts</code> may ask questions while a search waits for it. These questions have a set of their own, so that search
      * finds everything as it was.</p>
@@ -31,108 +31,16 @@ package starlogo.queries
         /** Finds the rows near a body, a way or a ray. */
         public var boxSearch:SweptBoxSearch = new SweptBoxSearch();
 
-        /** Tests where a ray meets a row. */
-        public var rowRays:RowRays;
-
         /** The body of a second agent or structure, and the body that moves. */
         public var second:Body = new Body();
 
-        /** Questions about distances of surfaces. */
-        public var distances:DistanceQueries;
-
-        /** Questions about rays. */
-        public var rays:RayQueries;
-
-        /** Motions and casts. */
-        public var moves:MoveQueries;
-
-        /** Walks. */
-        public var walks:WalkQueries;
-
         private var _first:Body = new Body();
-        private var _near:NearSearch = new NearSearch();
-        private var _count:CountSearch = new CountSearch();
-        private var _cone:Cone = new Cone();
 
         /** @param seen the agents that questions are about */
         public function QuerySet(seen:QueryWorld)
         {
             this.seen = seen;
             found = new Collector(seen);
-            rowRays = new RowRays(seen);
-            distances = new DistanceQueries(this);
-            rays = new RayQueries(this);
-            moves = new MoveQueries(this);
-            walks = new WalkQueries(this);
-        }
-
-        /**
-         * Finds the agents near a place.
-         *
-         * @param asker the agent that asks, which is left out; or null
-         * @param x the place
-         * @param y the place
-         * @param z the place
-         * @param radius the largest distance
-         * @param wanted how many of the nearest agents are wanted, or Collector.ALL
-         * @param filter the agents that count; null for all
-         * @param degrees the angle of a cone in front of the asker; from 360 on there is no cone
-         * @return has the answer
-         */
-        public function near(asker:Agent, x:Number, y:Number, z:Number, radius:Number, wanted:int, filter:AgentFilter, degrees:Number = 360):Collector
-        {
-            requireNotNegative("radius", radius);
-            found.begin(wanted, radius * radius, asker, filter);
-            var cone:Cone = degrees < 360 ? _cone.setTo(asker.worldPlacement(), degrees / 2) : null;
-            _near.find(seen.findPlaces(), x, y, z, found, cone);
-            return found;
-        }
-
-        /** Counts the agents near a place. The parameters are those of <code>near()</code>. */
-        public function countNear(asker:Agent, x:Number, y:Number, z:Number, radius:Number, filter:AgentFilter):int
-        {
-            if (filter != null && filter.accepts != null)
-            {
-                return near(asker, x, y, z, radius, Collector.ALL, filter).end();
-            }
-            requireNotNegative("radius", radius);
-            found.filter.begin(asker, filter);
-            return _count.count(seen.findPlaces(), x, y, z, radius * radius, found.filter);
-        }
-
-        /**
-         * Finds the agents that touch a body. They are sorted by the distances of their places from the body's place.
-         *
-         * @param asker the agent that asks, which is left out; or null
-         * @param body the body that asks. While its model is loading it touches nothing
-         * @param wanted Collector.ALL; or 1 for any agent that touches
-         * @param filter the agents that count; null for all
-         * @return has the answer
-         */
-        public function touching(asker:Agent, body:Body, wanted:int, filter:AgentFilter):Collector
-        {
-            var table:AgentTable = seen.table;
-            var answer:Collector = found;
-            var search:SweptBoxSearch = boxSearch;
-            answer.begin(wanted, Infinity, asker, filter);
-            if (body.shape == null)
-            {
-                return answer;
-            }
-            seen.beginWay(search, body);
-            // if one row is wanted, it may be any that touches
-            for (var other:int = answer.nextOf(search); other >= 0 && !answer.hasAny; other = answer.nextOf(search))
-            {
-                if (seen.narrowPhase.areTouching(body, table.bodyOf(other)))
-                {
-                    var toX:Number = table.places.now.x[other] - body.placement.x;
-                    var toY:Number = table.places.now.y[other] - body.placement.y;
-                    var toZ:Number = table.places.now.z[other] - body.placement.z;
-                    // the ground has no place, so it comes last
-                    answer.add(other, other == ListedAgents.GROUND ? Infinity : toX * toX + toY * toY + toZ * toZ);
-                }
-            }
-            return answer;
         }
 
         /**

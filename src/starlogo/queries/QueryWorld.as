@@ -3,9 +3,7 @@ package starlogo.queries
     import flash.errors.IllegalOperationError;
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
-    import starlogo.collision.BaseCollider;
-    import starlogo.collision.Collider;
-    import starlogo.collision.Collision;
+    import starlogo.collision.QuerySource;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireGiven;
@@ -15,8 +13,6 @@ package starlogo.queries
     import starlogo.search.ModelShapes;
     import starlogo.search.NarrowPhase;
     import starlogo.search.ListedAgents;
-    import starlogo.search.StructurePairTests;
-    import starlogo.search.textOf;
     import starlogo.terrain.Terrain;
 
     use namespace engine;
@@ -38,38 +34,52 @@ package starlogo.queries
         /** The number of questions under way that are calling a filter's accepts. Meanwhile the list must not change. */
         public var asking:int = 0;
 
-        private var _source:Object;
+        private var _source:QuerySource;
+
+        // Functions that bring the tests which some questions need.
+        private var _needs:Vector.<Function> = new Vector.<Function>();
+
         private var _terrain:Terrain = null;
         private var _places:RowTree = new RowTree();
         private var _extents:RowTree = new RowTree();
         private var _isRead:Boolean = false;
 
         /**
-         * @param source a Collision, or one of the engine's colliders
-         * @throws ArgumentError if it is neither, or if the Collision's system is not one of the engine's
+         * @param source a Collision, one of the engine's colliders, or the shapes of a level
+         * @throws ArgumentError if it is none of them, or if the Collision's system is not one of the engine's
          */
         public function QueryWorld(source:Object)
         {
-            _source = source;
-            var collider:Collider = findCollider();
-            table = tableFor(collider);
-            see(collider);
+            _source = source as QuerySource;
+            if (_source == null)
+            {
+                throw QuerySource.errorAbout(source);
+            }
+            narrowPhase = _source.findTests();
+            table = newTable(narrowPhase);
         }
 
         /** See AgentQueries.terrain. */
         public function get terrain():Terrain
         {
-            var collision:Collision = _source as Collision;
-            return collision == null ? _terrain : collision.terrain;
+            return _source.groundFor(_terrain);
         }
 
         public function set terrain(value:Terrain):void
         {
-            if (_source is Collision)
-            {
-                Collision(_source).terrain = value;
-            }
+            _source.takeGround(value);
             _terrain = value;
+        }
+
+        /**
+         * Questions need tests that their collision system may lack. It has them from now on.
+         *
+         * @param bringTo <code>function(narrowPhase:NarrowPhase):void</code>
+         */
+        public function need(bringTo:Function):void
+        {
+            _needs.push(bringTo);
+            bringTo(narrowPhase);
         }
 
         /** See AgentQueries.update. */
@@ -77,12 +87,12 @@ package starlogo.queries
         {
             requireGiven("agents", agents);
             requireQuiet("update");
-            var collider:Collider = findCollider();
-            var next:AgentTable = collider.narrowPhase === narrowPhase ? table : tableFor(collider);
+            var tests:NarrowPhase = _source.findTests();
+            var next:AgentTable = tests === narrowPhase ? table : newTable(tests);
             next.read(agents);
             next.readWorldAgent(ListedAgents.GROUND, terrain == null ? null : terrain.agent);
             table = next;
-            see(collider);
+            see(tests);
             _places.movesLeft = _extents.movesLeft = -1;
             _isRead = true;
         }
@@ -180,29 +190,21 @@ package starlogo.queries
             }
         }
 
-        private function findCollider():Collider
+        private function see(tests:NarrowPhase):void
         {
-            var collision:Collision = _source as Collision;
-            var system:Object = collision == null ? _source : collision.collisionSystem;
-            var base:BaseCollider = system as BaseCollider;
-            if (base == null || base.equivalentCollider == null)
+            if (narrowPhase !== tests)
             {
-                throw new ArgumentError("questions need a Collision or one of the engine's collision systems, not "
-                        + textOf(system, "a Collision or a Collider"));
+                narrowPhase = tests;
+                for (var i:int = 0; i < _needs.length; i++)
+                {
+                    _needs[i](tests);
+                }
             }
-            return base.equivalentCollider;
         }
 
-        private function see(collider:Collider):void
+        private static function newTable(tests:NarrowPhase):AgentTable
         {
-            narrowPhase = collider.narrowPhase;
-            // questions may be about any structure
-            StructurePairTests.bringTo(narrowPhase);
-        }
-
-        private static function tableFor(collider:Collider):AgentTable
-        {
-            return new AgentTable(new ModelShapes(collider.choice), null);
+            return new AgentTable(new ModelShapes(tests.choice), null);
         }
 
         /** Throws an ArgumentError if an agent is null. */

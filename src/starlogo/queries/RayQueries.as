@@ -20,6 +20,7 @@ package starlogo.queries
     public final class RayQueries
     {
         private var _set:QuerySet;
+        private var _rowRays:RowRays;
         private var _ray:Ray = new Ray();
 
         private var _hits:Hits;
@@ -31,6 +32,7 @@ package starlogo.queries
         public function RayQueries(questions:QuerySet)
         {
             _set = questions;
+            _rowRays = new RowRays(questions.seen);
             _hits = new Hits(questions.found, RayHit);
             _surfaces = new RaySurfaces(questions.seen);
         }
@@ -97,7 +99,7 @@ package starlogo.queries
             var way:SweptBoxSearch = _set.boxSearch;
             for (var row:int = found.nextOf(way); row >= 0; row = found.nextOf(way))
             {
-                if (row != rowA && row != rowB && _set.rowRays.findHit(row, _ray))
+                if (row != rowA && row != rowB && _rowRays.findHit(row, _ray))
                 {
                     if (found.filter.accepts == null)
                     {
@@ -155,7 +157,7 @@ package starlogo.queries
             var ray:Ray = _ray;
             for (var row:int = found.nextOf(way); row >= 0; row = found.nextOf(way))
             {
-                if (_set.rowRays.findHit(row, _ray) && found.add(row, ray.from))
+                if (_rowRays.findHit(row, _ray) && found.add(row, ray.from))
                 {
                     var contact:ContactPoint = _hits.newContact(row, ray.triangle);
                     contact.x = ray.x + ray.from * ray.directionX;
@@ -175,7 +177,7 @@ package starlogo.queries
             _surfaces.begin();
             for (var row:int = found.nextOf(way); row >= 0; row = found.nextOf(way))
             {
-                if (_set.rowRays.findSurfaces(row, _ray, _surfaces))
+                if (_rowRays.findSurfaces(row, _ray, _surfaces))
                 {
                     found.add(row, _surfaces.firstDistanceOf(row));
                 }

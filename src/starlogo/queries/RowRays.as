@@ -3,12 +3,14 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.ray.ConvexRay;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.crossStructure;
     import starlogo.intersection.ray.rayStructure;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
+    import starlogo.search.TreeLimits;
     import starlogo.solid.ModelRayQuery;
 
     use namespace engine;
@@ -144,10 +146,15 @@ package starlogo.queries
             var shape:ModelShape = body.shape;
             if (shape.hierarchy != null)
             {
-                return _solid.findAll(shape.hierarchy, _seen.narrowPhase.trees.depthOf(body), _seen.narrowPhase.trees.exact, line, out);
+                return _solid.findAll(shape.hierarchy, _seen.narrowPhase.treeLimits.depthOf(body), _seen.narrowPhase.treeLimits.exact, line, out);
             }
-            crossStructure(line, shape.structure, 0, _part, out);
+            crossStructure(line, shape.structure, 0, _part, convexRay, out);
             return false;
+        }
+
+        private function get convexRay():ConvexRay
+        {
+            return _seen.narrowPhase.structures == null ? null : _seen.narrowPhase.structures.convexRay;
         }
 
         private function bringIntoModel(ray:Ray, placement:Placement, line:Ray):void
@@ -183,11 +190,12 @@ package starlogo.queries
             var shape:ModelShape = body.shape;
             if (shape.hierarchy != null)
             {
-                var isMet:Boolean = _solid.find(shape.hierarchy, _seen.narrowPhase.trees.depthOf(body), _seen.narrowPhase.trees.exact, found);
+                var limits:TreeLimits = _seen.narrowPhase.treeLimits;
+                var isMet:Boolean = _solid.find(shape.hierarchy, limits.depthOf(body), limits.exact, found);
                 found.triangle = _solid.triangle;
                 return isMet;
             }
-            return rayStructure(found, shape.structure);
+            return rayStructure(found, shape.structure, convexRay);
         }
     }
 }

@@ -43,6 +43,8 @@ package starlogo.queries
         private static const DOWN:Vector3D = new Vector3D(0, 0, -1);
 
         private var _set:QuerySet;
+        private var _moves:MoveQueries;
+        private var _rowRays:RowRays;
         private var _mover:Mover;
         private var _walk:Walk = new Walk();
         private var _overlap:ContactPoint = new ContactPoint();
@@ -58,11 +60,16 @@ package starlogo.queries
         private var _vector:Vector3D = new Vector3D();
         private var _origin:Vector3D = new Vector3D();
 
-        /** @param questions what questions work with */
-        public function WalkQueries(questions:QuerySet)
+        /**
+         * @param questions what questions work with
+         * @param moves moves the agents
+         */
+        public function WalkQueries(questions:QuerySet, moves:MoveQueries)
         {
             _set = questions;
-            _mover = questions.moves.mover;
+            _moves = moves;
+            _mover = moves.mover;
+            _rowRays = new RowRays(questions.seen);
         }
 
         /** See AgentQueries.walk. */
@@ -72,7 +79,7 @@ package starlogo.queries
             var standing:PlatformLink = begin(agent, dx, dy, options || DEFAULTS, walk);
             var footing:Footing = out || new Footing();
             footing.stands = go(walk, footing);
-            _set.moves.moveAgent(agent, walk.place, walk.turn);
+            _moves.moveAgent(agent, walk.place, walk.turn);
             if (!footing.stands)
             {
                 walk.row = -1;
@@ -167,7 +174,7 @@ package starlogo.queries
         private function findNear(walk:Walk, distance:Number):void
         {
             var options:WalkOptions = walk.options;
-            _set.moves.findWayWithin(walk.agent, _set.bodyOfMover(walk.agent), walk.piece.x, walk.piece.y, 0, walk.range + distance,
+            _moves.findWayWithin(walk.agent, _set.bodyOfMover(walk.agent), walk.piece.x, walk.piece.y, 0, walk.range + distance,
                     walk.pieces * options.stepHeight, walk.pieces * options.snap + options.fall, walk.turn, options.filter, walk.way);
         }
 
@@ -366,7 +373,7 @@ package starlogo.queries
             _origin.setTo(contact.x - behind * contact.normalX / across, contact.y - behind * contact.normalY / across, contact.z + above);
             _ray.aim(_origin, DOWN);
             _ray.to = 2 * above;
-            if (!_set.rowRays.findHit(row, _ray) || _ray.from == 0 || !(_ray.normalZ >= walk.cosine))
+            if (!_rowRays.findHit(row, _ray) || _ray.from == 0 || !(_ray.normalZ >= walk.cosine))
             {
                 return false;
             }

@@ -105,13 +105,12 @@ package starlogo.search
 
         private function setConditions(input:FrameInput):void
         {
-            var trees:TreePairTests = _narrowPhase.trees;
             _conditions.interests = input.interests;
             _conditions.interestsRevision = input.interests == null ? 0 : input.interests.revision;
             _conditions.takePart = input.takePart;
             _conditions.areSpheres = _shapes.areSpheres;
             _conditions.isSwept = Agent.haveSwept && RowMotions.anySweeping(input.agents);
-            _conditions.maxDepth = trees == null || trees.exact ? 0 : trees.maxDepth;
+            _conditions.maxDepth = _narrowPhase.treeLimits.exact ? 0 : _narrowPhase.treeLimits.maxDepth;
         }
 
         private function findAll(out:FoundPairs):void

@@ -99,7 +99,7 @@ package starlogo.search
                 _penetration[edge] -= left * along(edge, motion.x, motion.y, motion.z);
                 _nearest = _penetration[edge] > _penetration[_nearest] ? edge : _nearest;
             }
-            _farthest.setTo(a, _narrowPhase.trees);
+            _farthest.setTo(a, _narrowPhase.treeLimits);
             _farthest.findPoint(_outwards[_nearest], _largest);
             out.x = _farthest.point.x - left * motion.x;
             out.y = _farthest.point.y - left * motion.y;
@@ -157,7 +157,7 @@ package starlogo.search
                 _penetration[edge] = beyond;
                 if (body.form == ModelShape.TREE && (isForAll || beyond >= -_margin || beyond - along(edge, motion.x, motion.y, motion.z) >= -_margin))
                 {
-                    _farthest.setTo(body, _narrowPhase.trees);
+                    _farthest.setTo(body, _narrowPhase.treeLimits);
                     _farthest.find(_outwards[edge]);
                     _penetration[edge] = _farthest.support - _places[edge];
                 }

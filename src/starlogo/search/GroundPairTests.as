@@ -158,7 +158,7 @@ package starlogo.search
         {
             var plane:Number = way.normalX * way.x + way.normalY * way.y + way.normalZ * way.z + way.depth / 2;
             _inwards.setTo(-way.normalX, -way.normalY, -way.normalZ);
-            _farthest.setTo(a, _narrowPhase.trees);
+            _farthest.setTo(a, _narrowPhase.treeLimits);
             _farthest.find(_inwards);
             way.depth = plane + _farthest.support;
         }
@@ -178,10 +178,10 @@ package starlogo.search
         private function pairOf(a:Body, b:Body):GroundPair
         {
             var shape:ModelShape = a.shape;
-            var trees:TreePairTests = _narrowPhase.trees;
+            var limits:TreeLimits = _narrowPhase.treeLimits;
             var pair:GroundPair = _pair;
-            var depth:int = shape.hierarchy == null ? 1 : trees.depthOf(a);
-            pair.setTo(gridOf(b), shape.hierarchy, shape.structure, a.placement, depth, trees != null && trees.exact);
+            var depth:int = shape.hierarchy == null ? 1 : limits.depthOf(a);
+            pair.setTo(gridOf(b), shape.hierarchy, shape.structure, a.placement, depth, limits.exact);
             return pair;
         }
     }

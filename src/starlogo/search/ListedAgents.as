@@ -122,6 +122,7 @@ package starlogo.search
                 }
                 if (row < 0)
                 {
+                    warnOfNames(agent);
                     row = add(agent);
                 }
                 else if (_lastLists[row] == _lists)

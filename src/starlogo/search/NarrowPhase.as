@@ -19,11 +19,17 @@ package starlogo.search
         /** Tests pairs of structures that are not both spheres; null if the choice of shapes has only spheres, and no question has brought them. */
         public var structures:StructurePairTests = null;
 
-        /** Tests pairs of which at least one is a tree; null if the choice of shapes has no trees. */
+        /** Tests pairs of which at least one is a tree; null if none of the shapes is a tree, or only rays are asked for. */
         public var trees:TreePairTests = null;
 
-        /** Tests pairs of spheres. */
-        public var spheres:SpherePairTests = new SpherePairTests();
+        /** How far trees are tested. */
+        public var treeLimits:TreeLimits = new TreeLimits();
+
+        /** Tests pairs of spheres; null if only rays are asked for. */
+        public var spheres:SpherePairTests = null;
+
+        /** Says which shape each agent has. */
+        public var choice:AgentShapes;
 
         // Tests of pairs with the ground and with the edges of the world, from the first such pair on.
         private var _ground:PairTests = null;
@@ -32,6 +38,7 @@ package starlogo.search
         /** @param choice gives the rows their shapes */
         public function NarrowPhase(choice:AgentShapes)
         {
+            this.choice = choice;
             choice.prepare(this);
         }
 

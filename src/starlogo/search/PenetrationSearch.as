@@ -159,7 +159,7 @@ package starlogo.search
                 return;
             }
             var trees:TreePairTests = TreePairTests(_tests);
-            _pair.first.isOfLeaves = trees.exact && out.depth > DirectionSearch.SHALLOW * _pair.extent;
+            _pair.first.isOfLeaves = trees.limits.exact && out.depth > DirectionSearch.SHALLOW * _pair.extent;
             tryOuter(out);
             if (_pair.first.isOfLeaves)
             {

@@ -32,6 +32,12 @@ package starlogo.search
         private var _kernel:SphereSphereKernel = new SphereSphereKernel();
         private var _displacement:RelativeMotion = new RelativeMotion();
 
+        /** Lets a narrow phase test spheres. */
+        public static function bringTo(narrowPhase:NarrowPhase):void
+        {
+            narrowPhase.spheres ||= new SpherePairTests();
+        }
+
         /**
          * Writes the pairs of a row with its candidates that touch it. All must be spheres. It tests and writes in one loop, because in a dense
          * crowd each pass over the pairs takes time.

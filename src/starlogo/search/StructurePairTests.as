@@ -8,6 +8,7 @@ package starlogo.search
     import starlogo.intersection.boxBox;
     import starlogo.intersection.contact.findPairContact;
     import starlogo.intersection.intersects;
+    import starlogo.intersection.ray.ConvexRay;
     import starlogo.intersection.sweep.findTimeOfImpact;
 
     use namespace engine;
@@ -19,6 +20,9 @@ package starlogo.search
      */
     public final class StructurePairTests extends PairTests
     {
+        /** Tests rays and convex structures of a game's own. */
+        public var convexRay:ConvexRay = new ConvexRay();
+
         // The number of tests since takeCounts(), by the kinds of the first and the second structure.
         private var _tests:Vector.<int> = new Vector.<int>(BoundingStructure.KIND_COUNT * BoundingStructure.KIND_COUNT, true);
 
@@ -35,6 +39,7 @@ package starlogo.search
         /** Brings these tests to a narrow phase that does not have them. So a game of spheres alone does not load their code. */
         public static function bringTo(narrowPhase:NarrowPhase):void
         {
+            SpherePairTests.bringTo(narrowPhase);
             narrowPhase.structures ||= new StructurePairTests(narrowPhase);
         }
 

@@ -55,14 +55,14 @@ package starlogo.search
         /**
          * Sets the body.
          *
-         * @param trees knows how deep trees are visited; null if no body is a tree
+         * @param limits how far trees are tested
          */
-        public function setTo(body:Body, trees:TreePairTests):void
+        public function setTo(body:Body, limits:TreeLimits):void
         {
             var tree:SolidHierarchy = body.shape.hierarchy;
             _body = body;
-            _corners = tree != null && trees.exact && tree.hasTriangles ? tree.corners : null;
-            _depth = _corners != null ? int.MAX_VALUE : tree == null ? 0 : trees.depthOf(body);
+            _corners = tree != null && limits.exact && tree.hasTriangles ? tree.corners : null;
+            _depth = _corners != null ? int.MAX_VALUE : tree == null ? 0 : limits.depthOf(body);
         }
 
         /** Finds how far the body reaches in a direction, which is a unit vector in the world. */

@@ -3,6 +3,7 @@ package starlogo.search
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.geometry.requireGiven;
     import starlogo.libraries.BoundingStructuresLibrary;
 
     use namespace engine;
@@ -13,12 +14,13 @@ package starlogo.search
      *
      * @private
      */
-    public final class TightestFits extends ShapeChoice
+    public final class TightestFits extends AgentShapes
     {
         /** @param greatLand the models' structures */
         public function TightestFits(greatLand:GreatLand)
         {
             super(greatLand);
+            requireGiven("greatLand", greatLand);
         }
 
         /** @inheritDoc */

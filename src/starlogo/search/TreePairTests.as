@@ -4,7 +4,6 @@ package starlogo.search
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
-    import starlogo.hierarchy.BoxTree;
     import starlogo.solid.TreeDistanceQuery;
     import starlogo.solid.TreeImpactQuery;
     import starlogo.solid.TreeOverlapQuery;
@@ -19,11 +18,8 @@ package starlogo.search
      */
     public final class TreePairTests extends PairTests
     {
-        /** The number of levels that a test visits in a tree, unless the agent has a depth limit of its own. */
-        public var maxDepth:int = 5;
-
-        /** Whether the triangles of trees decide. Then no depth limit applies. */
-        public var exact:Boolean = false;
+        /** How far trees are tested. */
+        public var limits:TreeLimits;
 
         private var _tests:int = 0;
         private var _pair:TreePair = new TreePair();
@@ -36,11 +32,19 @@ package starlogo.search
         private var _reversed:RelativeMotion = new RelativeMotion();
         private var _separation:PenetrationSearch;
 
-        public function TreePairTests()
+        /** @param limits how far trees are tested */
+        public function TreePairTests(limits:TreeLimits)
         {
+            this.limits = limits;
             _impacts = new TreeImpactQuery(_overlaps);
             _distances = new TreeDistanceQuery(_overlaps);
             _separation = new PenetrationSearch(this);
+        }
+
+        /** Lets a narrow phase test trees. */
+        public static function bringTo(narrowPhase:NarrowPhase):void
+        {
+            narrowPhase.trees ||= new TreePairTests(narrowPhase.treeLimits);
         }
 
         /** @inheritDoc */
@@ -108,13 +112,6 @@ package starlogo.search
             _distances.findClosest(_pair, areTouching, out);
         }
 
-        /** The number of levels that a test visits in a body's tree. */
-        public function depthOf(body:Body):int
-        {
-            var depth:int = body.depth == 0 ? maxDepth : body.depth;
-            return exact || depth > BoxTree.LARGEST_DEPTH ? BoxTree.LARGEST_DEPTH : depth;
-        }
-
         /** Writes the numbers of tests, and sets them to 0. */
         public function takeCounts(out:SearchCounts):void
         {
@@ -152,9 +149,9 @@ package starlogo.search
         private function setPair(a:Body, b:Body):void
         {
             var shapeB:ModelShape = b.shape;
-            _pair.setFirst(a.shape.hierarchy, a.placement, depthOf(a));
-            _pair.setSecond(shapeB.hierarchy, shapeB.structure, b.placement, depthOf(b));
-            _pair.decideByTriangles(exact && !a.isOfLeaves && !b.isOfLeaves);
+            _pair.setFirst(a.shape.hierarchy, a.placement, limits.depthOf(a));
+            _pair.setSecond(shapeB.hierarchy, shapeB.structure, b.placement, limits.depthOf(b));
+            _pair.decideByTriangles(limits.exact && !a.isOfLeaves && !b.isOfLeaves);
         }
     }
 }

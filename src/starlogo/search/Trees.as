@@ -3,6 +3,7 @@ package starlogo.search
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.geometry.requireGiven;
 
     use namespace engine;
 
@@ -11,19 +12,13 @@ package starlogo.search
      *
      * @private
      */
-    public class Trees extends ShapeChoice
+    public class Trees extends AgentShapes
     {
         /** @param greatLand the models' hierarchies */
         public function Trees(greatLand:GreatLand)
         {
             super(greatLand);
-        }
-
-        /** @private */
-        override engine function prepare(narrowPhase:NarrowPhase):void
-        {
-            super.prepare(narrowPhase);
-            narrowPhase.trees = new TreePairTests();
+            requireGiven("greatLand", greatLand);
         }
 
         /** @inheritDoc */

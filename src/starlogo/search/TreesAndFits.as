@@ -14,6 +14,9 @@ package starlogo.search
      */
     public final class TreesAndFits extends Trees
     {
+        // A model of more triangles is probably a level.
+        private static const MOST_TRIANGLES:int = 10000;
+
         private var _fits:TightestFits;
 
         /** @param greatLand the models' hierarchies and structures */
@@ -38,6 +41,18 @@ package starlogo.search
                 return;
             }
             _fits.bind(shape, agent);
+            warnOfLevel(shape, agent);
+        }
+
+        // A level is one large model, and a box around it is hardly what a game wants.
+        private function warnOfLevel(shape:ModelShape, agent:Agent):void
+        {
+            var triangles:Vector.<uint> = greatLand.modelOf(shape.model).triangles;
+            if (shape.kind == Agent.ANY_KIND && triangles != null && triangles.length > 3 * MOST_TRIANGLES)
+            {
+                warn(agent + " has " + triangles.length / 3 + " triangles, and collides as the structure around them: set hierarchical to true for a level, "
+                        + "or choose a structure with collideAs");
+            }
         }
     }
 }

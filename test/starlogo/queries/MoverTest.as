@@ -19,16 +19,16 @@ package starlogo.queries
         public function aSlideWithoutAMotionHasMetNoFloorAndNoWall():void
         {
             var seen:QueryWorld = new QueryWorld(new TightestFitCollider(landOf(BuiltInModel.cube())));
-            var set :QuerySet = new QuerySet(seen);
+            var asked:MotionQueries = new MotionQueries(seen);
             var agent:Agent = agentAt("cube", 0, 0, 1.5);
             seen.update(new <Agent>[agent, agentAt("cube", 0.2, 0, 0)]);
             var way:Way = new Way();
             var motion:Motion = new Motion();
-            set .moves.findWay(agent, set .bodyOfMover(agent), 0, 0, -1, null, way);
-            set .moves.mover.begin(way.body, way.rows);
-            set .moves.mover.slide(way.from, way.motion, SlideLimits.NONE, motion);
+            asked.moves.findWay(agent, asked.room.bodyOfMover(agent), 0, 0, -1, null, way);
+            asked.moves.mover.begin(way.body, way.rows);
+            asked.moves.mover.slide(way.from, way.motion, SlideLimits.NONE, motion);
             assertTrue("it met the cube below: " + motion.floor.normalZ, Math.abs(motion.floor.normalZ - 1) < 1e-9);
-            set .moves.mover.slide(way.from, new Vector3D(), SlideLimits.NONE, motion);
+            asked.moves.mover.slide(way.from, new Vector3D(), SlideLimits.NONE, motion);
             assertEquals(-2, motion.floor.normalZ);
             assertEquals(false, motion.metWall);
         }

@@ -23,6 +23,7 @@ package starlogo.queries
         private var _agents:Vector.<Agent>;
         private var _seen:QueryWorld;
         private var _set:QuerySet;
+        private var _places:PlaceQueries;
 
         [Before]
         public function begin():void
@@ -40,6 +41,7 @@ package starlogo.queries
             _agents.push(wolf);
             _seen = new QueryWorld(new BinCollider());
             _set = new QuerySet(_seen);
+            _places = new PlaceQueries(_set);
             _seen.update(_agents);
         }
 
@@ -49,7 +51,7 @@ package starlogo.queries
             var wolves:AgentFilter = AgentFilter.ofBreeds("wolves", "nobody's");
             assertFew(_seen.findPlaces(), function(sheep:Agent):void
                 {
-                    assertStrictlyEquals(_agents[SHEEP], _set.near(sheep, sheep.x, sheep.y, 0, Infinity, 1, wolves).firstAgent());
+                    assertStrictlyEquals(_agents[SHEEP], _places.near(sheep, sheep.x, sheep.y, 0, Infinity, 1, wolves).firstAgent());
                 });
         }
 
@@ -59,11 +61,11 @@ package starlogo.queries
             var wolves:AgentFilter = AgentFilter.ofBreeds("wolves");
             assertFew(_seen.findPlaces(), function(sheep:Agent):void
                 {
-                    assertEquals(0, _set.countNear(sheep, sheep.x, sheep.y, 0, 200, wolves));
+                    assertEquals(0, _places.countNear(sheep, sheep.x, sheep.y, 0, 200, wolves));
                 });
             assertFew(_seen.findPlaces(), function(sheep:Agent):void
                 {
-                    assertEquals(0, _set.near(sheep, sheep.x, sheep.y, 0, 200, Collector.ALL, wolves, 90).end());
+                    assertEquals(0, _places.near(sheep, sheep.x, sheep.y, 0, 200, Collector.ALL, wolves, 90).end());
                 });
         }
 
@@ -74,7 +76,7 @@ package starlogo.queries
             var wolves:AgentFilter = AgentFilter.ofBreeds("wolves");
             assertFew(_seen.findExtents(), function(sheep:Agent):void
                 {
-                    assertStrictlyEquals(_agents[SHEEP], _set.touching(null, _set.bodyOfStructure(large), Collector.ALL, wolves).firstAgent());
+                    assertStrictlyEquals(_agents[SHEEP], new TouchQueries(_set).touching(null, _set.bodyOfStructure(large), Collector.ALL, wolves).firstAgent());
                 });
         }
 
@@ -90,7 +92,7 @@ package starlogo.queries
                 {
                     bitten.breed = "wolves";
                 }
-                var nearest:Agent = _set.near(sheep, sheep.x, sheep.y, 0, Infinity, 1, wolves).firstAgent();
+                var nearest:Agent = _places.near(sheep, sheep.x, sheep.y, 0, Infinity, 1, wolves).firstAgent();
                 assertStrictlyEquals("question " + i, nearestOf("wolves", sheep), nearest);
                 if (i % 40 == 30)
                 {

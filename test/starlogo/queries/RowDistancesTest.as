@@ -12,6 +12,8 @@ package starlogo.queries
     import starlogo.search.AgentShapes;
     import starlogo.search.NarrowPhase;
     import starlogo.search.TightestFits;
+    import starlogo.search.StructurePairTests;
+    import starlogo.search.TreePairTests;
     import starlogo.search.Trees;
     import starlogo.search.UnitSpheres;
     import support.AskedDistance;
@@ -60,7 +62,9 @@ package starlogo.queries
         {
             for each (var choice:AgentShapes in [new UnitSpheres(sGreatLand), new TightestFits(sGreatLand)])
             {
-                var asked:AskedDistance = new AskedDistance(choice, new NarrowPhase(choice));
+                var pairs:NarrowPhase = new NarrowPhase(choice);
+                StructurePairTests.bringTo(pairs);
+                var asked:AskedDistance = new AskedDistance(choice, pairs);
                 for (var i:int = 0; i < Effort.choose(400, 20000); i++)
                 {
                     check(asked, agent(), agent(), "pair " + i);
@@ -74,11 +78,13 @@ package starlogo.queries
         {
             var choice:AgentShapes = new Trees(sGreatLand);
             var pairs:NarrowPhase = new NarrowPhase(choice);
+            StructurePairTests.bringTo(pairs);
+            TreePairTests.bringTo(pairs);
             var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
             for (var i:int = 0; i < Effort.choose(180, 9000); i++)
             {
-                pairs.trees.maxDepth = _random.integer(1, 6);
+                pairs.treeLimits.maxDepth = _random.integer(1, 6);
                 var a:Agent = agent();
                 var b:Agent = agent();
                 if (_random.chance(0.3))
@@ -88,13 +94,13 @@ package starlogo.queries
                 check(asked, a, b, "pair " + i);
                 if (!asked.areTouching)
                 {
-                    var depthB:int = b.traversalDepth || pairs.trees.maxDepth;
-                    var least:Number = reference.ofNodes(a, pairs.trees.maxDepth, b, depthB);
+                    var depthB:int = b.traversalDepth || pairs.treeLimits.maxDepth;
+                    var least:Number = reference.ofNodes(a, pairs.treeLimits.maxDepth, b, depthB);
                     assertNear("pair " + i, least, asked.closest.distance, a, b);
                 }
                 var slack:Number = PRECISION * sizeOf(a, b);
-                var offA:Number = reference.fromNodes(a, pairs.trees.maxDepth, asked.pointA);
-                var offB:Number = reference.fromNodes(b, b.traversalDepth || pairs.trees.maxDepth, asked.pointB);
+                var offA:Number = reference.fromNodes(a, pairs.treeLimits.maxDepth, asked.pointA);
+                var offB:Number = reference.fromNodes(b, b.traversalDepth || pairs.treeLimits.maxDepth, asked.pointB);
                 assertTrue("pair " + i + ": points " + offA + " and " + offB + " off", arePoints(asked, offA, offB, slack));
             }
             assertMixed();
@@ -105,7 +111,9 @@ package starlogo.queries
         {
             var choice:AgentShapes = new Trees(sGreatLand);
             var pairs:NarrowPhase = new NarrowPhase(choice);
-            pairs.trees.exact = true;
+            StructurePairTests.bringTo(pairs);
+            TreePairTests.bringTo(pairs);
+            pairs.treeLimits.exact = true;
             var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
             for (var i:int = 0; i < Effort.choose(60, 3000); i++)

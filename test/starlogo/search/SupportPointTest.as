@@ -69,10 +69,10 @@ package starlogo.search
             shape.setTree(new SolidHierarchy(ChainOfNodes.read(count, count, ChainOfNodes.OF_THE_THESIS, false)));
             var body:Body = new Body();
             body.readAgent(new Agent("chain"), shape);
-            var tests:TreePairTests = new TreePairTests();
-            tests.maxDepth = int.MAX_VALUE;
+            var limits:TreeLimits = new TreeLimits();
+            limits.maxDepth = int.MAX_VALUE;
             var farthest:SupportPoint = new SupportPoint();
-            farthest.setTo(body, tests);
+            farthest.setTo(body, limits);
             for each (var side:int in [-1, 1])
             {
                 farthest.findPoint(new Vector3D(side, 0, 0), count);

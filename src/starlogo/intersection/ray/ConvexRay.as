@@ -11,12 +11,11 @@ package starlogo.intersection.ray
     /**
      * Narrows rays to the part inside of any convex structure. A point that moves along the ray meets the structure where the ray enters it, and a
      * point that moves back meets it where the ray leaves it. Hulls, boxes and round structures have faster functions.
+     *
+     * @private
      */
-    internal final class ConvexRay
+    public final class ConvexRay
     {
-        /** All rays share it. */
-        public static const SHARED:ConvexRay = new ConvexRay();
-
         private var _pair:ConvexPair = new ConvexPair();
         private var _place:Sphere = new Sphere(new Vector3D(), 0);
         private var _point:ConvexShape = new ConvexShape();

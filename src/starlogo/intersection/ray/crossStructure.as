@@ -10,14 +10,15 @@ package starlogo.intersection.ray
      * @param structure see rayStructure
      * @param slack how far a place may be wrong because of rounding
      * @param part is overwritten
+     * @param convex see rayStructure
      * @param out the crossings are added to it
      * @private
      */
-    public function crossStructure(ray:Ray, structure:BoundingStructure, slack:Number, part:Ray, out:RayCrossings):void
+    public function crossStructure(ray:Ray, structure:BoundingStructure, slack:Number, part:Ray, convex:ConvexRay, out:RayCrossings):void
     {
         part.copyFrom(ray);
         part.faceBack();
-        if (!rayStructure(part, structure))
+        if (!rayStructure(part, structure, convex))
         {
             return;
         }
@@ -28,7 +29,7 @@ package starlogo.intersection.ray
         part.to = Infinity;
         part.turnRound();
         part.faceBack();
-        rayStructure(part, structure);
+        rayStructure(part, structure, convex);
         part.turnRound();
         if (part.to <= ray.to)
         {

@@ -10,12 +10,13 @@ package starlogo.intersection.ray
      * Narrows a ray to the part inside of a structure. Allocates nothing.
      *
      * @param ray in the space of the structure; its part is narrowed, and its normal is set if it enters the structure
-     * @param structure a sphere, a capsule, a box, a hull or another convex structure
+     * @param structure a sphere, a capsule, a box, a hull, or another convex structure
+     * @param convex tests convex structures of a game's own; null if there are none
      * @return whether the ray meets the structure
      * @throws ArgumentError for any other structure
      * @private
      */
-    public function rayStructure(ray:Ray, structure:BoundingStructure):Boolean
+    public function rayStructure(ray:Ray, structure:BoundingStructure, convex:ConvexRay = null):Boolean
     {
         switch (structure.kind)
         {
@@ -26,10 +27,16 @@ package starlogo.intersection.ray
             case BoundingStructure.BOX:
                 return rayBox(ray, Box(structure));
             case BoundingStructure.HULL:
-                var hull:Hull = structure as Hull;
-                return hull != null ? rayHull(ray, hull) : ConvexRay.SHARED.narrow(ray, structure);
-            default:
-                throw new ArgumentError("there is no test of rays for " + structure);
+                if (structure is Hull)
+                {
+                    return rayHull(ray, Hull(structure));
+                }
+                if (convex != null)
+                {
+                    return convex.narrow(ray, structure);
+                }
+                break;
         }
+        throw new ArgumentError("there is no test of rays for " + structure);
     }
 }

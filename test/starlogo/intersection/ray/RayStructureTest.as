@@ -40,7 +40,7 @@ package starlogo.intersection.ray
                     var direction:Vector3D = towards(structure, origin, random, structures);
                     var ray:Ray = rayOf(origin, direction);
                     var expected:Number = RayReference.firstTouch(structure, origin, direction, 50, 1e-13);
-                    var isMet:Boolean = rayStructure(ray, structure);
+                    var isMet:Boolean = rayStructure(ray, structure, new ConvexRay());
                     if (isNaN(expected))
                     {
                         counts[2]++;
@@ -184,7 +184,7 @@ package starlogo.intersection.ray
         private static function distanceTo(structure:BoundingStructure, origin:Vector3D, direction:Vector3D):Number
         {
             var ray:Ray = rayOf(origin, direction);
-            return rayStructure(ray, structure) ? ray.from : Infinity;
+            return rayStructure(ray, structure, new ConvexRay()) ? ray.from : Infinity;
         }
 
         private static function rayOf(origin:Vector3D, direction:Vector3D):Ray

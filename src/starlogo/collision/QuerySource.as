@@ -1,0 +1,41 @@
+package starlogo.collision
+{
+    import starlogo.engine;
+    import starlogo.search.NarrowPhase;
+    import starlogo.search.textOf;
+    import starlogo.terrain.Terrain;
+
+    use namespace engine;
+
+    /**
+     * Whatever questions can see agents as: a Collision, a collision system, or the shapes of a level.
+     *
+     * @private
+     */
+    public class QuerySource
+    {
+        /** Returns the shapes of agents and their tests. Throws an ArgumentError if they are not the engine's. */
+        engine function findTests():NarrowPhase
+        {
+            throw errorAbout(this);
+        }
+
+        /** The error about something whose agents questions cannot see. */
+        engine static function errorAbout(system:Object):ArgumentError
+        {
+            return new ArgumentError("questions need a Collision or one of the engine's collision systems, not "
+                    + textOf(system, "a Collision or a Collider"));
+        }
+
+        /** The ground that questions see, where their own is another one: a Collision has its own. */
+        engine function groundFor(own:Terrain):Terrain
+        {
+            return own;
+        }
+
+        /** Takes the ground of questions, if it has a ground. */
+        engine function takeGround(value:Terrain):void
+        {
+        }
+    }
+}

@@ -1,0 +1,223 @@
+package starlogo.queries
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.errors.IllegalOperationError;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertStrictlyEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.Sphere;
+    import starlogo.collision.Collision;
+    import starlogo.collision.BinCollider;
+    import starlogo.collision.CombinationCollider;
+    import starlogo.collision.Contact;
+    import starlogo.models.BuiltInModel;
+    import starlogo.terrain.Terrain;
+    import support.agentAt;
+    import support.assertThrows;
+    import support.landOf;
+
+    /** The classes with only some questions answer as an AgentQueries does. */
+    public class SeenAgentsTest
+    {
+        private var _land:GreatLand;
+        private var _agents:Vector.<Agent>;
+        private var _random:SeededRandom;
+
+        [Before]
+        public function makeAgents():void
+        {
+            _random = new SeededRandom(7407);
+            _land = landOf(BuiltInModel.cube(), BuiltInModel.sphere(), BuiltInModel.cylinder());
+            _agents = new Vector.<Agent>();
+            for (var i:int = 0; i < 60; i++)
+            {
+                var agent:Agent = agentAt(["cube", "sphere", "cylinder"][i % 3], _random.between(-6, 6), _random.between(-6, 6), _random.between(-1, 1));
+                agent.heading = _random.between(0, 360);
+                agent.hierarchical = i % 4 == 0;
+                _agents.push(agent);
+            }
+        }
+
+        [Test]
+        public function theirAnswersAreThoseOfAllQuestions():void
+        {
+            var system:CombinationCollider = new CombinationCollider(_land);
+            var level:LevelShapes = new LevelShapes(_land);
+            var collision:Collision = new Collision(system);
+            for each (var isExact:Boolean in [false, true])
+            {
+                system.exact = level.exact = isExact;
+                system.maxDepth = level.maxDepth = 3;
+                compare(system, system);
+                compare(system, collision);
+                compare(system, level);
+            }
+        }
+
+        // Both ask the same questions in the same order. Motions are made twice from the same place.
+        private function compare(system:CombinationCollider, source:Object):void
+        {
+            var all:AgentQueries = new AgentQueries(system);
+            var seen:SeenAgents = new SeenAgents(source);
+            var places:AgentPlaces = new AgentPlaces(seen);
+            var rays:AgentRays = new AgentRays(seen);
+            var walks:AgentWalks = new AgentWalks(seen);
+            var met:int = 0;
+            all.update(_agents);
+            seen.update(_agents);
+            for (var i:int = 0; i < 40; i++)
+            {
+                var agent:Agent = _agents[i];
+                var at:Vector3D = new Vector3D(_random.between(-7, 7), _random.between(-7, 7), _random.between(-1, 1));
+                var way:Vector3D = new Vector3D(_random.between(-1, 1), _random.between(-1, 1), _random.between(-0.2, 0.2));
+                assertStrictlyEquals(all.nearest(agent), places.nearest(agent));
+                assertStrictlyEquals(all.nearestToPoint(at, 4), places.nearestToPoint(at, 4));
+                assertEquals(all.near(agent, 3).join(), places.near(agent, 3).join());
+                assertEquals(all.nearestFew(agent, 4).join(), places.nearestFew(agent, 4).join());
+                assertEquals(all.nearPoint(at, 3).join(), places.nearPoint(at, 3).join());
+                assertEquals(all.countNear(agent, 3), places.countNear(agent, 3));
+                assertEquals(all.countNearPoint(at, 3), places.countNearPoint(at, 3));
+                assertEquals(all.inCone(agent, 5, 80).join(), places.inCone(agent, 5, 80).join());
+                met += compareHits(all.cast(at, way), rays.cast(at, way));
+                assertEquals(all.castAll(at, way).length, rays.castAll(at, way).length);
+                assertEquals(all.castAll(at, way, Infinity, null, null, true).length, rays.castAll(at, way, Infinity, null, null, true).length);
+                assertEquals(all.canSee(agent, _agents[i + 1]), rays.canSee(agent, _agents[i + 1]));
+                var ball:Sphere = new Sphere(at, 0.3);
+                assertEquals(timeOf(all.castShape(ball, way.x, way.y, way.z)), timeOf(walks.castShape(ball, way.x, way.y, way.z)));
+                assertEquals(all.castShapeAll(ball, way.x, way.y, way.z).length, walks.castShapeAll(ball, way.x, way.y, way.z).length);
+                assertEquals(timeOf(all.castAgent(agent, way.x, way.y, way.z)), timeOf(walks.castAgent(agent, way.x, way.y, way.z)));
+                assertEquals(all.castAgentAll(agent, way.x, way.y, way.z).length, walks.castAgentAll(agent, way.x, way.y, way.z).length);
+            }
+            assertTrue(met > 5);
+            assertTrue(met < 40);
+            compareMotions(all, walks);
+        }
+
+        // The mover is in neither list, so the others stay where they are.
+        private function compareMotions(all:AgentQueries, walks:AgentWalks):void
+        {
+            var first:Agent = agentAt("sphere", 0, 0, 8);
+            var second:Agent = agentAt("sphere", 0, 0, 8);
+            var contact:Contact = new Contact();
+            for (var i:int = 0; i < 20; i++)
+            {
+                var dx:Number = _random.between(-2, 2);
+                var dy:Number = _random.between(-2, 2);
+                assertEquals(all.moveUntilTouch(first, dx, dy, -1), walks.moveUntilTouch(second, dx, dy, -1, null, contact));
+                assertEquals(all.slide(first, dy, dx, 0.4), walks.slide(second, dy, dx, 0.4));
+                assertEquals(all.walk(first, dx, dx).stands, walks.walk(second, dx, dx).stands);
+                assertEquals([first.x, first.y, first.z].join(), [second.x, second.y, second.z].join());
+            }
+        }
+
+        private static function compareHits(expected:RayHit, found:RayHit):int
+        {
+            if (expected == null || found == null)
+            {
+                assertStrictlyEquals(expected, found);
+                return 0;
+            }
+            assertStrictlyEquals(expected.agent, found.agent);
+            assertEquals(expected.distance, found.distance);
+            assertEquals(expected.triangle, found.triangle);
+            return 1;
+        }
+
+        private static function timeOf(hit:ShapeHit):Number
+        {
+            return hit == null ? -1 : hit.time;
+        }
+
+        [Test]
+        public function acceptsMayAskThemAgain():void
+        {
+            var seen:SeenAgents = new SeenAgents(new CombinationCollider(_land));
+            var places:AgentPlaces = new AgentPlaces(seen);
+            var rays:AgentRays = new AgentRays(seen);
+            var filter:AgentFilter = new AgentFilter();
+            filter.accepts = function(agent:Agent):Boolean
+            {
+                rays.canSee(agent, _agents[0]);
+                return places.nearest(agent) != null;
+            };
+            seen.update(_agents);
+            assertEquals(59, places.near(_agents[0], 100, filter).length);
+            filter.accepts = function(agent:Agent):Boolean
+            {
+                seen.update(_agents);
+                return true;
+            };
+            assertThrows(IllegalOperationError, "accepts", places.near, _agents[0], 100, filter);
+        }
+
+        [Test]
+        public function oneAgentIsReadAgain():void
+        {
+            var seen:SeenAgents = new SeenAgents(new BinCollider());
+            var rays:AgentRays = new AgentRays(seen);
+            seen.update(new <Agent>[_agents[0]]);
+            _agents[0].moveTo(20, 0, 0);
+            assertNull(rays.cast(new Vector3D(20, 0, 9), new Vector3D(0, 0, -1)));
+            seen.refresh(_agents[0]);
+            assertStrictlyEquals(_agents[0], rays.cast(new Vector3D(20, 0, 9), new Vector3D(0, 0, -1)).agent);
+        }
+
+        [Test]
+        public function aRayMeetsTheGround():void
+        {
+            var ground:Terrain = new Terrain(4, 4);
+            var collision:Collision = new Collision(new BinCollider());
+            for each (var source:Object in [new LevelShapes(_land), new BinCollider(), collision])
+            {
+                var seen:SeenAgents = new SeenAgents(source);
+                seen.terrain = ground;
+                assertStrictlyEquals(ground, seen.terrain);
+                seen.update(new <Agent>[]);
+                assertStrictlyEquals(ground.agent, new AgentRays(seen).cast(new Vector3D(1, 1, 9), new Vector3D(0, 0, -1)).agent);
+            }
+            assertStrictlyEquals(ground, collision.terrain);
+        }
+
+        [Test]
+        public function whatIsWrongIsRefused():void
+        {
+            assertThrows(ArgumentError, "AgentRays", makeQueries, new LevelShapes(_land));
+            assertThrows(ArgumentError, "a Collision", makeSeen, _land);
+            assertThrows(ArgumentError, "a Collision", makeSeen, null);
+            assertThrows(ArgumentError, "greatLand", makeShapes, null);
+            assertThrows(ArgumentError, "seen", makeRays, null);
+            var seen:SeenAgents = new SeenAgents(new LevelShapes(_land));
+            assertThrows(IllegalOperationError, "update", new AgentPlaces(seen).nearest, _agents[0]);
+        }
+
+        private static function makeQueries(source:Object):void
+        {
+            new AgentQueries(source);
+        }
+
+        private static function makeSeen(source:Object):void
+        {
+            new SeenAgents(source);
+        }
+
+        private static function makeShapes(land:GreatLand):void
+        {
+            new LevelShapes(land);
+        }
+
+        private static function makeRays(seen:SeenAgents):void
+        {
+            new AgentRays(seen);
+        }
+
+        [Test(expects="RangeError")]
+        public function aLevelIsNotTestedToNoDepth():void
+        {
+            new LevelShapes(_land).maxDepth = 0;
+        }
+    }
+}

@@ -93,6 +93,7 @@ package starlogo.convex
                 _cores.x = _from.x + motion.time * _cores.wayX;
                 _cores.y = _from.y + motion.time * _cores.wayY;
                 _cores.z = _from.z + motion.time * _cores.wayZ;
+                _cores.left = motion.latest - motion.time;
                 if (step == 0)
                 {
                     _distance.find(_cores, _witness);
@@ -175,7 +176,7 @@ package starlogo.convex
             cores.x = first.x - second.x;
             cores.y = first.y - second.y;
             cores.z = first.z - second.z;
-            cores.enough = Infinity;
+            cores.enough = cores.left = Infinity;
             cores.reach = (first.radius + second.radius) * Tolerances.TOUCHING + (first.margin + second.margin) + Tolerances.CORES * (first.size + second.size);
         }
 

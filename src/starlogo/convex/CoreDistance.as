@@ -14,6 +14,9 @@ package starlogo.convex
     {
         private static const MOST_STEPS:int = 40;
 
+        // The count of numbers of a point and a triangle. Two segments have as many.
+        private static const POINT_AND_TRIANGLE:int = 12;
+
         private var _simplex:Simplex = new Simplex();
 
         // The direction in which a corner is looked for: from the origin to the nearest point so far.
@@ -25,11 +28,20 @@ package starlogo.convex
         /** Finds the closest points. */
         public function find(cores:CorePair, out:CoreWitness):void
         {
-            _simplex.begin(cores);
-            _along.x = cores.x;
-            _along.y = cores.y;
-            _along.z = cores.z;
             begin(out);
+            if (cores.a.end + cores.b.end == POINT_AND_TRIANGLE && cores.a.end != cores.b.end)
+            {
+                // the whole set is one triangle
+                _simplex.take(cores);
+                keep(cores, out);
+            }
+            else
+            {
+                _simplex.begin(cores);
+                _along.x = cores.x;
+                _along.y = cores.y;
+                _along.z = cores.z;
+            }
             search(cores, out);
         }
 
@@ -100,7 +112,8 @@ package starlogo.convex
                 out.normalX = x;
                 out.normalY = y;
                 out.normalZ = z;
-                if (gap > cores.enough)
+                if (gap > cores.enough || gap > cores.reach && cores.left < Infinity
+                        && gap - cores.reach > -cores.left * (x * cores.wayX + y * cores.wayY + z * cores.wayZ))
                 {
                     out.distance = gap;
                     return false;

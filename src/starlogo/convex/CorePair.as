@@ -30,5 +30,11 @@ package starlogo.convex
 
         /** A search for the distance may end when it knows that the cores are farther apart than this. */
         public var enough:Number = Infinity;
+
+        /**
+         * The time that is left for the motion. A search may end when it knows that the shapes do not touch in this time. Infinity if the search is
+         * for the distance.
+         */
+        public var left:Number = Infinity;
     }
 }

@@ -94,6 +94,8 @@ package starlogo.hierarchy
             motion.x = a.r00 * x + a.r10 * y + a.r20 * z;
             motion.y = a.r01 * x + a.r11 * y + a.r21 * z;
             motion.z = a.r02 * x + a.r12 * y + a.r22 * z;
+            motion.earliest = worldMotion.earliest;
+            motion.latest = worldMotion.latest;
         }
 
         /**

@@ -22,12 +22,16 @@ package starlogo.queries
         // A row is large if its largest half-extent is at least this many times the largest of the body that moves.
         private static const LARGE:Number = 8;
 
+        // A core meets something soon after the body if it moves at most this many slops on. Then the angle to the surface is more than 4 degrees.
+        private static const SOON:Number = 16;
+
         private var _seen:QueryWorld;
         private var _body:MovingBody;
 
-        // The motion, the body's place at its end, and the contact that was found last.
+        // The motion, the body's place at its end, the motion's length, and the contact that was found last.
         private var _motion:RelativeMotion = new RelativeMotion();
         private var _end:Vector3D = new Vector3D();
+        private var _length:Number = 0;
         private var _contact:ContactPoint = new ContactPoint();
 
         /**
@@ -62,13 +66,12 @@ package starlogo.queries
                 return false;
             }
             out.along = out.contact.along(motion);
-            var length:Number = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
-            out.isNormalFallback = !(out.along < -SlidePlanes.PARALLEL_SINE * length);
+            out.isNormalFallback = !(out.along < -SlidePlanes.PARALLEL_SINE * _length);
             if (out.isNormalFallback)
             {
                 out.contact.setNormal(-motion.x, -motion.y, -motion.z);
                 out.contact.normalise();
-                out.along = -length;
+                out.along = -_length;
             }
             return true;
         }
@@ -114,6 +117,7 @@ package starlogo.queries
             _end.copyFrom(from);
             _end.incrementBy(motion);
             _motion.endAfter(motion.x, motion.y, motion.z);
+            _length = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
         }
 
         // Sweeps against a row. If the core meets it earlier than what was found before, it is the answer. The whole body is swept first against
@@ -133,7 +137,19 @@ package starlogo.queries
                     return;
                 }
             }
-            sweepCore(other, from);
+            if (!isNaN(touchTime))
+            {
+                // The core is inside of the body, so it meets nothing before. It mostly meets the same thing soon after.
+                _motion.earliest = touchTime;
+                _motion.latest = Math.min(1, touchTime + SOON * _body.slop / _length);
+                sweepCore(other, from);
+                _motion.latest = 1;
+            }
+            if (_motion.time == RelativeMotion.NEVER || isNaN(touchTime))
+            {
+                sweepCore(other, from);
+            }
+            _motion.earliest = 0;
             if (_motion.time < out.time)
             {
                 out.row = row;

@@ -84,6 +84,7 @@ package starlogo.solid
             boxes.halfY = halfY;
             boxes.halfZ = halfZ;
             boxes.setMotion(motion.x, motion.y, motion.z);
+            boxes.from = motion.earliest;
             var round:Number = _test.shape.radius;
             _radius = round + gap + Tolerances.EXTENTS * (halfX + halfY + halfZ);
             for (var i:int = 0; i < 6; i += 2)
@@ -99,7 +100,7 @@ package starlogo.solid
             _sweep.z = motion.z;
             if (motion !== RelativeMotion.NONE)
             {
-                least = 1;
+                least = motion.latest;
                 prepareMotion();
             }
         }
@@ -112,12 +113,9 @@ package starlogo.solid
             var margin:Number = Tolerances.EXTENTS * (boxes.halfX + boxes.halfY + boxes.halfZ + Math.abs(_core.x) + Math.abs(_core.y) + Math.abs(_core.z)
                     + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             _radius = _test.shape.radius + _test.shape.margin + margin;
-            extents[0] += Math.min(motion.x, 0);
-            extents[1] += Math.max(motion.x, 0);
-            extents[2] += Math.min(motion.y, 0);
-            extents[3] += Math.max(motion.y, 0);
-            extents[4] += Math.min(motion.z, 0);
-            extents[5] += Math.max(motion.z, 0);
+            widen(0, motion.x);
+            widen(2, motion.y);
+            widen(4, motion.z);
             // A structure that stands is a question of its contact: the order of the pairs of boxes chooses among the triangles that it touches.
             isCompact &&= motion.x != 0 || motion.y != 0 || motion.z != 0;
             boxes.x = _core.x;
@@ -126,6 +124,15 @@ package starlogo.solid
             boxes.halfX += margin;
             boxes.halfY += margin;
             boxes.halfZ += margin;
+        }
+
+        // Widens the extents along an axis to those of the motion from its earliest to its latest time. The way is the whole motion's.
+        private function widen(axis:int, way:Number):void
+        {
+            var begin:Number = way * _motion.earliest;
+            var end:Number = way * _motion.latest;
+            _extents[axis] += begin < end ? begin : end;
+            _extents[int(axis + 1)] += begin < end ? end : begin;
         }
 
         /** Searches the model. Returns whether a triangle is touched. If the structure moves, <code>least</code> becomes the time. */
@@ -229,11 +236,13 @@ package starlogo.solid
             var gap:Number = from < 0 ? -from : from;
             gap -= reach;
             var closing:Number = from < 0 ? speed : -speed;
-            _sweep.earliest = 0;
+            var earliest:Number = _motion.earliest;
             if (gap > 0)
             {
-                _sweep.earliest = closing > 0 ? gap / closing : RelativeMotion.NEVER;
+                var time:Number = closing > 0 ? gap / closing : RelativeMotion.NEVER;
+                earliest = time > earliest ? time : earliest;
             }
+            _sweep.earliest = earliest;
         }
 
         // Whether an axis across the motion and an edge separates a triangle from the moving structure until <code>least</code>.
@@ -267,8 +276,10 @@ package starlogo.solid
             low = apex - reach < low ? apex - reach : low;
             var high:Number = edge > 0 ? edge + reach : reach;
             high = apex + reach > high ? apex + reach : high;
-            var from:Number = x * (_core.x - px) + y * (_core.y - py) + z * (_core.z - pz);
-            var to:Number = from + least * (x * _motion.x + y * _motion.y + z * _motion.z);
+            var place:Number = x * (_core.x - px) + y * (_core.y - py) + z * (_core.z - pz);
+            var way:Number = x * _motion.x + y * _motion.y + z * _motion.z;
+            var from:Number = place + _motion.earliest * way;
+            var to:Number = place + least * way;
             return from > high && to > high || from < low && to < low;
         }
     }

@@ -24,6 +24,7 @@ package starlogo.convex
         /** Writes the point halfway between the two surfaces, relative to b's origin. */
         public function find(cores:CorePair, out:ContactPoint):void
         {
+            // If a's core is a point, it is the common part.
             if (cores.a.end > 3)
             {
                 wrap(findCorners(cores.b, 1, out), out, _b);

@@ -152,7 +152,7 @@ package starlogo.convex
             out.z += _cores.b.z;
             if (_cores.isSwapped)
             {
-                swapContact(motion, out);
+                out.swapBodies(motion);
             }
         }
 
@@ -321,17 +321,6 @@ package starlogo.convex
                 out.bY -= second * (witness.y / length);
                 out.bZ -= second * (witness.z / length);
             }
-        }
-
-        // Makes the contact that of the shapes in their own order: the second one moves out of the first, and is where the motion brings it.
-        private static function swapContact(motion:RelativeMotion, out:ContactPoint):void
-        {
-            out.x += motion.startX + motion.time * motion.x;
-            out.y += motion.startY + motion.time * motion.y;
-            out.z += motion.startZ + motion.time * motion.z;
-            out.normalX = -out.normalX;
-            out.normalY = -out.normalY;
-            out.normalZ = -out.normalZ;
         }
     }
 }

@@ -85,7 +85,7 @@ package starlogo.convex
                 readEdge(a, i, _edge, 0);
                 for (var k:int = 0; k < end; k += PER_EDGE)
                 {
-                    if (arePeak(k))
+                    if (isOutOfBoth(k))
                     {
                         tryAcross(k, cores, out);
                     }
@@ -94,7 +94,7 @@ package starlogo.convex
         }
 
         // Whether the perpendicular of a's edge and one of b's points out of both cores: all of each core is on one side of its edge.
-        private function arePeak(k:int):Boolean
+        private function isOutOfBoth(k:int):Boolean
         {
             var u:Vector.<Number> = _edge;
             var v:Vector.<Number> = _edges;

@@ -195,11 +195,11 @@ package starlogo.convex
             var before:Number = x * x + y * y + z * z;
             _shares[3] = 0;
             changeShares();
-            var isFirst:Boolean = _shares[2] < 0;
-            var isSecond:Boolean = _shares[0] < 0;
-            var isThird:Boolean = _shares[1] < 0;
-            var isNone:Boolean = !isFirst && !isSecond && !isThird;
-            if (isNone && !isApart)
+            var isBeyond01:Boolean = _shares[2] < 0;
+            var isBeyond12:Boolean = _shares[0] < 0;
+            var isBeyond20:Boolean = _shares[1] < 0;
+            var isBeyondNone:Boolean = !isBeyond01 && !isBeyond12 && !isBeyond20;
+            if (isBeyondNone && !isApart)
             {
                 changeShare(0, 1, 2, 3);
                 if (_shares[3] >= 0)
@@ -217,15 +217,15 @@ package starlogo.convex
                     return true;
                 }
             }
-            if (isFirst || isNone)
+            if (isBeyond01 || isBeyondNone)
             {
                 tryTriangle(3, 0, 1);
             }
-            if (isSecond || isNone)
+            if (isBeyond12 || isBeyondNone)
             {
                 tryTriangle(3, 1, 2);
             }
-            if (isThird || isNone)
+            if (isBeyond20 || isBeyondNone)
             {
                 tryTriangle(3, 2, 0);
             }

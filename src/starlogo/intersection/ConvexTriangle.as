@@ -41,6 +41,7 @@ package starlogo.intersection
         private var _isSet:Boolean = false;
         private var _triangle:ConvexShape = new ConvexShape();
         private var _face:FaceNormal = new FaceNormal();
+        private var _side:FaceNormal = new FaceNormal();
         private var _deepest:DeepestPoint = new DeepestPoint();
 
         /**
@@ -119,7 +120,7 @@ package starlogo.intersection
                 && contact.normalX * motion.x + contact.normalY * motion.y + contact.normalZ * motion.z < 0;
             if (!isFirstTouch)
             {
-                setFace();
+                writeFace(_face);
                 var face:FaceNormal = _face;
                 if (contact.normalX * face.x + contact.normalY * face.y + contact.normalZ * face.z < -Tolerances.DIRECTION)
                 {
@@ -138,7 +139,7 @@ package starlogo.intersection
          */
         public function findBehind(motion:RelativeMotion, out:ContactPoint):Boolean
         {
-            setFace();
+            writeFace(_face);
             out.setNormal(_face.x, _face.y, _face.z);
             _deepest.find(shape, _face);
             var deepest:Vector3D = _deepest.point;
@@ -180,8 +181,8 @@ package starlogo.intersection
         public function staysBeside(motion:RelativeMotion):Boolean
         {
             prepare();
-            setFace();
-            var face:FaceNormal = _face;
+            writeFace(_side);
+            var face:FaceNormal = _side;
             var way:Number = motion.latest * (face.x * motion.x + face.y * motion.y + face.z * motion.z);
             var place:Number = face.x * (shape.x - _triangle.x) + face.y * (shape.y - _triangle.y) + face.z * (shape.z - _triangle.z);
             face.measure(_triangle.points, 0, 9);
@@ -202,13 +203,13 @@ package starlogo.intersection
             }
         }
 
-        // Computes the triangle's normal. It is NaN if the triangle has no area, because comparisons with NaN are false.
-        private function setFace():void
+        // Writes the triangle's normal. It is NaN if the triangle has no area, because comparisons with NaN are false.
+        private function writeFace(out:FaceNormal):void
         {
-            _face.setTriangle(_list, _at);
-            if (!(_face.length * _face.length > Tolerances.FLAT_TRIANGLE * _face.squared * _face.squared))
+            out.setTriangle(_list, _at);
+            if (!(out.length * out.length > Tolerances.FLAT_TRIANGLE * out.squared * out.squared))
             {
-                _face.clear();
+                out.clear();
             }
         }
     }

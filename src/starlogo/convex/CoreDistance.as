@@ -29,15 +29,20 @@ package starlogo.convex
         public function find(cores:CorePair, out:CoreWitness):void
         {
             begin(out);
+            _simplex.begin(cores);
             if (cores.a.end + cores.b.end == POINT_AND_TRIANGLE && cores.a.end != cores.b.end)
             {
                 // the whole set is one triangle
-                _simplex.take(cores);
+                for (var i:int = 0; i < 9; i += 3)
+                {
+                    var ofA:int = cores.a.end > 3 ? i : 0;
+                    _simplex.add(cores, ofA, i - ofA);
+                }
+                _simplex.move(cores);
                 keep(cores, out);
             }
             else
             {
-                _simplex.begin(cores);
                 _along.x = cores.x;
                 _along.y = cores.y;
                 _along.z = cores.z;

@@ -49,20 +49,6 @@ package starlogo.convex
             count = 0;
         }
 
-        /** Takes all differences of a point and a triangle, in either order, as its corners. Computes the nearest place. */
-        public function take(cores:CorePair):void
-        {
-            begin(cores);
-            for (; count < 3; count++)
-            {
-                _ofA[count] = cores.a.end > 3 ? 3 * count : 0;
-                _ofB[count] = cores.b.end > 3 ? 3 * count : 0;
-                writeCorner(cores, count);
-            }
-            _newest = -1;
-            reduce(false);
-        }
-
         /** Computes all corners again, after a has moved, and the nearest place. */
         public function move(cores:CorePair):void
         {

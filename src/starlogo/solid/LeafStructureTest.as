@@ -131,8 +131,10 @@ package starlogo.solid
         {
             var begin:Number = way * _motion.earliest;
             var end:Number = way * _motion.latest;
-            _extents[axis] += begin < end ? begin : end;
-            _extents[int(axis + 1)] += begin < end ? end : begin;
+            var low:Number = begin < end ? begin : end;
+            var high:Number = begin < end ? end : begin;
+            _extents[axis] += low;
+            _extents[int(axis + 1)] += high;
         }
 
         /** Searches the model. Returns whether a triangle is touched. If the structure moves, <code>least</code> becomes the time. */

@@ -406,7 +406,9 @@ test('agents are dragged in the world, and who touches whom is shown at once; el
 	assert.ok(!(await page.getByText('Drag the picture to look around').isVisible()), 'said until it is known');
 	// the frame is kept as it is now
 	await press(page, 'Step');
+	await page.locator('.settings').click();
 	await page.getByLabel('Rewind').fill('-1');
+	await page.locator('.settings').click();
 	assert.deepEqual((await at('balls')).place, moved.place);
 	// beside the agents the picture turns
 	const canvas = await boxOf(page, '.world canvas');
@@ -469,6 +471,7 @@ test('on a phone a finger on an agent moves it, and does not scroll the page; ne
 
 test('a game with a limit of time shows a clock and the best time, blocks make sounds, and the drawer names who is there', async () => {
 	const { page, said, leave } = await open(site, 'play/hills', SMALL);
+	await page.locator('.settings').click();
 	assert.equal(await page.textContent('.clock'), '40 s left');
 	const won = (seconds) => program(
 		{ type: 'starlogo_start', inputs: inside({ type: 'starlogo_limit', fields: { TEXT: 'Too late.' }, inputs: { SECONDS: number(5) }, next: { block: create('dragons', 'dragon', { type: 'starlogo_sound', fields: { SOUND: 'ding' } }) } }) },
@@ -520,6 +523,7 @@ test('a game with a limit of time shows a clock and the best time, blocks make s
 
 test('the space bar throws after a tick, Speed keeps the keyboard, and an error moves nothing', async () => {
 	const { page, said, leave } = await open(site, 'play/paintball', SMALL);
+	await page.locator('.settings').click();
 	const places = () => page.evaluate(() => [...document.querySelectorAll('.controls button, .screens, .blocks')].map((each) => each.getBoundingClientRect()).map(({ x, y, width, height }) => [x, y, width, height].map(Math.round).join()).join(' '));
 	const first = await places();
 	await press(page, 'Run');

@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 /**
- * Makes pictures of every view, to look at: in four sizes, light and dark, English and German.
+ * Makes pictures of every view, to look at: in five sizes, light and dark, English and German.
  *
  *   node test/playground/pictures.mjs OUT [PATTERN]     PATTERN: of their names, as "play-lesson" or "390x844-dark-de"
  */
@@ -8,7 +8,7 @@ import { mkdirSync } from 'node:fs';
 import path from 'node:path';
 import { begin, ready, rest } from './browser.mjs';
 
-const SIZES = [[1366, 625], [1366, 768], [390, 844], [1920, 1080]];
+const SIZES = [[1366, 625], [1366, 768], [390, 844], [844, 390], [1920, 1080]];
 const script = (type, DO) => ({ blocks: { blocks: [{ type, inputs: { DO: { block: DO } } }] } });
 const ENDLESS = script('starlogo_start', { type: 'controls_whileUntil', fields: { MODE: 'WHILE' }, inputs: { BOOL: { block: { type: 'logic_boolean', fields: { BOOL: 'TRUE' } } } } });
 const BEARS = script('starlogo_start', { type: 'starlogo_create', fields: { BREED: 'bears', SHAPE: 'bear' }, inputs: { COUNT: { shadow: { type: 'math_number', fields: { NUM: 3 } } } } });
@@ -99,14 +99,14 @@ const site = await begin();
 const all = Object.keys(VIEWS).flatMap((view) => SIZES.flatMap(([width, height]) => ['light', 'dark'].flatMap((scheme) => ['en', 'de'].map((code) => ({ view, width, height, scheme, code, name: `${view}-${width}x${height}-${scheme}-${code}` })))))
 	.filter(({ name }) => new RegExp(pattern).test(name));
 for (const { view, width, height, scheme, code, name } of all) {
-	const context = await site.browser.newContext({ viewport: { width, height }, colorScheme: scheme, locale: code, reducedMotion: 'reduce', ...(width < 500 && { hasTouch: true, isMobile: true }) });
+	const context = await site.browser.newContext({ viewport: { width, height }, colorScheme: scheme, locale: code, reducedMotion: 'reduce', ...(Math.min(width, height) < 500 && { hasTouch: true, isMobile: true }) });
 	const page = await context.newPage();
 	const [address, prepare] = VIEWS[view];
 	await page.goto(`${site.url}#${address}`);
 	await ready(page, address.split('/')[0]);
 	await prepare(page);
 	await rest(page, 200);
-	await page.screenshot({ path: path.join(out, `${name}.png`), fullPage: width < 500 });
+	await page.screenshot({ path: path.join(out, `${name}.png`), fullPage: Math.min(width, height) < 500 });
 	console.log(name);
 	await context.close();
 }

@@ -105,6 +105,17 @@ package starlogo.agents
         /** @private What the agent stands on since its last walk. It is null before the first walk. */
         engine var standing:PlatformLink = null;
 
+        /**
+         * Whether the agent stops only what comes from above: a platform to jump up through and to stand on. It counts for others that walk, slide,
+         * move until they touch, or are cast (<code>AgentQueries</code>). It stops them only with surfaces that are no steeper than 45 degrees, and
+         * only if they are above it or rest on it when their motion begins. From below, from the side and from within they pass, and
+         * <code>walk()</code> does not push them out. Collisions, rays and all other questions are not affected. It counts from the next
+         * question on.
+         *
+         * @default false
+         */
+        public var isOneWay:Boolean = false;
+
         /** The agent's colour, with the client's colour numbers. It has no effect on collisions. */
         public var color:Number = 0;
 

@@ -4,7 +4,8 @@ package starlogo.blocks
     import starlogo.geometry.requireGiven;
 
     /**
-     * The blocks that set how an agent or a breed collides: "set hierarchical", "set collision depth", "collide as" (thesis §7.1 to §7.3).
+     * The blocks that set how an agent or a breed collides: "set hierarchical", "set collision depth", "collide as" (thesis §7.1 to §7.3),
+     * and "one way".
      * A setting for a breed counts for its agents. Call <code>welcome()</code> for agents that join the breed later.
      */
     public class TraitBlocks
@@ -83,6 +84,19 @@ package starlogo.blocks
                 throw new BlockError("collide as", "does not know " + BlockSubject.nameOf(structure) + ". Choose one of these: " + STRUCTURES.join(", ") + ".");
             }
             apply(subject, "collideAs", structure);
+        }
+
+        /**
+         * The block "one way": the agent stops only what comes from above. See Agent.isOneWay.
+         *
+         * @param subject an agent, or the name of a breed
+         * @param isOn whether others that walk or slide pass it from below and from the side
+         * @throws BlockError if the subject is neither
+         */
+        public function setOneWay(subject:Object, isOn:Boolean):void
+        {
+            BlockSubject.check("one way", subject);
+            apply(subject, "isOneWay", isOn);
         }
 
         /** Gives an agent the settings of its breed. Call it when an agent has joined the game or changed its breed. */

@@ -325,8 +325,8 @@ package starlogo.collision
          * same kind. The bytes name agents by their indices in <code>lastAgents</code>. So keep a copy of that list.
          *
          * @param withTraits whether the agents' traits are written too, as they are now: place, turn, size, shape, breed, colour,
-         *     <code>sweeps</code>, <code>hierarchical</code>, <code>traversalDepth</code> and <code>collideAs</code>. Otherwise the game keeps
-         *     them
+         *     <code>sweeps</code>, <code>hierarchical</code>, <code>traversalDepth</code>, <code>collideAs</code> and <code>isOneWay</code>.
+         *     Otherwise the game keeps them
          * @param withGround whether the heights of the ground are written. Without them <code>restore()</code> leaves the ground as it is
          * @return the bytes, about 25 for each agent of the list, 79 for its traits, and 17 for each pair that touches and has handlers for starts
          *     or ends

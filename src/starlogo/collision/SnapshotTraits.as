@@ -15,6 +15,7 @@ package starlogo.collision
     {
         private static const SWEEPS:int = 1;
         private static const HIERARCHICAL:int = 2;
+        private static const ONE_WAY:int = 4;
 
         /** Writes the traits of all agents. */
         public static function write(agents:Vector.<Agent>, names:SnapshotNames, bytes:ByteArray):void
@@ -24,7 +25,7 @@ package starlogo.collision
                 var agent:Agent = agents[i];
                 bytes.writeInt(names.ofModel(agent.shape));
                 bytes.writeInt(names.ofBreed(agent.breedNumber));
-                bytes.writeByte(int(agent.sweeps) * SWEEPS + int(agent.hierarchical) * HIERARCHICAL);
+                bytes.writeByte(int(agent.sweeps) * SWEEPS + int(agent.hierarchical) * HIERARCHICAL + int(agent.isOneWay) * ONE_WAY);
                 // ANY_KIND is -1
                 bytes.writeByte(agent.structureKind + 1);
                 bytes.writeInt(agent.traversalDepth);
@@ -51,12 +52,13 @@ package starlogo.collision
                 agent.breed = names.nameAt(bytes.readUnsignedInt());
                 var flags:int = bytes.readUnsignedByte();
                 var kind:int = bytes.readUnsignedByte();
-                if (flags > (SWEEPS | HIERARCHICAL) || kind > Agent.KINDS.length)
+                if (flags > (SWEEPS | HIERARCHICAL | ONE_WAY) || kind > Agent.KINDS.length)
                 {
                     throw new RangeError("a flag of " + agent + " is unknown");
                 }
                 agent.sweeps = (flags & SWEEPS) != 0;
                 agent.hierarchical = (flags & HIERARCHICAL) != 0;
+                agent.isOneWay = (flags & ONE_WAY) != 0;
                 agent.collideAs = kind == 0 ? Agent.TIGHTEST : Agent.KINDS[kind - 1];
                 agent.traversalDepth = bytes.readInt();
                 agent.moveTo(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());

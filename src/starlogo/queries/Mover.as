@@ -292,7 +292,8 @@ package starlogo.queries
         }
 
         // Lets planes take the places of rows that the core overlaps: of those whose overlap is not shallow, or of all. If the core does not
-        // touch a row when it is narrower, the row stays, and the motion has that core. Returns whether rows are left that the core overlapped.
+        // touch a row when it is narrower, the row stays, and the motion has that core. One-way rows that the body is within do not count any
+        // more. Returns whether rows are left that the core overlapped.
         private function takeDeep(place:Vector3D, isOfAll:Boolean):Boolean
         {
             var isLeft:Boolean = false;
@@ -301,6 +302,10 @@ package starlogo.queries
             {
                 var row:int = _obstacles.numbers[i];
                 var touches:Boolean = _body.coreTouches(row, place);
+                if (touches && _body.isWithinOneWay(row, place))
+                {
+                    continue;
+                }
                 if (touches && findDeep(row, place, isOfAll, _contact))
                 {
                     _rest.add(_contact, row);
@@ -366,7 +371,7 @@ package starlogo.queries
         {
             for (var i:int = _rest.count - 2; i >= _rest.corner; i--)
             {
-                if (_rest.project(i) && !(findFirst(place, _tried) && isSoon(_tried)))
+                if (_rest.project(i) && !(_sweep.findFirst(_obstacles, place, _rest.motion, _tried) && isSoon(_tried)))
                 {
                     _rest.remove(i);
                 }
@@ -379,9 +384,18 @@ package starlogo.queries
             return impact.time * _rest.length < NEXT * _body.slop;
         }
 
+        // Finds what the rest of the motion meets first. One-way rows that it passes do not count from then on.
         private function findFirst(place:Vector3D, out:Impact):Boolean
         {
-            return _sweep.findFirst(_obstacles, place, _rest.motion, out);
+            while (_sweep.findFirst(_obstacles, place, _rest.motion, out))
+            {
+                if (!_body.passes(out.row, out.contact))
+                {
+                    return true;
+                }
+                _obstacles.remove(out.row);
+            }
+            return false;
         }
     }
 }

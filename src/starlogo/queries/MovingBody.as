@@ -43,6 +43,9 @@ package starlogo.queries
         // times as wide as the gaps across which shapes touch.
         private static const FLAT:Number = 0.01;
 
+        // A one-way row stops the body with surfaces whose normal has at least this z: no steeper than 45 degrees, and a little for rounding.
+        private static const UPWARDS:Number = Math.SQRT1_2 - 1e-9;
+
         /** The slop: how much smaller than the body the core is at its nearest faces, in patches. <code>narrow()</code> makes the core smaller still. */
         public var slop:Number = 0;
 
@@ -67,6 +70,7 @@ package starlogo.queries
         private var _core:Body = new Body();
         private var _coreAt:Vector3D = new Vector3D();
         private var _smaller:Body = new Body();
+        private var _contact:ContactPoint = new ContactPoint();
 
         // The largest extent of the body and the rows near it, and half of the width of a cell of the ground.
         private var _largest:Number = 0;
@@ -190,6 +194,24 @@ package starlogo.queries
                 tests.separate(whole, other, RelativeMotion.NONE, out);
             }
             return out.depth <= shallow;
+        }
+
+        /** Whether a row stops only what comes from above. See Agent.isOneWay. */
+        public function isOneWay(row:int):Boolean
+        {
+            return _seen.table.list.agents[row].isOneWay;
+        }
+
+        /** Whether the body goes on through a row that it meets with this contact, because the row is one-way, and the body comes not from above. */
+        public function passes(row:int, contact:ContactPoint):Boolean
+        {
+            return isOneWay(row) && contact.normalZ < UPWARDS;
+        }
+
+        /** Whether the body at a place, where its core touches a row, is within it and the row is one-way. If it rests on the row, it is not. */
+        public function isWithinOneWay(row:int, place:Vector3D):Boolean
+        {
+            return isOneWay(row) && !(findContact(row, place, false, _contact) && _contact.normalZ >= UPWARDS);
         }
 
         /**

@@ -72,7 +72,7 @@ package starlogo.queries
         }
 
         /**
-         * Finds the deepest overlap of the body with some rows. An overlap that a motion only lifts out of does not count.
+         * Finds the deepest overlap of the body with some rows. An overlap that a motion only lifts out of does not count, nor one with a one-way row.
          *
          * @param out receives the contact. A push along its normal by its depth leads a clearance out of the row
          * @return the sum of the depths of all overlaps; 0 if there is none
@@ -84,7 +84,7 @@ package starlogo.queries
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.numbers[i];
-                if (!_body.coreTouches(row, place) || _body.findContact(row, place, true, _contact) || !_body.overlaps(row, place))
+                if (_body.isOneWay(row) || !_body.coreTouches(row, place) || _body.findContact(row, place, true, _contact) || !_body.overlaps(row, place))
                 {
                     continue;
                 }

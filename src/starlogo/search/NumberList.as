@@ -29,5 +29,20 @@ package starlogo.search
             numbers[count] = number;
             count++;
         }
+
+        /** Removes a number that is in the list once. The others keep their order. */
+        public function remove(number:int):void
+        {
+            count--;
+            var at:int = 0;
+            while (numbers[at] != number)
+            {
+                at++;
+            }
+            for (; at < count; at++)
+            {
+                numbers[at] = numbers[at + 1];
+            }
+        }
     }
 }

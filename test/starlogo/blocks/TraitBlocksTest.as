@@ -53,6 +53,17 @@ package starlogo.blocks
         }
 
         [Test]
+        public function oneWay():void
+        {
+            _blocks.setOneWay(_bear, true);
+            assertEquals("true false", _bear.isOneWay + " " + _otherBear.isOneWay);
+            _blocks.setOneWay("bears", true);
+            var cub:Agent = new Agent("bear", "bears");
+            _blocks.welcome(cub);
+            assertEquals("true true false", _otherBear.isOneWay + " " + cub.isOneWay + " " + _ball.isOneWay);
+        }
+
+        [Test]
         public function breedsAreForgotten():void
         {
             _blocks.collideAs("bears", Agent.SPHERE);

@@ -300,6 +300,7 @@ package starlogo.collision
                 case 8:
                     agent.sweeps = !agent.sweeps;
                     agent.hierarchical = !agent.hierarchical;
+                    agent.isOneWay = !agent.isOneWay;
                     break;
                 case 9:
                     agent.collideAs = random.pick(["tightest", "sphere", "box", "capsule", "hull"]);
@@ -320,7 +321,7 @@ package starlogo.collision
             var lines:Array = [];
             for each (var a:Agent in agents)
             {
-                lines.push([a.shape, a.breed, a.x, a.y, a.z, a.heading, a.pitch, a.roll, a.size, a.color, a.sweeps, a.hierarchical, a.traversalDepth,
+                lines.push([a.shape, a.breed, a.x, a.y, a.z, a.heading, a.pitch, a.roll, a.size, a.color, a.sweeps, a.hierarchical, a.isOneWay, a.traversalDepth,
                             a.collideAs, a.getQuaternion(), a.transform.rawData].join(" "));
             }
             return lines.join("\n");

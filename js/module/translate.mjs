@@ -182,7 +182,14 @@ export class Program {
 	// Tools show only the public state of public classes.
 	#isShown(unit) {
 		const type = this.signatures.get(unit.qname);
-		return type?.kind === "class" && !unit.base && !SHOWN_AS_THEY_ARE.has(unit.qname);
+		return type?.kind === "class" && !this.#hasShownBase(unit) && !SHOWN_AS_THEY_ARE.has(unit.qname);
+	}
+
+	// Whether a class extends a public class, or one of the platform. A base that only the engine knows shows nothing.
+	#hasShownBase({ base }) {
+		if (!base) return false;
+		const unit = this.#units.get(base);
+		return !unit || this.signatures.has(base) || this.#hasShownBase(unit);
 	}
 
 	#interfaceText(unit) {

@@ -79,8 +79,8 @@ test("a game loads the questions that it asks", () => {
 	const limits = [
 		[["Agent", "BinCollider", "SeenAgents", "AgentPlaces"], 35],
 		[["Agent", "Collision", "BinCollider", "SeenAgents", "AgentPlaces"], 45],
-		[[...level, "AgentRays"], 62],
-		[[...level, "AgentWalks"], 98],
+		[[...level, "AgentRays"], 63],
+		[[...level, "AgentWalks"], 100],
 	];
 	for (const [names, limit] of limits) {
 		const size = weigh(bundle(names)) / KB;

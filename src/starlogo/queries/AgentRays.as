@@ -17,7 +17,12 @@ package starlogo.queries
         // By the number of questions under way that call accepts.
         private var _sets:Vector.<RayQueries> = new Vector.<RayQueries>();
 
-        /** @param seen the agents that the questions see */
+        /**
+         * Asks about the agents of a SeenAgents. Others may ask about the same.
+         *
+         * @param seen the agents that the questions see
+         * @throws ArgumentError if it is null
+         */
         public function AgentRays(seen:SeenAgents)
         {
             requireGiven("seen", seen);

@@ -21,7 +21,12 @@ package starlogo.queries
         // By the number of questions under way that call accepts.
         private var _sets:Vector.<MotionQueries> = new Vector.<MotionQueries>();
 
-        /** @param seen the agents that the questions see */
+        /**
+         * Asks about the agents of a SeenAgents. Others may ask about the same.
+         *
+         * @param seen the agents that the questions see
+         * @throws ArgumentError if it is null
+         */
         public function AgentWalks(seen:SeenAgents)
         {
             requireGiven("seen", seen);

@@ -24,6 +24,8 @@ package starlogo.queries
         private var _tests:NarrowPhase;
 
         /**
+         * Sees agents as the models of a GreatLand.
+         *
          * @param greatLand has the models
          * @throws ArgumentError if it is null
          */

@@ -21,6 +21,13 @@ function cornersOf(model, agent, up) {
 	});
 }
 
+/** A geometry whose triangles are named by an index. */
+function withIndex(geometry) {
+	const indexed = geometry.clone();
+	indexed.setIndex(Array.from({ length: geometry.attributes.position.count }, (_, i) => i));
+	return indexed;
+}
+
 /** The largest difference of corners, those of triangles that are mirrored being turned round. */
 function differenceOf(found, { corners, flips }) {
 	assert.equal(found.length, corners.length);
@@ -410,7 +417,53 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		const endless = box();
 		endless.geometry.attributes.position.setX(3, NaN);
 		assert.throws(() => modelFromObject("any", endless), /^ModelError: model "any": .*NaN/);
-		assert.throws(() => modelFromObject("any", new THREE.BatchedMesh(1, 24, 36, new THREE.MeshBasicMaterial())), /^ModelError: model "any": a BatchedMesh has many shapes/);
+		assert.throws(() => modelFromObject("any", new THREE.BatchedMesh(1, 24, 36, new THREE.MeshBasicMaterial())), /^ModelError: model "any": no vertices/);
+	});
+
+	test(`three ${version}: a BatchedMesh is the meshes of its instances`, () => {
+		const scenes = new Scenes(THREE, 77 + number);
+		const { dice } = scenes;
+		let count = 0;
+		for (let i = 0; i < 60; i++) {
+			const isIndexed = dice.isLuckyIn(2);
+			const shapes = [new THREE.BoxGeometry(1, 2, 1), new THREE.ConeGeometry(0.5, 1, 5), new THREE.TetrahedronGeometry(1)]
+				.map((shape) => (shape.index ? shape : withIndex(shape))).map((shape) => (isIndexed ? shape : shape.toNonIndexed()));
+			const batch = new THREE.BatchedMesh(12, 400, isIndexed ? 600 : 0, new THREE.MeshBasicMaterial());
+			// room that is kept for more, and a geometry that is gone, move the others along
+			const reserved = dice.below(20);
+			const ids = shapes.map((shape) => batch.addGeometry(shape, shape.attributes.position.count + reserved, isIndexed ? shape.index.count + 3 * reserved : -1));
+			const instances = Array.from({ length: 8 }, () => ({ shape: dice.below(3) })).map(({ shape }) => ({ shape, id: batch.addInstance(ids[shape]) }));
+			for (const { id } of instances) {
+				const scale = new THREE.Vector3(dice.number(0.3, 1), dice.number(0.3, 1), dice.isLuckyIn(2) ? 0.5 : -0.5);
+				batch.setMatrixAt(id, new THREE.Matrix4().compose(new THREE.Vector3(...dice.direction()), scenes.quaternion(), scale));
+				if (dice.isLuckyIn(3)) batch.setVisibleAt(id, false);
+			}
+			const gone = new Set(instances.filter(() => dice.isLuckyIn(4)).map(({ id }) => id));
+			for (const id of gone) batch.deleteInstance(id);
+			if (dice.isLuckyIn(3)) {
+				batch.deleteGeometry(ids[2]);
+				for (const { shape, id } of instances) if (shape === 2) gone.add(id);
+				batch.optimize?.();
+			}
+			const group = new THREE.Group();
+			for (const { shape, id } of instances) {
+				if (gone.has(id)) continue;
+				const mesh = new THREE.Mesh(shapes[shape]);
+				batch.getMatrixAt(id, mesh.matrix);
+				mesh.matrixAutoUpdate = false;
+				group.add(mesh);
+			}
+			if (group.children.length === 0) continue;
+			for (const object of [batch, group]) object.position.set(1, 2, 3);
+			const up = dice.isLuckyIn(2) ? "y" : "z";
+			for (const make of [modelFromObject, levelFromObject]) {
+				const [found, expected] = [batch, group].map((object) => make("any", object, { up }));
+				assert.deepEqual([...found.vertices], [...expected.vertices]);
+				assert.deepEqual([...found.triangles], [...expected.triangles]);
+				count += found.triangles.length / 3;
+			}
+		}
+		assert.ok(count > 5000, `${count} triangles`);
 	});
 
 	test(`three ${version}: a wireframe is where the structures are, in one object`, () => {

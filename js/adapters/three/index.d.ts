@@ -59,7 +59,7 @@ export interface WireframeOptions {
  * Makes a model from a three.js object or geometry.
  *
  * For an object, all meshes count: also its children's, visible or not. They count in the present pose of their bones and morph targets,
- * with all instances of an InstancedMesh, and with the finest level of an LOD. The children's transforms count, including mirrors. The
+ * with all instances of an InstancedMesh or a BatchedMesh, visible or not, and with the finest level of an LOD. The children's transforms count, including mirrors. The
  * object's own transform does not count, because it places the object in the world: see ThreeAgentBinding. Draw ranges count. If a mesh has
  * several materials, the groups with a material count. Lines, points, sprites and meshes scaled to 0 are left out.
  *
@@ -69,8 +69,8 @@ export interface WireframeOptions {
  * @param name what agents call the shape, not empty
  * @param source an object or a geometry; only its world matrices are updated
  * @param options the up axis, and the scaling
- * @throws ModelError if the source is neither or has no triangles, if a triangle uses a missing vertex, if a coordinate is not finite, if
- * the name is empty, or if a mesh is a BatchedMesh
+ * @throws ModelError if the source is neither or has no triangles, if a triangle uses a missing vertex, if a coordinate is not finite, or
+ * if the name is empty
  * @throws ArgumentError if up is neither "y" nor "z"
  */
 export function modelFromObject(name: string, source: Object3D | BufferGeometry, options?: ModelOptions): Model;

@@ -71,7 +71,10 @@ class Surface {
 	}
 
 	addMesh(mesh, place) {
-		if (mesh.isBatchedMesh) throw this.#error(mesh, "a BatchedMesh has many shapes: make a model of each geometry");
+		if (mesh.isBatchedMesh) {
+			this.#addBatch(mesh, place);
+			return;
+		}
 		const { geometry } = mesh;
 		const position = geometry.getAttribute("position");
 		if (!position) return;
@@ -84,6 +87,28 @@ class Surface {
 			const instance = new Matrix4();
 			mesh.getMatrixAt(i, instance);
 			this.#add(points, corners, instance.premultiply(place));
+		}
+	}
+
+	/** Adds all instances of a BatchedMesh, visible or not. Each draws a part of the mesh's geometry. */
+	#addBatch(mesh, place) {
+		const { index, attributes } = mesh.geometry;
+		const shapes = new Map();
+		const shapeOf = (id) => {
+			const { start, count, vertexStart, vertexCount } = mesh.getGeometryRangeAt(id);
+			const points = pointsOf(mesh, attributes.position, vertexStart, vertexCount);
+			const corners = Array.from({ length: count }, (_, i) => (index ? index.getX(start + i) : start + i) - vertexStart);
+			for (const corner of corners) if (!(corner >= 0 && corner < vertexCount)) throw this.#error(mesh, `a triangle of geometry ${id} names vertex ${corner}, the last one is ${vertexCount - 1}`);
+			return { points, corners };
+		};
+		let left = mesh.instanceCount;
+		for (let i = 0; left > 0 && i < mesh.maxInstanceCount; i++) {
+			const id = geometryOf(mesh, i);
+			if (id < 0) continue;
+			left--;
+			if (!shapes.has(id)) shapes.set(id, shapeOf(id));
+			const { points, corners } = shapes.get(id);
+			this.#add(points, corners, mesh.getMatrixAt(i, new Matrix4()).premultiply(place));
 		}
 	}
 
@@ -112,20 +137,29 @@ class Surface {
 	}
 }
 
-/** The places of a mesh's vertices in its own space, x, y, z, ..., in its present pose. */
-function pointsOf(mesh, position) {
-	const points = new Float64Array(3 * position.count);
+/** The places of a mesh's vertices in its own space, x, y, z, ..., in its present pose: of all, or of some from a first one on. */
+function pointsOf(mesh, position, first = 0, count = position.count) {
+	const points = new Float64Array(3 * count);
 	const isPosed = mesh.isSkinnedMesh || mesh.geometry.morphAttributes.position !== undefined;
 	if (mesh.isSkinnedMesh) for (const bone of mesh.skeleton.bones) bone.updateWorldMatrix(true, false);
 	const at = new Vector3();
-	for (let i = 0; i < position.count; i++) {
-		if (isPosed) mesh.getVertexPosition(i, at);
-		else at.fromBufferAttribute(position, i);
+	for (let i = 0; i < count; i++) {
+		if (isPosed) mesh.getVertexPosition(first + i, at);
+		else at.fromBufferAttribute(position, first + i);
 		points[3 * i] = at.x;
 		points[3 * i + 1] = at.y;
 		points[3 * i + 2] = at.z;
 	}
 	return points;
+}
+
+/** The number of the geometry of an instance of a BatchedMesh; -1 if the instance was deleted. */
+function geometryOf(mesh, instance) {
+	try {
+		return mesh.getGeometryIdAt(instance);
+	} catch {
+		return -1;
+	}
 }
 
 /**

@@ -13,7 +13,11 @@ package starlogo.models
      *
      * <p>The document's up axis is turned to z. The reader recognises elements by their names, in any namespace or none. Numbers may have
      * a decimal comma. The unit is ignored, because a model is scaled anyway. The unit and up axis that single elements have of their own,
-     * materials, lights, cameras, animations, splines and solids are ignored too. A reference into another document is an error.</p>
+     * lights, cameras, animations, splines and solids are ignored too. A reference into another document is an error.</p>
+     *
+     * <p>Each geometry that a node places is a mesh with the node's name. A material is the one that is bound to the symbol of a primitive, and
+     * has its name; if none is bound, the symbol is its name. Names are ids where there are no names. Both are numbered from 0 in the order of
+     * the scene.</p>
      *
      * <p>If the scene has surfaces, points that no surface uses are left out. If it has none, the points of the geometries make a model
      * without triangles. In a mirrored node, the corner order of each triangle is reversed, so that triangles still face outwards.</p>

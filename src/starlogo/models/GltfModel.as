@@ -12,7 +12,8 @@ package starlogo.models
      * mesh may be placed many times. Every primitive with a surface is read: triangles, strips and fans, with or without indices. If there
      * are no surfaces, the points make a model without triangles. Morph targets count by their weights. A skinned mesh is in the rest pose
      * of its joints. Accessors may have any kind of number, be normalised, have gaps between rows, be sparse, or be quantized
-     * (KHR_mesh_quantization). Materials, cameras, lights and animations are ignored.</p>
+     * (KHR_mesh_quantization). Each node with a surface is a mesh with the node's name, or its mesh's if it has none; they are numbered from 0
+     * in the order of the scene. A material has its number in the file. Cameras, lights and animations are ignored.</p>
      *
      * <p>A file is refused if it is compressed with Draco or meshopt, or if it requires an unknown extension. Optional extensions are
      * ignored. Extensions for materials, textures and lights are ignored too. The y axis points up in glTF and is turned to z. In a

@@ -17,6 +17,10 @@ package starlogo.models
      *
      * <p>Its coordinates are finite, and its triangles use only existing vertices. Triangles without area are kept. Only
      * <code>pose()</code> changes a model.</p>
+     *
+     * <p>A triangle may have a material and a mesh, each a number that may have a name. Files say them: an OBJ file's <code>usemtl</code>, and
+     * <code>o</code> or <code>g</code>; a COLLADA document's materials, and the nodes that place its geometries; a glTF file's materials, and
+     * its nodes with meshes. Hits of rays and casts tell them.</p>
      */
     public class Model
     {
@@ -59,6 +63,8 @@ package starlogo.models
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
         private var _source:SourceFrame;
+        private var _materials:TriangleLabels;
+        private var _meshes:TriangleLabels;
 
         // What is told about each pose, and the vertices of the next one until they are checked. Null before they are first needed.
         private var _listeners:Vector.<PoseListener> = new Vector.<PoseListener>();
@@ -95,6 +101,8 @@ package starlogo.models
             }
             _source = made.frame;
             cooked = made.cooked;
+            _materials = made.materials;
+            _meshes = made.meshes;
         }
 
         /** The model's place and scale in its source, for a renderer that draws the source. Shared with the model. */
@@ -122,6 +130,81 @@ package starlogo.models
         public function get triangles():Vector.<uint>
         {
             return _triangles;
+        }
+
+        /** The number of each triangle's material, -1 for none; null if no triangle has one. This is the model's own vector: do not change it. */
+        public function get materials():Vector.<int>
+        {
+            return _materials == null ? null : _materials.numbers;
+        }
+
+        /** The name of each material, by its number; null for a material without a name. Null if there are no names. Do not change it. */
+        public function get materialNames():Vector.<String>
+        {
+            return _materials == null ? null : _materials.names;
+        }
+
+        /** The number of the mesh that each triangle belongs to, -1 for none; null if the model has no meshes. Do not change it. */
+        public function get meshes():Vector.<int>
+        {
+            return _meshes == null ? null : _meshes.numbers;
+        }
+
+        /** The name of each mesh, by its number; null for a mesh without a name. Null if there are no names. Do not change it. */
+        public function get meshNames():Vector.<String>
+        {
+            return _meshes == null ? null : _meshes.names;
+        }
+
+        /**
+         * Gives the triangles materials. This changes no collision. Hits tell them from then on.
+         *
+         * @param numbers the number of each triangle's material, -1 for none; copied. Null removes the materials
+         * @param names the name of each material, by its number; copied. Null if they have no names
+         * @throws ModelError if there is not one number for each triangle, or if a number is less than -1 or has no name in the names
+         */
+        public function setMaterials(numbers:Vector.<int> = null, names:Vector.<String> = null):void
+        {
+            _materials = labelsOf("materials", numbers, names);
+        }
+
+        /**
+         * Says which mesh each triangle belongs to. This changes no collision. Hits tell them from then on.
+         *
+         * @param numbers the number of each triangle's mesh, -1 for none; copied. Null removes the meshes
+         * @param names the name of each mesh, by its number; copied. Null if they have no names
+         * @throws ModelError if there is not one number for each triangle, or if a number is less than -1 or has no name in the names
+         */
+        public function setMeshes(numbers:Vector.<int> = null, names:Vector.<String> = null):void
+        {
+            _meshes = labelsOf("meshes", numbers, names);
+        }
+
+        /** @private The material of each triangle; null if no triangle has one. */
+        engine final function get materialLabels():TriangleLabels
+        {
+            return _materials;
+        }
+
+        /** @private The mesh of each triangle; null if no triangle has one. */
+        engine final function get meshLabels():TriangleLabels
+        {
+            return _meshes;
+        }
+
+        private function labelsOf(what:String, numbers:Vector.<int>, names:Vector.<String>):TriangleLabels
+        {
+            if (numbers == null)
+            {
+                return null;
+            }
+            var count:int = _triangles == null ? 0 : _triangles.length / 3;
+            refuseIf(numbers.length != count, _name, numbers.length + " numbers of " + what + " for " + count + " triangles");
+            for each (var number:int in numbers)
+            {
+                refuseIf(number < -1 || names != null && number >= names.length, _name, "no name for number " + number + " of its " + what);
+            }
+            return new TriangleLabels(numbers.slice(), names == null ? null : names.slice());
         }
 
         /**

@@ -12,6 +12,8 @@ package starlogo.models
      */
     public class ModelReader extends StepSequence
     {
+        private static const TRIANGLES_PER_STEP:int = 20000;
+
         /** When all is read: x, y, z, ... as placed in the file, turned to z up. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
@@ -20,6 +22,12 @@ package starlogo.models
 
         /** When all is read: three vertex indices per triangle. Empty if the file has no surfaces. */
         public var triangles:Vector.<uint> = new Vector.<uint>();
+
+        /** When all is read: the material of each triangle. */
+        public var materials:TriangleRuns = new TriangleRuns();
+
+        /** When all is read: the mesh of each triangle. */
+        public var meshes:TriangleRuns = new TriangleRuns();
 
         /** The model's name. */
         public var name:String;
@@ -68,7 +76,7 @@ package starlogo.models
         public final function shaped(scaling:String):ModelReader
         {
             this.scaling = scaling;
-            begin(normalising);
+            begin(normalising).begin(labelling);
             return this;
         }
 
@@ -124,6 +132,37 @@ package starlogo.models
         {
             _shape = new NormalisedShape(name, vertices, triangles, frame == null ? scaling : Model.AS_GIVEN, transform, unit);
             return _shape;
+        }
+
+        // Lists the material and the mesh of each triangle, if the file says any.
+        private function labelling():Steps
+        {
+            var work:StepSequence = new StepSequence();
+            _shape.materials = labelsOf(materials, work);
+            _shape.meshes = labelsOf(meshes, work);
+            return work;
+        }
+
+        private function labelsOf(runs:TriangleRuns, work:StepSequence):TriangleLabels
+        {
+            var count:int = triangles.length / 3;
+            if (runs.isEmpty(count))
+            {
+                return null;
+            }
+            var numbers:Vector.<int> = new Vector.<int>(count);
+            work.slices(count, TRIANGLES_PER_STEP, function(first:int, end:int):void
+                {
+                    runs.write(first, end, numbers);
+                });
+            if (_shape.isTurnedRound)
+            {
+                work.call(function():void
+                    {
+                        numbers.reverse();
+                    });
+            }
+            return new TriangleLabels(numbers, runs.names);
         }
     }
 }

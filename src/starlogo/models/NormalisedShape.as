@@ -36,6 +36,13 @@ package starlogo.models
         /** The cooked file that the shape was read from; null for none. */
         public var cooked:CookedFile = null;
 
+        /** The material and the mesh of each triangle; null if no triangle has one. A reader sets them. */
+        public var materials:TriangleLabels = null;
+        public var meshes:TriangleLabels = null;
+
+        /** When no step is left: whether the order of the triangles was reversed. */
+        public var isTurnedRound:Boolean = false;
+
         private var _bounds:VertexBounds;
 
         /**
@@ -203,6 +210,7 @@ package starlogo.models
         private function turnRound():void
         {
             triangles.reverse();
+            isTurnedRound = true;
         }
 
         // as in the client: an extent of 0 counts as 1

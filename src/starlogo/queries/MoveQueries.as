@@ -2,10 +2,12 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.bounding.Sphere;
     import starlogo.collision.Contact;
     import starlogo.engine;
     import starlogo.geometry.requireInWorld;
     import starlogo.search.Body;
+    import starlogo.search.ModelShape;
     import starlogo.search.NumberList;
 
     use namespace engine;
@@ -22,6 +24,7 @@ package starlogo.queries
 
         private var _set:QuerySet;
         private var _hits:Hits;
+        private var _triangle:TriangleOfHit = new TriangleOfHit();
 
         // The way of the question, a motion on it, and the place where the row that is met first stops the body.
         private var _way:Way = new Way();
@@ -30,6 +33,10 @@ package starlogo.queries
 
         // The lift out of all rows near the way, with which the body begins.
         private var _lift:StartLift = new StartLift();
+
+        // The point of a hit, as a structure and as a body.
+        private var _place:Sphere = new Sphere(new Vector3D(), 0);
+        private var _point:Body = new Body();
 
         /** @param questions what questions work with */
         public function MoveQueries(questions:QuerySet)
@@ -248,12 +255,36 @@ package starlogo.queries
             return mayLift;
         }
 
+        private function writeTriangle(row:int, hit:ShapeHit):void
+        {
+            var body:Body = _set.seen.table.bodyOf(row);
+            hit.triangle = -1;
+            if (body.form == ModelShape.TREE)
+            {
+                // agents at the edges of the largest world may be touched outside of it
+                _place.center.setTo(inWorld(hit.point.x), inWorld(hit.point.y), inWorld(hit.point.z));
+                _point.readStructure(_place);
+                hit.triangle = _set.seen.narrowPhase.trees.nearestTriangle(body, _point);
+            }
+            var from:TriangleOfHit = _triangle;
+            from.read(body, hit.triangle, hit.point, hit.weights);
+            hit.mesh = from.mesh;
+            hit.material = from.material;
+            hit.materialName = from.materialName;
+        }
+
+        private static function inWorld(coordinate:Number):Number
+        {
+            return Math.max(-Agent.LARGEST_COORDINATE, Math.min(Agent.LARGEST_COORDINATE, coordinate));
+        }
+
         // Writes how the body touches a row of the answer.
         private function write(index:int, hit:ShapeHit):ShapeHit
         {
             _hits.write(index, hit.point, hit.normal);
             hit.agent = _set.found.agentAt(index);
             hit.time = _set.found.keys[index];
+            writeTriangle(_set.found.rows[index], hit);
             return hit;
         }
     }

@@ -27,6 +27,24 @@ package starlogo.queries
          */
         public var triangle:int = -1;
 
+        /**
+         * The number of the mesh that the triangle belongs to: <code>Model.meshes</code>, and its name in <code>Model.meshNames</code>. It is -1
+         * if triangle is -1, or if the model does not say.
+         */
+        public var mesh:int = -1;
+
+        /** The number of the triangle's material: <code>Model.materials</code>. It is -1 if triangle is -1, or if the model does not say. */
+        public var material:int = -1;
+
+        /** The name of the material, or null. */
+        public var materialName:String = null;
+
+        /**
+         * The weights of the triangle's corners at the point (barycentric coordinates): x of the first, y of the second, z of the third, in the
+         * order of <code>Model.triangles</code>. They add up to 1. All are 0 if triangle is -1.
+         */
+        public var weights:Vector3D = new Vector3D();
+
         /** An empty hit. Pass it to <code>AgentQueries.cast()</code>, which fills it. */
         public function RayHit()
         {

@@ -24,6 +24,7 @@ package starlogo.queries
         private var _ray:Ray = new Ray();
 
         private var _hits:Hits;
+        private var _triangle:TriangleOfHit = new TriangleOfHit();
         private var _surfaces:RaySurfaces;
         private var _middleA:Vector3D = new Vector3D();
         private var _middleB:Vector3D = new Vector3D();
@@ -67,7 +68,7 @@ package starlogo.queries
             {
                 if (allSurfaces)
                 {
-                    _surfaces.write(i, hits[i]);
+                    writeTriangle(_surfaces.write(i, hits[i]), hits[i]);
                 }
                 else
                 {
@@ -184,6 +185,15 @@ package starlogo.queries
             }
         }
 
+        private function writeTriangle(row:int, hit:RayHit):void
+        {
+            var from:TriangleOfHit = _triangle;
+            from.read(_set.seen.table.bodyOf(row), hit.triangle, hit.point, hit.weights);
+            hit.mesh = from.mesh;
+            hit.material = from.material;
+            hit.materialName = from.materialName;
+        }
+
         // Writes how the ray meets a row of the answer.
         private function write(index:int, hit:RayHit):RayHit
         {
@@ -191,6 +201,7 @@ package starlogo.queries
             hit.triangle = _hits.triangleOf(index);
             hit.agent = _set.found.agentAt(index);
             hit.distance = _set.found.keys[index];
+            writeTriangle(_set.found.rows[index], hit);
             return hit;
         }
     }

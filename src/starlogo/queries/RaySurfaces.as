@@ -93,8 +93,8 @@ package starlogo.queries
             _sort.sort(_order, _keys, kept, _ranks);
         }
 
-        /** Writes a surface of the answer. */
-        public function write(index:int, hit:RayHit):void
+        /** Writes a surface of the answer. Returns its row. */
+        public function write(index:int, hit:RayHit):int
         {
             var surface:int = _order[index];
             var at:int = NUMBERS * surface;
@@ -103,6 +103,7 @@ package starlogo.queries
             hit.point.setTo(_numbers[at], _numbers[at + 1], _numbers[at + 2]);
             hit.normal.setTo(_numbers[at + 3], _numbers[at + 4], _numbers[at + 5]);
             hit.triangle = _triangles[surface];
+            return _rows[surface];
         }
     }
 }

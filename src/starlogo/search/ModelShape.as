@@ -2,6 +2,7 @@ package starlogo.search
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
+    import starlogo.models.Model;
     import starlogo.solid.SolidHierarchy;
 
     use namespace engine;
@@ -44,6 +45,9 @@ package starlogo.search
 
         // Whether the shape stays upright and faces along the x axis, however its agent is turned.
         engine var isUpright:Boolean = false;
+
+        /** @private The model; null for shapes that have none. */
+        engine var source:Model = null;
 
         /** @private The agent that stands for the ground or the edges of the world; null for the shapes of agents. */
         engine var worldAgent:WorldAgent = null;

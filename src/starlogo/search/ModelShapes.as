@@ -93,6 +93,7 @@ package starlogo.search
                 throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; add it to the GreatLand first");
             }
             var shape:ModelShape = new ModelShape(agent.shape, kind, _greatLand == null ? 0 : _greatLand.revisionOf(agent.shape));
+            shape.source = _greatLand == null ? null : _greatLand.modelOf(agent.shape);
             _choice.bind(shape, agent);
             requireExtents(shape, agent);
             areSpheres = areSpheres && shape.form == BoundingStructure.SPHERE;

@@ -112,6 +112,18 @@ package starlogo.search
             _distances.findClosest(_pair, areTouching, out);
         }
 
+        /**
+         * The number of the triangle of a body that is nearest to a point, as the model counts them; -1 if triangles do not decide.
+         *
+         * @param body a tree
+         * @param point a body that is a sphere of radius 0
+         */
+        public function nearestTriangle(body:Body, point:Body):int
+        {
+            setPair(body, point);
+            return _pair.isExact ? _distances.nearestTriangle(_pair) : -1;
+        }
+
         /** Writes the numbers of tests, and sets them to 0. */
         public function takeCounts(out:SearchCounts):void
         {

@@ -13,6 +13,9 @@ package starlogo.solid
     /** Finds the distance of a solid sphere, capsule or box from the triangles in leaves. */
     internal final class LeafStructureDistance extends LeafTest
     {
+        /** The index of the nearest triangle so far in the hierarchy's order, or -1. */
+        public var triangle:int = -1;
+
         private var _solid:Solid;
         private var _test:ConvexTriangle = new ConvexTriangle();
 
@@ -40,6 +43,7 @@ package starlogo.solid
             _test.begin(structure, pose.placement);
             _test.structure.extentsInto(_extents);
             _nearest.distance = Infinity;
+            triangle = -1;
         }
 
         /** @inheritDoc */
@@ -53,7 +57,11 @@ package starlogo.solid
                 {
                     triangleTests++;
                     _test.setTriangle(_solid.corners, 9 * i);
-                    isNearer = _test.findCloser(_nearest) || isNearer;
+                    if (_test.findCloser(_nearest))
+                    {
+                        isNearer = true;
+                        triangle = i;
+                    }
                 }
             }
             if (isNearer)

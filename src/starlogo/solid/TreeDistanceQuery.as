@@ -78,6 +78,14 @@ package starlogo.solid
             out.place(placement);
         }
 
+        /** The number of the triangle that is nearest to a structure, as the model counts them. The pair's triangles decide. */
+        public function nearestTriangle(pair:TreePair):int
+        {
+            _pose.relate(pair.placementA, pair.placementB);
+            measureStructure(pair.a, pair.depthA, pair.structureB, true);
+            return _triangles.triangle < 0 ? -1 : pair.a.tree.order[_triangles.triangle];
+        }
+
         private function measureTree(a:SolidHierarchy, depthA:int, b:SolidHierarchy, depthB:int, isExact:Boolean):void
         {
             _boxes.structure = null;

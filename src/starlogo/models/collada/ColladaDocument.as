@@ -64,6 +64,21 @@ package starlogo.models.collada
             throw new ModelError(budget.name, String(element), "there is no <" + names[0] + "> with the id \"" + TextTokens.shorten(id) + "\"");
         }
 
+        /** The material that an instance of a geometry binds to a symbol; null if it binds none, or one that is not in this file. */
+        public function materialOf(instance:ColladaElement, symbol:String):ColladaElement
+        {
+            var binding:ColladaElement = instance.child("bind_material");
+            var technique:ColladaElement = binding == null ? null : binding.child("technique_common");
+            for each (var bound:ColladaElement in technique == null ? null : technique.childrenNamed("instance_material"))
+            {
+                if (bound.attribute("symbol") == symbol)
+                {
+                    return _elementsById["material" + bound.attribute("target")];
+                }
+            }
+            return null;
+        }
+
         /**
          * The numbers in an element's text. @throws ModelError if one is not finite
          *

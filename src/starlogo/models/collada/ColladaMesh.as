@@ -1,5 +1,6 @@
 package starlogo.models.collada
 {
+    import starlogo.models.TriangleRuns;
     import starlogo.models.VertexFilter;
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.refuseIf;
@@ -17,6 +18,9 @@ package starlogo.models.collada
 
         /** When all is read: whether there are surfaces. They may have no area. */
         public var hasSurfaces:Boolean = false;
+
+        /** When all is read: the symbol of the material of each triangle. */
+        public var symbols:TriangleRuns = new TriangleRuns();
 
         private var _document:ColladaDocument;
         private var _mesh:ColladaElement;
@@ -55,6 +59,8 @@ package starlogo.models.collada
             begin(function():Steps
                 {
                     var work:StepSequence = new StepSequence();
+                    var symbol:String = element.attribute("material");
+                    symbols.begin(symbol == "" ? -1 : symbols.numberOf(symbol, symbol), triangles.length / 3);
                     var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(_document, element)), work);
                     return work.add(new ColladaPrimitive(_document, element, points, _isUsed, triangles, _triangulator));
                 });

@@ -4,6 +4,7 @@ package starlogo.models.collada
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelReader;
     import starlogo.models.TextTokens;
+    import starlogo.models.TriangleRuns;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -78,6 +79,10 @@ package starlogo.models.collada
             var triangleCount:int = mesh.triangles.length / 3;
             budget.require(ModelBudget.VERTICES, firstVertex + vertexCount, instance.element);
             budget.require(ModelBudget.TRIANGLES, firstCorner / 3 + triangleCount, instance.element);
+            if (triangleCount > 0)
+            {
+                addLabels(mesh.symbols, instance, firstCorner / 3);
+            }
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     var areFinite:Boolean = instance.transform.place(mesh.vertices, first, end, out, firstVertex + first);
@@ -86,6 +91,30 @@ package starlogo.models.collada
                 {
                     addTriangles(mesh.triangles, 3 * first, 3 * end, firstVertex, firstCorner, instance.transform.isMirror);
                 });
+        }
+
+        // An instance is a mesh with the name of its node. Its materials are those that it binds to the symbols of its geometry.
+        private function addLabels(symbols:TriangleRuns, instance:ColladaNode, firstTriangle:int):void
+        {
+            var element:ColladaElement = instance.element;
+            var label:String = nameOf(element.name != "geometry" && element.parent != null ? element.parent : element) || nameOf(instance.geometry);
+            meshes.begin(meshes.numberOf(String(meshes.names.length), label), firstTriangle);
+            materials.begin(-1, firstTriangle);
+            var bound:Vector.<int> = new Vector.<int>();
+            for each (var symbol:String in symbols.names)
+            {
+                var material:ColladaElement = _document.materialOf(element, symbol);
+                bound.push(material == null ? materials.numberOf(symbol, symbol) : materials.numberOf(material.id, nameOf(material)));
+            }
+            for (var i:int = 0; i < symbols.starts.length; i++)
+            {
+                materials.begin(symbols.numbers[i] < 0 ? -1 : bound[symbols.numbers[i]], firstTriangle + symbols.starts[i]);
+            }
+        }
+
+        private static function nameOf(element:ColladaElement):String
+        {
+            return element.attribute("name") || element.id || null;
         }
 
         private function addTriangles(from:Vector.<uint>, first:int, last:int, firstVertex:int, firstCorner:int, isMirror:Boolean):void

@@ -10,6 +10,7 @@ package starlogo.models.cooked
     import starlogo.models.ModelReader;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
+    import starlogo.models.TriangleRuns;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -88,7 +89,38 @@ package starlogo.models.cooked
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     readNumbers(first, end, form);
-                }).slices(3 * triangleCount, CORNERS_PER_STEP, readCorners);
+                }).slices(3 * triangleCount, CORNERS_PER_STEP, readCorners).call(readAllLabels);
+        }
+
+        // A model without materials and meshes ends before them.
+        private function readAllLabels():void
+        {
+            if (_bytes.bytesAvailable > 0)
+            {
+                readLabels(materials);
+                readLabels(meshes);
+            }
+        }
+
+        private function readLabels(out:TriangleRuns):void
+        {
+            var nameCount:int = VarInt.read(_bytes);
+            for (var i:int = 0; i < nameCount; i++)
+            {
+                var length:int = VarInt.read(_bytes);
+                out.names.push(length < 0 ? null : _bytes.readUTFBytes(length));
+            }
+            out.names = nameCount < 0 ? null : out.names;
+            var runCount:int = readCount(int.MAX_VALUE);
+            var start:int = 0;
+            for (i = 0; i < runCount; i++)
+            {
+                start += readCount(int.MAX_VALUE);
+                var number:int = VarInt.read(_bytes);
+                refuseIf(number < -1 || nameCount >= 0 && number >= nameCount, name, "the cooked file has a wrong number: " + number);
+                out.starts.push(start);
+                out.numbers.push(number);
+            }
         }
 
         private function readCount(most:int):int

@@ -6,6 +6,7 @@ package starlogo.models.cooked
     import starlogo.models.Model;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
+    import starlogo.models.TriangleRuns;
 
     use namespace engine;
 
@@ -109,7 +110,32 @@ package starlogo.models.cooked
             {
                 VarInt.write(model.triangles[i] - (i == 0 ? 0 : model.triangles[i - 1]), out);
             }
+            if (model.materials != null || model.meshes != null)
+            {
+                writeLabels(model.materials, model.materialNames, out);
+                writeLabels(model.meshes, model.meshNames, out);
+            }
             return out;
+        }
+
+        // The names, and the runs of triangles with the same number. The length of a missing name is -1.
+        private static function writeLabels(numbers:Vector.<int>, names:Vector.<String>, out:ByteArray):void
+        {
+            var runs:TriangleRuns = TriangleRuns.of(numbers || new Vector.<int>(), names || new Vector.<String>());
+            VarInt.write(names == null ? -1 : runs.names.length, out);
+            for each (var label:String in runs.names)
+            {
+                var bytes:ByteArray = new ByteArray();
+                bytes.writeUTFBytes(label || "");
+                VarInt.write(label == null ? -1 : bytes.length, out);
+                out.writeBytes(bytes);
+            }
+            VarInt.write(runs.starts.length, out);
+            for (var i:int = 0; i < runs.starts.length; i++)
+            {
+                VarInt.write(runs.starts[i] - (i == 0 ? 0 : runs.starts[i - 1]), out);
+                VarInt.write(runs.numbers[i], out);
+            }
         }
     }
 }

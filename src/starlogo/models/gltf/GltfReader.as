@@ -34,6 +34,10 @@ package starlogo.models.gltf
         private function walking():Steps
         {
             _scene = new GltfScene(_file.json, turnUp);
+            for (var i:int = 0; i < _file.json.count("materials"); i++)
+            {
+                materials.names.push(textOf(_file.json.entry("materials", i).name));
+            }
             return _scene;
         }
 
@@ -90,7 +94,26 @@ package starlogo.models.gltf
             var points:GltfVertices = placed[key] ||= new GltfVertices(_file, _scene, node, primitive, place, weights, source,
                     hasSurface ? vertices : loosePoints);
             work.add(points);
+            if (hasSurface)
+            {
+                addLabels(node, primitive, place);
+            }
             return hasSurface ? work.add(new GltfTriangles(_file, primitive, place, points, triangles)) : work;
+        }
+
+        // A node is a mesh with its name, or its mesh's. A primitive has one material.
+        private function addLabels(node:int, primitive:Object, place:String):void
+        {
+            var json:GltfJson = _file.json;
+            var entry:Object = json.entry("nodes", node);
+            var mesh:Object = json.entry("meshes", json.reference(entry, "mesh", "nodes[" + node + "]", "meshes"));
+            meshes.begin(meshes.numberOf(String(node), textOf(entry.name) || textOf(mesh.name)), triangles.length / 3);
+            materials.begin(json.reference(primitive, "material", place, "materials"), triangles.length / 3);
+        }
+
+        private static function textOf(value:*):String
+        {
+            return value is String && value != "" ? value : null;
         }
 
         private function droppingUnused():Steps

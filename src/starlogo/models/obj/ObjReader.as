@@ -4,6 +4,7 @@ package starlogo.models.obj
     import starlogo.models.LineReader;
     import starlogo.models.ModelError;
     import starlogo.models.TextTokens;
+    import starlogo.models.TriangleRuns;
     import starlogo.models.VertexFilter;
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.refuseIf;
@@ -24,6 +25,11 @@ package starlogo.models.obj
         // Faces with more than three corners are kept here until all vertices are known.
         private var _polygons:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
         private var _polygonTriangles:int = 0;
+
+        // The material and the mesh of the faces that are read; and of each polygon.
+        private var _material:int = -1;
+        private var _mesh:int = -1;
+        private var _polygonLabels:Vector.<int> = new Vector.<int>();
         private var _polygon:int = 0;
         private var _triangulator:Triangulator;
 
@@ -63,10 +69,27 @@ package starlogo.models.obj
             {
                 readFace();
             }
+            else if (word == "usemtl")
+            {
+                _material = readLabel(materials);
+                materials.begin(_material, triangles.length / 3);
+            }
+            else if (word == "o" || word == "g")
+            {
+                _mesh = readLabel(meshes);
+                meshes.begin(_mesh, triangles.length / 3);
+            }
             else
             {
                 skipStatement();
             }
+        }
+
+        // The number of the name in the rest of a statement; -1 if there is no name.
+        private function readLabel(runs:TriangleRuns):int
+        {
+            var label:String = restOfStatement().join(" ");
+            return label == "" ? -1 : runs.numberOf(label, label);
         }
 
         private function readVertex():void
@@ -139,6 +162,7 @@ package starlogo.models.obj
             else if (count > 3)
             {
                 _polygons.push(_corners.slice(0, count));
+                _polygonLabels.push(_material, _mesh);
                 _polygonTriangles += count - 2;
             }
         }
@@ -183,6 +207,8 @@ package starlogo.models.obj
             var count:int = 0;
             while (_polygon < end && count < CORNERS_PER_STEP && !_triangulator.isCutting)
             {
+                materials.begin(_polygonLabels[2 * _polygon], triangles.length / 3);
+                meshes.begin(_polygonLabels[2 * _polygon + 1], triangles.length / 3);
                 var polygon:Vector.<uint> = _polygons[_polygon++];
                 _triangulator.addPolygon(polygon);
                 for each (var corner:uint in polygon)

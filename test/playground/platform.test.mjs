@@ -189,7 +189,7 @@ test('a platform game is built from nothing by mouse and keys, won, exported, an
 	await page.locator('.end', { hasText: 'You have won!' }).waitFor();
 
 	await press(page, 'This program as JavaScript');
-	const text = await saved(page, () => page.locator('.ask.javascript').getByRole('button', { name: 'Download' }).click());
+	const text = await saved(page, () => page.locator('.ask.javascript').getByRole('button', { name: 'Download', exact: true }).click());
 	const folder = mkdtempSync(path.join(tmpdir(), 'platforms-'));
 	mkdirSync(path.join(folder, 'node_modules'));
 	symlinkSync(path.join(root, 'bin/module'), path.join(folder, 'node_modules/starlogo-collision'));

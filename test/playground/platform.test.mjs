@@ -7,7 +7,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
-import { begin, goNowhere, open, press, rest, root, saved } from './browser.mjs';
+import { begin, goNowhere, open, press, rest, root, saved, titled } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -45,8 +45,15 @@ class Builder {
 	async take(category, type, to) {
 		const { page } = this;
 		const known = await this.ids(type);
-		await page.mouse.click(...await page.locator('.blocklyToolboxCategory', { hasText: category }).boundingBox().then(({ x, y, height }) => [x + 30, y + height / 2]));
-		await page.waitForFunction((wanted) => globalThis.playground.editor.workspace.getFlyout().isVisible() && globalThis.playground.editor.workspace.getFlyout().getWorkspace().getTopBlocks(false).some((each) => each.type === wanted), type);
+		const isOpen = () => page.evaluate((wanted) => {
+			const flyout = globalThis.playground.editor.workspace.getFlyout();
+			return flyout.isVisible() && flyout.getWorkspace().getTopBlocks(false).some((each) => each.type === wanted);
+		}, type);
+		for (let i = 0; i < 10 && !(await isOpen()); i++) {
+			const box = await page.locator('.blocklyToolboxCategory', { hasText: category }).boundingBox();
+			await page.mouse.click(box.x + 30, box.y + box.height / 2);
+			await rest(page, 150);
+		}
 		await rest(page, 100);
 		const from = async () => page.evaluate((wanted) => {
 			const flyout = globalThis.playground.editor.workspace.getFlyout().getWorkspace();
@@ -131,8 +138,11 @@ test('a platform game is built from nothing by mouse and keys, won, exported, an
 	const { page, said, leave } = await open(site, 'play/paintball', { viewport: { width: 1800, height: 1150 }, deviceScaleFactor: 0.5 });
 	page.setDefaultTimeout(10000);
 	await press(page, 'New');
+	await page.waitForFunction(() => globalThis.playground.world.agents.length === 1 && document.activeElement === document.querySelector('.title'));
 	await page.keyboard.type('My platforms');
 	await page.keyboard.press('Enter');
+	await titled(page, 'My platforms');
+	await rest(page, 300);
 	const build = new Builder(page);
 	// nothing is left
 	const [given] = await build.ids('starlogo_start');
@@ -212,7 +222,7 @@ test('a platform game is built from nothing by mouse and keys, won, exported, an
 	await page.route('**/engine.js', script(readFileSync(path.join(root, 'bin/module/starlogo-collision.js'), 'utf8')));
 	await page.route('**/game.html', (route) => route.fulfill({ contentType: 'text/html', body: '<link rel="icon" href="data:,"><script type="importmap">{ "imports": { "starlogo-collision": "./engine.js" } }</script><script type="module" src="game.mjs"></script>' }));
 	assert.deepEqual(said, []);
-	const [message] = await Promise.all([page.waitForEvent('console'), page.goto(`${site.url}game.html`)]);
+	const [message] = await Promise.all([page.waitForEvent('console', (each) => /agents after/.test(each.text())), page.goto(`${site.url}game.html`)]);
 	assert.match(message.text(), /^4 agents after 600 frames/);
 	rmSync(folder, { recursive: true, force: true });
 	said.length = 0;

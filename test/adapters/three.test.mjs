@@ -246,6 +246,46 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		assert.throws(() => terrainFromMesh({}, 3, 3), /expected an Object3D/);
 	});
 
+	test(`three ${version}: a model follows the bones, morph targets and children of its object`, () => {
+		const scenes = new Scenes(THREE, 925 + number);
+		const { dice } = scenes;
+		let most = 0;
+		let moved = 0;
+		let posed = 0;
+		for (let i = 0; i < sceneCount; i++) {
+			const source = scenes.tree();
+			const up = dice.isLuckyIn(2) ? "y" : "z";
+			if (drawnCorners(THREE, source).flips.length === 0) continue;
+			const model = modelFromObject("any", source, { up, scaling: Model.AS_GIVEN });
+			const agent = new Agent("any");
+			const binding = new ThreeAgentBinding(agent, source, model, { up });
+			const before = [...model.vertices];
+			source.traverse((object) => {
+				if (object.isBone) object.quaternion.copy(scenes.quaternion());
+				if (object.morphTargetInfluences) object.morphTargetInfluences[0] = dice.number();
+				if (object.isMesh && object !== source && object.matrixAutoUpdate) object.position.x += dice.number(-1, 1);
+			});
+			binding.updateAgent();
+			binding.updateModel();
+			// a mirrored child stays mirrored
+			most = Math.max(most, differenceOf(cornersOf(model, agent, up), drawnCorners(THREE, source)));
+			moved += model.vertices.some((coordinate, k) => coordinate !== before[k]) ? 1 : 0;
+			posed++;
+		}
+		assert.ok(most <= 1e-11, `${most}`);
+		assert.ok(moved > posed / 2, `${moved} of ${posed}`);
+		const source = new THREE.Mesh(new THREE.BoxGeometry());
+		const model = modelFromObject("box", source.geometry);
+		const binding = new ThreeAgentBinding(new Agent("box"), source, model);
+		source.geometry.scale(1, 2, 1);
+		binding.updateModel();
+		assert.equal(Math.max(...model.vertices.filter((_, i) => i % 3 === 2)), 1.5);
+		assert.throws(() => new ThreeAgentBinding(new Agent("box"), source).updateModel(), /has no model/);
+		assert.throws(() => new ThreeAgentBinding(new Agent("box"), new THREE.Group(), model).updateModel(), /other meshes/);
+		assert.throws(() => new ThreeAgentBinding(new Agent("box"), source, new Model("own", model.vertices)).updateModel(), /modelFromObject/);
+		assert.throws(() => bindInstance(new Agent("box"), new THREE.InstancedMesh(source.geometry, source.material, 2), 1, model).updateModel(), /instance/);
+	});
+
 	test(`three ${version}: bones may be anywhere, groups may overlap, and many positions may be equal`, () => {
 		const geometry = new THREE.BoxGeometry();
 		const { count } = geometry.attributes.position;

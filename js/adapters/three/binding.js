@@ -1,7 +1,7 @@
 import { Matrix4, Quaternion, Vector3 } from "three";
 import { Agent, ArgumentError } from "starlogo-collision";
 import { AgentPlace, isYUp, textOf } from "./axes.js";
-import { upOf } from "./model.js";
+import { poseModel, upOf } from "./model.js";
 
 /** The relative error that a scene's numbers may have, because many are of single precision. */
 const TOLERANCE = 1e-6;
@@ -18,6 +18,7 @@ const matrix = new Matrix4();
 export class ThreeAgentBinding {
 	#place;
 	#drawn;
+	#model;
 	// the object's place at the last update of either side
 	#last = new Float64Array(16).fill(NaN);
 	// The model's place in the object, in the scene's axes: the model's origin at size 1 relative to the object's, the turn before the
@@ -41,6 +42,7 @@ export class ThreeAgentBinding {
 		const isLandYUp = isYUp(up);
 		this.#place = new AgentPlace(agent, isLandYUp);
 		this.#drawn = index === null ? new DrawnObject(object) : new DrawnInstance(object, index);
+		this.#model = model;
 		if (model !== null) this.#setModel(model, isLandYUp);
 		if (isYUp(modelUp) !== isLandYUp) {
 			const turn = new Quaternion(isLandYUp ? -Math.SQRT1_2 : Math.SQRT1_2, 0, 0, Math.SQRT1_2);
@@ -89,6 +91,13 @@ export class ThreeAgentBinding {
 		this.#check(size);
 		place.write(position, quaternion, size);
 		this.#drawn.fill(this.#last);
+	}
+
+	/** Gives the model the pose of the object. */
+	updateModel() {
+		if (this.#model === null) throw new ArgumentError("the binding has no model: pass it to the constructor");
+		if (this.#drawn instanceof DrawnInstance) throw new ArgumentError("an instance has no pose of its own");
+		poseModel(this.#model, this.object);
 	}
 
 	/** Reads the object's place. Throws if the scale is not positive and the same in x, y and z. */

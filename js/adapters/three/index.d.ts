@@ -136,6 +136,18 @@ export class ThreeAgentBinding<A extends Agent = Agent> {
      * @throws RangeError if the agent can't have that size or place; the agent is then unchanged
      */
     updateAgent(): void;
+
+    /**
+     * Gives the model the pose of the object: the places that its bones, morph targets and children's transforms give to the vertices now. Call
+     * it before the frame's `update()`, after the AnimationMixer's. All agents with the model have the pose: see `Model.pose`.
+     *
+     * The model must be one of `modelFromObject`, and the object its source or a clone of it, with the same meshes. Vertices that were at equal
+     * positions when the model was made stay one. If it throws, the model is unchanged.
+     *
+     * @throws ArgumentError if the binding has no model or is one of an instance, if the model was made in another way or of other meshes, or if
+     * a coordinate is not finite
+     */
+    updateModel(): void;
 }
 
 /**

@@ -1,11 +1,15 @@
 import { Matrix4, Mesh, Vector3 } from "three";
-import { Model, ModelError } from "starlogo-collision";
+import { ArgumentError, Model, ModelError } from "starlogo-collision";
 import { isYUp, textOf } from "./axes.js";
 
-const axes = new WeakMap();
+/** For each model: the up axis of its source, whether that is placed, and of which vertices of which meshes it was made. */
+const origins = new WeakMap();
 
 /** The up axis of a model's source, or undefined. */
-export const upOf = (model) => axes.get(model);
+export const upOf = (model) => origins.get(model)?.up;
+
+const identity = new Matrix4();
+const point = new Vector3();
 
 /**
  * A model of an object and everything below it, or of a geometry. Every mesh counts, visible or not, in its present pose.
@@ -15,7 +19,7 @@ export const upOf = (model) => axes.get(model);
  * @param {{up?: "y" | "z", scaling?: string}} options the up axis of the source, and how the model is scaled (Model's scalings)
  */
 export function modelFromObject(name, source, { up = "y", scaling = Model.FOOTPRINT } = {}) {
-	return modelOf(name, surfaceOf(name, source, up), up, scaling);
+	return modelOf(name, source, surfaceOf(name, source, up), { up, isPlaced: false }, scaling);
 }
 
 /**
@@ -26,23 +30,88 @@ export function modelFromObject(name, source, { up = "y", scaling = Model.FOOTPR
  * @param {{up?: "y" | "z"}} options the up axis of the land
  */
 export function levelFromObject(name, object, { up = "y" } = {}) {
-	return modelOf(name, surfaceOf(name, object, up, true), up, Model.AS_GIVEN);
+	return modelOf(name, object, surfaceOf(name, object, up, true), { up, isPlaced: true }, Model.AS_GIVEN);
 }
 
-function modelOf(name, { vertices, triangles }, up, scaling) {
+function modelOf(name, source, { vertices, triangles, parts }, origin, scaling) {
 	const model = new Model(name, vertices, triangles, scaling);
-	axes.set(model, up);
+	origins.set(model, { ...origin, parts, isGeometry: !source.isObject3D, posed: null });
 	return model;
+}
+
+/**
+ * Gives a model the pose of an object: the vertices that its bones, morph targets and children's transforms give it now.
+ *
+ * @param {object} model a model of modelFromObject or levelFromObject
+ * @param {object} object its source, or a clone of it
+ */
+export function poseModel(model, object) {
+	const origin = origins.get(model);
+	if (!origin) throw new ArgumentError(`model "${model.name}" was not made of an object: modelFromObject makes models that objects can pose`);
+	const { parts, isGeometry, isPlaced, up } = origin;
+	const posed = origin.posed ??= new Float64Array(model.vertices.length);
+	let part = 0;
+	let at = 0;
+	const place = (mesh, matrix) => {
+		if (mesh.isBatchedMesh) throw new ArgumentError(`model "${model.name}" was made of a BatchedMesh, which has no pose`);
+		const { position } = mesh.geometry.attributes;
+		for (const vertex of parts[part++] ?? refuse()) {
+			if (vertex >= position.count) refuse();
+			mesh.getVertexPosition(vertex, point).applyMatrix4(matrix);
+			posed[at] = point.x;
+			posed[at + 1] = up === "y" ? -point.z : point.y;
+			posed[at + 2] = up === "y" ? point.y : point.z;
+			at += 3;
+		}
+	};
+	const refuse = () => {
+		throw new ArgumentError(`model "${model.name}" was made of other meshes than ${textOf(object)} "${object.name}" has`);
+	};
+	updateMatrices(object);
+	if (!isGeometry) eachMesh(object, isPlaced ? object.matrix : identity, place);
+	else if (object.isMesh) place(object, identity);
+	if (part !== parts.length) refuse();
+	model.pose(posed);
+}
+
+/** Computes the matrices of an object and of everything below it, and of the bones of its meshes, which may be elsewhere. */
+function updateMatrices(object) {
+	object.updateWorldMatrix(true, false);
+	object.updateMatrixWorld();
+	object.traverse(({ isSkinnedMesh, skeleton }) => {
+		if (isSkinnedMesh) for (const bone of skeleton.bones) bone.updateWorldMatrix(true, false);
+	});
+}
+
+/**
+ * Calls a function for each mesh of an object, and for each instance of its InstancedMeshes, always in the same order.
+ *
+ * @param {object} object the object
+ * @param {object} place its matrix; the identity for the source itself
+ * @param {function} visit takes a mesh with positions, and its matrix
+ */
+function eachMesh(object, place, visit) {
+	if (object.isInstancedMesh) {
+		for (let i = 0; i < object.count; i++) {
+			const instance = new Matrix4();
+			object.getMatrixAt(i, instance);
+			visit(object, instance.premultiply(place));
+		}
+	} else if (object.isMesh) visit(object, place);
+	for (const child of object.children) {
+		// the first of an object's levels of detail is the finest
+		if (object.isLOD && object.levels.findIndex((level) => level.object === child) > 0) continue;
+		eachMesh(child, place.clone().multiply(child.matrix), visit);
+	}
 }
 
 /** The vertices and triangles of an object or a geometry, z up. With `isPlaced` the object's own transform counts. */
 export function surfaceOf(name, source, up, isPlaced = false) {
 	const surface = new Surface(name, isYUp(up));
-	if (source?.isBufferGeometry) surface.addMesh(new Mesh(source), new Matrix4());
+	if (source?.isBufferGeometry) surface.addMesh(new Mesh(source), identity);
 	else if (source?.isObject3D) {
-		source.updateWorldMatrix(true, false);
-		source.updateMatrixWorld();
-		surface.addTree(source, isPlaced ? source.matrix : new Matrix4());
+		updateMatrices(source);
+		eachMesh(source, isPlaced ? source.matrix : identity, (mesh, place) => surface.addMesh(mesh, place));
 	} else throw new ModelError(String(name), "", `expected an Object3D or a BufferGeometry, not ${textOf(source)}`);
 	return surface;
 }
@@ -51,43 +120,29 @@ export function surfaceOf(name, source, up, isPlaced = false) {
 class Surface {
 	vertices = [];
 	triangles = [];
+	/** For each mesh or instance, in the order of eachMesh: the mesh's vertices that have become the surface's next ones. */
+	parts = [];
 	#name;
 	#isYUp;
 	#known = new PointTable(this.vertices);
+	// of the last mesh: instances have the same
+	#mesh = null;
+	#points;
+	#corners;
 
 	constructor(name, isYUp) {
 		this.#name = name;
 		this.#isYUp = isYUp;
 	}
 
-	/** Adds the meshes of a tree. The matrix is the object's place in the source. For the source itself it is the identity. */
-	addTree(object, place) {
-		if (object.isMesh) this.addMesh(object, place);
-		for (const child of object.children) {
-			// the first of an object's levels of detail is the finest
-			if (object.isLOD && object.levels.findIndex((level) => level.object === child) > 0) continue;
-			this.addTree(child, place.clone().multiply(child.matrix));
-		}
-	}
-
+	/** Adds a mesh, or an instance of it. The matrix is its place in the source. */
 	addMesh(mesh, place) {
 		if (mesh.isBatchedMesh) {
 			this.#addBatch(mesh, place);
 			return;
 		}
-		const { geometry } = mesh;
-		const position = geometry.getAttribute("position");
-		if (!position) return;
-		const corners = cornersOf(geometry, mesh.material);
-		const { count } = position;
-		for (let i = 0; i < corners.length; i++) if (!(corners[i] < count)) throw this.#error(mesh, `a triangle names vertex ${corners[i]}, the last one is ${count - 1}`);
-		const points = pointsOf(mesh, position);
-		if (!mesh.isInstancedMesh) this.#add(points, corners, place);
-		else for (let i = 0; i < mesh.count; i++) {
-			const instance = new Matrix4();
-			mesh.getMatrixAt(i, instance);
-			this.#add(points, corners, instance.premultiply(place));
-		}
+		if (mesh !== this.#mesh) this.#read(mesh);
+		this.#add(this.#points, this.#corners, place);
 	}
 
 	/** Adds all instances of a BatchedMesh, visible or not. Each draws a part of the mesh's geometry. */
@@ -113,22 +168,39 @@ class Surface {
 	}
 
 	#add(points, corners, place) {
+		const part = [];
+		this.parts.push(part);
 		// scaled to 0, as hidden instances often are
 		if (place.getMaxScaleOnAxis() === 0) return;
 		const [second, third] = place.determinant() < 0 ? [2, 1] : [1, 2];
-		const { triangles } = this;
+		const { triangles, vertices } = this;
 		const known = this.#known;
 		const isYUp = this.#isYUp;
 		const numbers = new Int32Array(points.length / 3).fill(-1);
 		const at = new Vector3();
 		const numberOf = (i) => {
+			const { length } = vertices;
 			at.set(points[3 * i], points[3 * i + 1], points[3 * i + 2]).applyMatrix4(place);
-			return (numbers[i] = isYUp ? known.indexOf(at.x, -at.z, at.y) : known.indexOf(at.x, at.y, at.z));
+			numbers[i] = isYUp ? known.indexOf(at.x, -at.z, at.y) : known.indexOf(at.x, at.y, at.z);
+			if (vertices.length > length) part.push(i);
+			return numbers[i];
 		};
 		for (let i = 0; i < corners.length; i += 3) {
 			const [a, b, c] = [corners[i], corners[i + second], corners[i + third]];
 			triangles.push(numbers[a] < 0 ? numberOf(a) : numbers[a], numbers[b] < 0 ? numberOf(b) : numbers[b], numbers[c] < 0 ? numberOf(c) : numbers[c]);
 		}
+	}
+
+	#read(mesh) {
+		const { geometry } = mesh;
+		const position = geometry.getAttribute("position");
+		const count = position?.count ?? 0;
+		this.#mesh = mesh;
+		this.#corners = count === 0 ? [] : cornersOf(geometry, mesh.material);
+		for (let i = 0; i < this.#corners.length; i++) {
+			if (!(this.#corners[i] < count)) throw this.#error(mesh, `a triangle names vertex ${this.#corners[i]}, the last one is ${count - 1}`);
+		}
+		this.#points = count === 0 ? [] : pointsOf(mesh, position);
 	}
 
 	#error(mesh, problem) {

@@ -4,6 +4,7 @@ import { readFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
+import { animatedFile } from "./animated.mjs";
 import { peers, root } from "./peers.mjs";
 import { Scenes, drawnCorners } from "./scenes.mjs";
 
@@ -604,6 +605,33 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			assert.ok(first.point.distanceTo(new THREE.Vector3(hit.point.x, hit.point.z, -hit.point.y)) < 1e-9);
 		}
 		assert.ok(hits > 0.2 * pickCount && hits < 0.9 * pickCount, `${hits} hits`);
+	});
+
+	test(`three ${version}: an animation of a glTF file poses the model as its mixer poses the object`, async () => {
+		const { GLTFLoader } = await import(pathToFileURL(path.join(folder, "node_modules/three/examples/jsm/loaders/GLTFLoader.js")));
+		const { dice } = new Scenes(THREE, 1125 + number);
+		for (const interpolation of ["LINEAR", "STEP", "CUBICSPLINE"]) {
+			for (let file = 0; file < 5; file++) {
+				const bytes = animatedFile(dice, interpolation);
+				const { scene, animations: [clip] } = await new GLTFLoader().parseAsync(bytes.slice().buffer, "");
+				const mixer = new THREE.AnimationMixer(scene);
+				const action = mixer.clipAction(clip);
+				action.setLoop(THREE.LoopOnce);
+				action.clampWhenFinished = true;
+				action.play();
+				const model = engine.GltfModel.fromBytes("walker", bytes, null, Model.AS_GIVEN);
+				const animations = new engine.GltfAnimations("walker", bytes);
+				assert.deepEqual([animations.count, animations.indexOf("walk"), animations.indexOf("run"), animations.durationOf(0)], [1, 0, -1, 2]);
+				for (const time of [0, 0.2, 0.5, 1, 1.9, dice.number(0, 2)]) {
+					mixer.setTime(time);
+					model.pose(animations.verticesAt(0, time));
+					const most = differenceOf(cornersOf(model, new Agent("walker"), "y"), drawnCorners(THREE, scene));
+					assert.ok(most < 1e-5, `${interpolation}, ${time}: ${most}`);
+				}
+				assert.deepEqual([...animations.verticesAt(0, -1)], [...animations.verticesAt(0, 0)]);
+				assert.deepEqual([...animations.verticesAt(0, 9)], [...animations.verticesAt(0, 2)]);
+			}
+		}
 	});
 
 	test(`three ${version}: what its loader makes of a glTF file is where a GltfModel of the file is, and the model of the object is the same`, async () => {

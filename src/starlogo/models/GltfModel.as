@@ -1,9 +1,12 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.engine;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfReader;
     import starlogo.steps.finish;
+
+    use namespace engine;
 
     /**
      * A model from a glTF 2.0 file, binary (.glb) or JSON (.gltf).
@@ -13,7 +16,8 @@ package starlogo.models
      * are no surfaces, the points make a model without triangles. Morph targets count by their weights. A skinned mesh is in the rest pose
      * of its joints. Accessors may have any kind of number, be normalised, have gaps between rows, be sparse, or be quantized
      * (KHR_mesh_quantization). Each node with a surface is a mesh with the node's name, or its mesh's if it has none; they are numbered from 0
-     * in the order of the scene. A material has its number in the file. Cameras, lights and animations are ignored.</p>
+     * in the order of the scene. A material has its number in the file. Cameras and lights are ignored.
+     * GltfAnimations reads animations.</p>
      *
      * <p>A file is refused if it is compressed with Draco or meshopt, or if it requires an unknown extension. Optional extensions are
      * ignored. Extensions for materials, textures and lights are ignored too. The y axis points up in glTF and is turned to z. In a
@@ -29,7 +33,7 @@ package starlogo.models
          */
         public function GltfModel(name:String, bytes:ByteArray, upAxis:Object = null, scaling:String = Model.FOOTPRINT, buffers:Object = null)
         {
-            super(name, null, null, scaling, readerOf(name, bytes, upAxis, buffers).readShape(scaling));
+            super(name, null, null, scaling, new GltfReader(name, fileOf(name, bytes, buffers), upAxis).readShape(scaling));
         }
 
         /**
@@ -50,7 +54,12 @@ package starlogo.models
             return new GltfModel(name, bytes, upAxis, scaling, buffers);
         }
 
-        private static function readerOf(name:String, bytes:ByteArray, upAxis:Object, buffers:Object):GltfReader
+        /**
+         * A file with its buffers.
+         *
+         * @private
+         */
+        engine static function fileOf(name:String, bytes:ByteArray, buffers:Object):GltfFile
         {
             var file:GltfFile = new GltfFile(name, bytes, null);
             finish(file);
@@ -59,7 +68,7 @@ package starlogo.models
                 file.setBuffer(uri, buffers != null && uri in buffers ? buffers[uri] as ByteArray : null, "\"" + TextTokens.shorten(uri) +
                         "\" is another file and was not given: a ModelLoader's load() fetches it");
             }
-            return new GltfReader(name, file, upAxis);
+            return file;
         }
     }
 }

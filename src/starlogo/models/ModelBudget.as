@@ -65,6 +65,12 @@ package starlogo.models
             looks = LOOKS + LOOKS_PER_BYTE * bytes;
         }
 
+        /** A budget for the same bytes of which nothing is taken. */
+        public function anew():ModelBudget
+        {
+            return new ModelBudget(name, _bytes);
+        }
+
         /** Adds bytes that have come. */
         public function addBytes(bytes:Number):void
         {

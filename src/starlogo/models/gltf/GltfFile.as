@@ -83,6 +83,18 @@ package starlogo.models.gltf
             return /^\s*\{/.test(text.substr(0, 1000)) && text.indexOf("\"asset\"") > 0;
         }
 
+        /** The number of animations, when no step is left. */
+        public function get animationCount():int
+        {
+            return json.count("animations");
+        }
+
+        /** Lets the meshes be read once more. What that may cost is counted anew. */
+        public function beginAgain():void
+        {
+            budget = budget.anew();
+        }
+
         /**
          * Gives the content of a buffer that is in another file.
          *

@@ -15,6 +15,7 @@ package starlogo.models.gltf
 
         private var _json:GltfJson;
         private var _root:AffineTransform;
+        private var _pose:GltfPose;
         private var _parents:Vector.<int>;
         private var _worlds:Vector.<AffineTransform>;
         private var _pending:Vector.<int> = new Vector.<int>();
@@ -24,11 +25,13 @@ package starlogo.models.gltf
         /**
          * @param json the file's JSON
          * @param root is applied to the whole scene
+         * @param pose an animation whose time is set; null for the rest pose
          */
-        public function GltfScene(json:GltfJson, root:AffineTransform)
+        public function GltfScene(json:GltfJson, root:AffineTransform, pose:GltfPose)
         {
             _json = json;
             _root = root;
+            _pose = pose;
             var count:int = json.count("nodes");
             _parents = new Vector.<int>(count);
             _worlds = new Vector.<AffineTransform>(count);
@@ -57,7 +60,7 @@ package starlogo.models.gltf
             while (chain.length > 0)
             {
                 i = chain.pop();
-                world = world.after(localOf(_json.entry("nodes", i), "nodes[" + i + "]"));
+                world = world.after(localOf(i));
                 _worlds[i] = world;
             }
             return world;
@@ -136,20 +139,28 @@ package starlogo.models.gltf
             return _pending.length > 0;
         }
 
-        private function localOf(node:Object, where:String):AffineTransform
+        private function localOf(index:int):AffineTransform
         {
+            var node:Object = _json.entry("nodes", index);
+            var where:String = "nodes[" + index + "]";
             var m:Vector.<Number> = _json.numbers(node, "matrix", where, 16);
             if (m != null)
             {
                 refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, _json.name, "expected 0, 0, 0 and 1 as every fourth number", where + ".matrix");
                 return ofColumns(m, 0);
             }
-            var t:Vector.<Number> = _json.numbers(node, "translation", where, 3, new <Number>[0, 0, 0]);
-            var r:Vector.<Number> = _json.numbers(node, "rotation", where, 4, new <Number>[0, 0, 0, 1]);
-            var s:Vector.<Number> = _json.numbers(node, "scale", where, 3, new <Number>[1, 1, 1]);
+            var t:Vector.<Number> = posed(index, "translation") || _json.numbers(node, "translation", where, 3, new <Number>[0, 0, 0]);
+            var r:Vector.<Number> = posed(index, "rotation") || _json.numbers(node, "rotation", where, 4, new <Number>[0, 0, 0, 1]);
+            var s:Vector.<Number> = posed(index, "scale") || _json.numbers(node, "scale", where, 3, new <Number>[1, 1, 1]);
             var turn:Placement = new Placement();
             turn.setQuaternion(r[0], r[1], r[2], r[3]);
             return AffineTransform.of(turn, s[0], s[1], s[2], t[0], t[1], t[2]);
+        }
+
+        // What the animation gives to a property of a node; null if it is not animated.
+        private function posed(node:int, path:String):Vector.<Number>
+        {
+            return _pose == null ? null : _pose.valueOf(node, path);
         }
 
         /** The transform with 16 numbers, column by column. */

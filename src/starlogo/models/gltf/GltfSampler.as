@@ -1,0 +1,141 @@
+package starlogo.models.gltf
+{
+    import starlogo.geometry.Trigonometry;
+    import starlogo.models.refuseIf;
+    import starlogo.steps.StepSequence;
+
+    /** A property of a node over time: the keys of an animation's sampler, and what is between them. */
+    internal final class GltfSampler extends StepSequence
+    {
+        private static const KINDS:Array = ["LINEAR", "STEP", "CUBICSPLINE"];
+        private static const LINEAR:int = 0;
+        private static const CUBIC:int = 2;
+
+        // Quaternions closer than this are mixed in a straight line: the cosine of half of the angle.
+        private static const STRAIGHT:Number = 1 - 1e-9;
+
+        private var _times:GltfAccessor;
+        private var _values:GltfAccessor;
+        private var _kind:int;
+        private var _isRotation:Boolean;
+
+        /**
+         * @param file the file
+         * @param sampler the sampler
+         * @param place its place in the file, for errors
+         * @param path "translation", "rotation", "scale" or "weights"
+         */
+        public function GltfSampler(file:GltfFile, sampler:Object, place:String, path:String)
+        {
+            var json:GltfJson = file.json;
+            var input:int = json.reference(sampler, "input", place, "accessors");
+            var output:int = json.reference(sampler, "output", place, "accessors");
+            refuseIf(input < 0 || output < 0, json.name, "expected input and output", place);
+            _kind = sampler.interpolation === undefined ? LINEAR : KINDS.indexOf(sampler.interpolation);
+            refuseIf(_kind < 0, json.name, "expected LINEAR, STEP or CUBICSPLINE", place + ".interpolation");
+            _isRotation = path == "rotation";
+            _times = file.accessor(input, "SCALAR");
+            _values = file.accessor(output, path == "weights" ? "SCALAR" : (_isRotation ? "VEC4" : "VEC3"));
+            var perKey:int = _kind == CUBIC ? 3 : 1;
+            var wanted:Number = Number(_times.count) * perKey;
+            refuseIf(_times.count == 0 || _values.count < wanted || _values.count % wanted != 0 || path != "weights" && _values.count != wanted, json.name,
+                    "it has " + _values.count + " elements for " + _times.count + " keys", _values.place);
+            add(_times).add(_values);
+        }
+
+        /** The time of the last key. */
+        public function get end():Number
+        {
+            return _times.numbers[int(_times.count - 1)];
+        }
+
+        /** The value at a time, in seconds. Before the first key and after the last one it stays. */
+        public function valueAt(time:Number):Vector.<Number>
+        {
+            var times:Vector.<Number> = _times.numbers;
+            var last:int = _times.count - 1;
+            var low:int = 0;
+            var high:int = last;
+            // the last key that is not after the time
+            while (low < high)
+            {
+                var middle:int = (low + high + 1) >> 1;
+                if (times[middle] <= time)
+                {
+                    low = middle;
+                }
+                else
+                {
+                    high = middle - 1;
+                }
+            }
+            var next:int = low < last ? low + 1 : last;
+            var length:Number = times[next] - times[low];
+            var share:Number = time > times[low] && length > 0 ? (time - times[low]) / length : 0;
+            var value:Vector.<Number> = _kind == CUBIC ? cubic(low, next, share, length) : (_kind == LINEAR ? linear(low, next, share) : keyOf(low, 0));
+            return _isRotation ? normalised(value) : value;
+        }
+
+        // A part of a key: 0 the value; of a cubic spline 0 the tangent before it, 1 the value, 2 the tangent after it.
+        private function keyOf(key:int, part:int):Vector.<Number>
+        {
+            var width:int = _values.numbers.length / _times.count;
+            var length:int = _kind == CUBIC ? width / 3 : width;
+            var from:int = key * width + part * length;
+            return _values.numbers.slice(from, from + length);
+        }
+
+        private function linear(low:int, high:int, share:Number):Vector.<Number>
+        {
+            var a:Vector.<Number> = keyOf(low, 0);
+            var b:Vector.<Number> = keyOf(high, 0);
+            var ofA:Number = 1 - share;
+            var ofB:Number = share;
+            if (_isRotation)
+            {
+                var cosine:Number = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+                var sign:Number = cosine < 0 ? -1 : 1;
+                if (sign * cosine < STRAIGHT)
+                {
+                    var sine:Number = Math.sqrt(1 - cosine * cosine);
+                    var angle:Number = Trigonometry.arctangent(sine, sign * cosine);
+                    ofA = Trigonometry.sine(ofA * angle) / sine;
+                    ofB = Trigonometry.sine(share * angle) / sine;
+                }
+                ofB *= sign;
+            }
+            for (var i:int = 0; i < a.length; i++)
+            {
+                a[i] = ofA * a[i] + ofB * b[i];
+            }
+            return a;
+        }
+
+        // The Hermite spline of the glTF specification, appendix C.
+        private function cubic(low:int, high:int, share:Number, length:Number):Vector.<Number>
+        {
+            var a:Vector.<Number> = keyOf(low, 1);
+            var b:Vector.<Number> = keyOf(high, 1);
+            var out:Vector.<Number> = keyOf(low, 2);
+            var into:Vector.<Number> = keyOf(high, 0);
+            var square:Number = share * share;
+            var cube:Number = square * share;
+            for (var i:int = 0; i < a.length; i++)
+            {
+                a[i] = (2 * cube - 3 * square + 1) * a[i] + length * (cube - 2 * square + share) * out[i]
+                    + (3 * square - 2 * cube) * b[i] + length * (cube - square) * into[i];
+            }
+            return a;
+        }
+
+        private static function normalised(turn:Vector.<Number>):Vector.<Number>
+        {
+            var length:Number = Math.sqrt(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] + turn[3] * turn[3]);
+            for (var i:int = 0; i < 4 && length > 0; i++)
+            {
+                turn[i] /= length;
+            }
+            return turn;
+        }
+    }
+}

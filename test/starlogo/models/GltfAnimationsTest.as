@@ -1,0 +1,115 @@
+package starlogo.models
+{
+    import flash.utils.ByteArray;
+    import org.flexunit.asserts.assertEquals;
+    import support.Gltf;
+    import support.assertClose;
+    import support.assertThrows;
+
+    /** The animations of a glTF file: the numbers of their keys, and what is refused. What three.js makes of them is in test/adapters. */
+    public class GltfAnimationsTest
+    {
+        [Test]
+        public function nodesMove():void
+        {
+            var file:Gltf = animated("translation", [0, 0, 0, 4, 0, 0, 4, 8, 0], "VEC3", "LINEAR");
+            assertCorner(file, -1, 0, 0, 0);
+            assertCorner(file, 0.5, 2, 0, 0);
+            assertCorner(file, 1, 4, 0, 0);
+            assertCorner(file, 1.5, 4, 4, 0);
+            assertCorner(file, 7, 4, 8, 0);
+            assertCorner(animated("translation", [0, 0, 0, 4, 0, 0, 4, 8, 0], "VEC3", "STEP"), 1.9, 4, 0, 0);
+        }
+
+        [Test]
+        public function theyTurnTheShortWay():void
+        {
+            // from none to 90 degrees about z, whose quaternion is negative
+            var half:Number = Math.SQRT1_2;
+            var file:Gltf = animated("rotation", [0, 0, 0, 1, 0, 0, -half, -half, 0, 0, 0, 1], "VEC4", "LINEAR");
+            var vertices:Vector.<Number> = new GltfAnimations("a", file.toBinary(), "z").verticesAt(0, 0.5);
+            assertClose(3 * half, vertices[3], 1e-6);
+            assertClose(3 * half, vertices[4], 1e-6);
+        }
+
+        [Test]
+        public function splinesHaveTangents():void
+        {
+            var keys:Array = [];
+            for each (var x:Number in [0, 4, 4])
+            {
+                keys.push(0, 0, 0, x, 0, 0, 0, 0, 0);
+            }
+            var file:Gltf = animated("translation", keys, "VEC3", "CUBICSPLINE");
+            assertCorner(file, 0.5, 2, 0, 0);
+            assertCorner(file, 0.25, 4 * (3 / 16 - 2 / 64), 0, 0);
+        }
+
+        /** Of as many poses as a game has: none of them takes from what reading the file may cost. */
+        [Test]
+        public function posesAreManyAndFitTheModel():void
+        {
+            var file:Gltf = animated("translation", [0, 0, 0, 4, 0, 0, 4, 8, 0], "VEC3", "LINEAR");
+            var bytes:ByteArray = file.toBinary();
+            var model:GltfModel = GltfModel.fromBytes("a", bytes);
+            var animations:GltfAnimations = new GltfAnimations("a", bytes);
+            var first:Vector.<Number> = model.vertices.slice();
+            for (var i:int = 0; i < 3000; i++)
+            {
+                model.pose(animations.verticesAt(0, animations.durationOf(0)));
+            }
+            // 4 to the east, 8 up; the model is four units wide
+            assertClose(first[0] + 4 / model.source.unit, model.vertices[0], 1e-12);
+            assertClose(first[2] + 8 / model.source.unit, model.vertices[2], 1e-12);
+            model.pose(animations.verticesAt(0, 0));
+            for (i = 0; i < first.length; i++)
+            {
+                assertClose(first[i], model.vertices[i], 1e-12);
+            }
+        }
+
+        [Test]
+        public function whatIsWrongIsNamed():void
+        {
+            var file:Gltf = animated("translation", [0, 0, 0, 4, 0, 0, 4, 8, 0], "VEC3", "LINEAR");
+            var animations:GltfAnimations = new GltfAnimations("a", file.toBinary());
+            assertEquals(1, animations.count);
+            assertEquals(2, animations.durationOf(0));
+            assertEquals(0, new GltfAnimations("a", Gltf.tetrahedron().toBinary()).count);
+            assertThrows(RangeError, /animations 0 to 0, not 1/, animations.verticesAt, 1, 0);
+            assertThrows(RangeError, /finite/, animations.verticesAt, 0, NaN);
+            assertThrows(ModelError, /samplers\[0\].interpolation.*CUBICSPLINE/, read, animated("translation", [0, 0, 0], "VEC3", "SMOOTH"));
+            assertThrows(ModelError, /1 elements for 3 keys/, read, animated("translation", [0, 0, 0], "VEC3", "LINEAR"));
+            file.json.nodes[0].matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+            assertThrows(ModelError, /a node with a matrix/, read, file);
+            delete file.json.nodes[0].matrix;
+            file.json.animations[0].channels[0].sampler = 1;
+            assertThrows(ModelError, /channels\[0\].sampler/, read, file);
+            // a target of an extension
+            file.json.animations[0].channels[0].target = {path: "pointer"};
+            assertEquals(0, new GltfAnimations("a", file.toBinary()).durationOf(0));
+        }
+
+        private static function read(file:Gltf):void
+        {
+            new GltfAnimations("a", file.toBinary());
+        }
+
+        private static function assertCorner(file:Gltf, time:Number, x:Number, y:Number, z:Number):void
+        {
+            var vertices:Vector.<Number> = new GltfAnimations("a", file.toBinary(), "z").verticesAt(0, time);
+            assertClose(x, vertices[0], 1e-6);
+            assertClose(y, vertices[1], 1e-6);
+            assertClose(z, vertices[2], 1e-6);
+        }
+
+        // A tetrahedron whose node has an animation with keys at 0, 1 and 2 seconds.
+        private static function animated(path:String, values:Array, type:String, interpolation:String):Gltf
+        {
+            var file:Gltf = Gltf.tetrahedron();
+            var sampler:Object = {input: file.addNumbers([0, 1, 2], "SCALAR", Gltf.FLOAT), output: file.addNumbers(values, type, Gltf.FLOAT), interpolation: interpolation};
+            file.json.animations = [ {samplers: [sampler], channels: [ {sampler: 0, target: {node: 0, path: path}}]}];
+            return file;
+        }
+    }
+}

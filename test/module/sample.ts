@@ -400,11 +400,11 @@ export function refuse(): string[] {
 		() => { throw new IllegalOperationError("at this moment"); },
 		() => new BreedInterests(),
 		() => GltfModel.fromBytes("broken", new Uint8Array([123, 125]), null, Model.VOLUME),
-		() => new GltfAnimations("broken", new Uint8Array([123, 125])).verticesAt(0, 0.5),
 		() => StlModel.fromBytes("broken", new ArrayBuffer(3)),
 		...[-1, 1.5, NaN, 4294967296].map((index) => () => new Model("broken", [0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, index])),
 		() => new HierarchiesLibrary().add("broken", [0, 0, 0, 1, 0, 0, 0, 1, 0], new Float32Array([0, 1, 1.5])),
 		() => new Model("broken", [0, 0, 0], [0, 0, 1]),
+		() => new GltfAnimations("broken", new Uint8Array([123, 125])).verticesAt(0, 0.5),
 	];
 	for (const attempt of attempts) {
 		try {

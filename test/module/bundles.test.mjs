@@ -79,7 +79,7 @@ test("a game loads the questions that it asks", () => {
 	const limits = [
 		[["Agent", "BinCollider", "SeenAgents", "AgentPlaces"], 35],
 		[["Agent", "Collision", "BinCollider", "SeenAgents", "AgentPlaces"], 45],
-		[[...level, "AgentRays"], 63],
+		[[...level, "AgentRays"], 64],
 		[[...level, "AgentWalks"], 100],
 	];
 	for (const [names, limit] of limits) {

@@ -7,6 +7,9 @@ package starlogo.queries
     /** Answers to questions about places by loops over all agents, as they were last seen. */
     public final class LoopedQuestions
     {
+        // Of an angle between vectors, in radians. Agents exactly on the border of a cone are in it.
+        private static const ROUNDING:Number = 2e-15;
+
         private var _agents:Vector.<Agent>;
         private var _places:Vector.<Vector3D>;
 
@@ -91,7 +94,7 @@ package starlogo.queries
             {
                 var place:Vector3D = _places[_agents.indexOf(agent)];
                 var to:Vector3D = new Vector3D(place.x - asker.x, place.y - asker.y, place.z - asker.z);
-                if (degrees >= 360 || to.length == 0 || Vector3D.angleBetween(forward, to) <= degrees * Math.PI / 360)
+                if (degrees >= 360 || to.length == 0 || Vector3D.angleBetween(forward, to) <= degrees * Math.PI / 360 + ROUNDING)
                 {
                     inside.push(agent);
                 }

@@ -199,12 +199,16 @@ export const INSIDE_EDGES = {
 /** Part of every module, before anything runs. */
 export const BEING = `/** An agent, and what blocks ask about it. */
 class Being extends Agent {
-	color = -1; // the model's own colours
 	born = 0;
 	before = [0, 0, 0, 0];
 	isAlive = true;
 	rise = 0; // its upward speed
 	said = "";/*own*/
+
+	constructor(shape, breed) {
+		super(shape, breed);
+		this.color = -1; // the model's own colours
+	}
 }`;
 
 /** Part of every module: the code that runs in every frame. */

@@ -23,8 +23,10 @@ export function $warnOfNames(object) {
 		if (/^[_$]/.test(name) || name.length < 4) continue;
 		const type = object.constructor.name;
 		if (name === "exact" || name === "maxDepth") $warn(`${name} does nothing on a ${type}: it is for a HierarchicalCollider or a CombinationCollider`);
-		const meant = $settableNames(object).find((each) => each.toLowerCase() === name.toLowerCase() || $areClose(name, each));
-		if (meant !== undefined) $warn(`${name} is no property of ${type} that the engine reads; is ${meant} meant?`);
+		const names = $settableNames(object);
+		const meant = names.find((each) => each === name) ?? names.find((each) => each.toLowerCase() === name.toLowerCase() || $areClose(name, each));
+		if (meant === name) $warn(`${name} is a field of ${type} that hides the engine's: set it in the constructor`);
+		else if (meant !== undefined) $warn(`${name} is no property of ${type} that the engine reads; is ${meant} meant?`);
 	}
 }
 

@@ -16,7 +16,7 @@ package starlogo.queries
      * var places:AgentPlaces = new AgentPlaces(seen);
      * // every frame
      * seen.update(agents);
-     * var prey:Agent = places.nearest(wolf, 20);
+     * var prey:Agent = places.nearest(agents[0], 20);
      * </listing>
      */
     public final class SeenAgents

@@ -8,7 +8,7 @@ package starlogo.intersection
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.intersection.contact.LeastOverlap;
-    import starlogo.intersection.sweep.findBoxImpact;
+    import starlogo.intersection.sweep.BoxSweep;
 
     /**
      * The kernel of two boxes. It uses separating axes. The sweep finds when no axis separates the boxes. The contact finds the axis along
@@ -16,6 +16,11 @@ package starlogo.intersection
      */
     internal final class BoxBoxKernel extends PairKernel
     {
+        private var _sweep:BoxSweep = new BoxSweep();
+
+        // the motion of a box that stands still
+        private var _standing:RelativeMotion = new RelativeMotion();
+
         private var _overlap:LeastOverlap = new LeastOverlap();
 
         // For the distance, which is that of two convex shapes.
@@ -23,10 +28,17 @@ package starlogo.intersection
         private var _a:ConvexShape = new ConvexShape();
         private var _b:ConvexShape = new ConvexShape();
 
+        /** Whether two boxes touch or overlap, by the sweep's axes. They do not cancel if edges are nearly parallel: see boxBox. */
+        override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            findTime(a, b, _standing);
+            return _standing.time == 0;
+        }
+
         /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            findBoxImpact(a as Box, b as Box, motion);
+            _sweep.findTime(a as Box, b as Box, motion);
         }
 
         /** @inheritDoc */

@@ -14,7 +14,7 @@ package starlogo.intersection
     public class PairKernel
     {
         /**
-         * Whether two structures touch or overlap. Not for pairs of spheres, capsules and boxes, which have a function each: see intersects.
+         * Whether two structures touch or overlap. Pairs of spheres, capsules and boxes have a function each: see intersects.
          *
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space

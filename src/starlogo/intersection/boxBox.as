@@ -2,10 +2,7 @@ package starlogo.intersection
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
-    import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.sweep.BoxSweep;
-    import starlogo.intersection.sweep.findBoxImpact;
 
     // The sweep of two boxes (BoxSweep) tries the same axes, and a motion of no length gives the same answer. This function has arithmetic
     // of its own, because the sweep is slower. KernelsAgreeTest checks that both agree.
@@ -162,9 +159,7 @@ package starlogo.intersection
                 return true;
             }
             // The sweep's axes do not cancel.
-            var standing:RelativeMotion = BoxSweep.STANDING;
-            findBoxImpact(a, b, standing);
-            return standing.time == 0;
+            return PairTable.kernelOf(a, b).areTouching(a, b);
         }
         var overlap:Boolean;
         include "boxEdges.inc";

@@ -1,5 +1,7 @@
 package starlogo.intersection.sweep
 {
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Box;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.BoxAxes;
@@ -16,12 +18,6 @@ package starlogo.intersection.sweep
      */
     public final class BoxSweep
     {
-        /** For tests that end before the next one begins. */
-        internal static const SCRATCH:BoxSweep = new BoxSweep();
-
-        /** The motion of a box that stands still. A test of it overwrites its time. */
-        public static const STANDING:RelativeMotion = new RelativeMotion();
-
         /** The axes of b. */
         public var axes:BoxAxes = new BoxAxes();
 
@@ -59,6 +55,60 @@ package starlogo.intersection.sweep
         private var _halves:Vector.<Number> = new Vector.<Number>(9, true);
 
         private var _times:ContactInterval = new ContactInterval();
+
+        /**
+         * Finds when a moving box first touches another box. Sets all that <code>meetFaces()</code> needs, except for the latest time.
+         *
+         * @param a moves; half-extents may be 0
+         * @param b in the space of a; half-extents may be 0
+         * @param motion the motion of a; receives the time, from 0 to 1, or RelativeMotion.NEVER
+         */
+        public function findTime(a:Box, b:Box, motion:RelativeMotion):void
+        {
+            var edgeX:Vector3D = b.axisX;
+            var edgeY:Vector3D = b.axisY;
+            var edgeZ:Vector3D = b.axisZ;
+            var moveX:Number = motion.x;
+            var moveY:Number = motion.y;
+            var moveZ:Number = motion.z;
+            var fromX:Number = b.center.x - a.center.x - motion.startX;
+            var fromY:Number = b.center.y - a.center.y - motion.startY;
+            var fromZ:Number = b.center.z - a.center.z - motion.startZ;
+            var relative:BoxAxes = axes;
+            var axis:Vector3D = a.axisX;
+            relative.xx = axis.x * edgeX.x + axis.y * edgeX.y + axis.z * edgeX.z;
+            relative.xy = axis.x * edgeY.x + axis.y * edgeY.y + axis.z * edgeY.z;
+            relative.xz = axis.x * edgeZ.x + axis.y * edgeZ.y + axis.z * edgeZ.z;
+            motionX = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
+            x = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            axis = a.axisY;
+            relative.yx = axis.x * edgeX.x + axis.y * edgeX.y + axis.z * edgeX.z;
+            relative.yy = axis.x * edgeY.x + axis.y * edgeY.y + axis.z * edgeY.z;
+            relative.yz = axis.x * edgeZ.x + axis.y * edgeZ.y + axis.z * edgeZ.z;
+            motionY = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
+            y = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            axis = a.axisZ;
+            relative.zx = axis.x * edgeX.x + axis.y * edgeX.y + axis.z * edgeX.z;
+            relative.zy = axis.x * edgeY.x + axis.y * edgeY.y + axis.z * edgeY.z;
+            relative.zz = axis.x * edgeZ.x + axis.y * edgeZ.y + axis.z * edgeZ.z;
+            motionZ = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
+            z = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
+            relative.measureAxes();
+            aX = a.halfX;
+            aY = a.halfY;
+            aZ = a.halfZ;
+            bX = b.halfX;
+            bY = b.halfY;
+            bZ = b.halfZ;
+            motion.findRounding();
+            gap = motion.rounding;
+            meetFaces();
+            if (time != RelativeMotion.NEVER)
+            {
+                meetEdges();
+            }
+            motion.time = time;
+        }
 
         /**
          * Finds the time from which no face separates two boxes. The boxes touch at that time or later. It is NEVER if it is after the

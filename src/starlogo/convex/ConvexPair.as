@@ -243,7 +243,9 @@ package starlogo.convex
             var witness:CoreWitness = _witness;
             var cores:CorePair = _cores;
             var radii:Number = cores.a.radius + cores.b.radius;
-            var areTouching:Boolean = witness.distance <= cores.reach;
+            // areTouching() stops at the first direction along which the gap is too wide. The distance may be less than that gap by rounding, so the
+            // gap counts here too.
+            var areTouching:Boolean = witness.distance <= cores.reach && !(witness.separation > cores.reach);
             if (_touch <= 1)
             {
                 // the last step counts only if they still touch after it

@@ -178,30 +178,16 @@ package starlogo.convex
         // is none of them, because the fourth corner was nearer. The shares are those of the nearest place in that face until now.
         private function isInside(isApart:Boolean):Boolean
         {
-            var before:Number = x * x + y * y + z * z;
             _shares[3] = 0;
-            changeShares();
-            var isBeyond01:Boolean = _shares[2] < 0;
-            var isBeyond12:Boolean = _shares[0] < 0;
-            var isBeyond20:Boolean = _shares[1] < 0;
+            var isFlat:Boolean = !moveToOrigin();
+            var isBeyond01:Boolean = isFlat || _shares[2] < 0;
+            var isBeyond12:Boolean = isFlat || _shares[0] < 0;
+            var isBeyond20:Boolean = isFlat || _shares[1] < 0;
             var isBeyondNone:Boolean = !isBeyond01 && !isBeyond12 && !isBeyond20;
-            if (isBeyondNone && !isApart)
+            if (isBeyondNone && !isApart && _shares[3] >= 0)
             {
-                changeShare(0, 1, 2, 3);
-                if (_shares[3] >= 0)
-                {
-                    // In a nearly flat tetrahedron the shares have lost digits, but the place that they make is close to the origin.
-                    findPlace();
-                    changeShares();
-                    findPlace();
-                    if (x * x + y * y + z * z > before)
-                    {
-                        // too flat: the nearest place until now is closer
-                        tryTriangle(0, 1, 2);
-                    }
-                    squared = x = y = z = 0;
-                    return true;
-                }
+                squared = x = y = z = 0;
+                return true;
             }
             if (isBeyond01 || isBeyondNone)
             {
@@ -218,52 +204,57 @@ package starlogo.convex
             return false;
         }
 
-        // Finds the place that the shares make, of which the fourth one is the rest.
-        private function findPlace():void
+        // Changes the shares of a tetrahedron's corners from those of the place to those of the origin. The vector from the place to the origin is
+        // taken apart along an edge, then along what another edge from the same corner has across it, then along what the third has across both
+        // (Gram and Schmidt). So the shares make the origin up to rounding, however narrow the tetrahedron is. Returns false if it is flat.
+        private function moveToOrigin():Boolean
         {
             var w:Vector.<Number> = corners;
-            _shares[3] = 1 - _shares[0] - _shares[1] - _shares[2];
-            x = y = z = 0;
-            for (var i:int = 0; i < 4; i++)
+            var ux:Number = w[0] - w[9];
+            var uy:Number = w[1] - w[10];
+            var uz:Number = w[2] - w[11];
+            var uu:Number = ux * ux + uy * uy + uz * uz;
+            var vx:Number = w[3] - w[9];
+            var vy:Number = w[4] - w[10];
+            var vz:Number = w[5] - w[11];
+            var vAlongU:Number = (vx * ux + vy * uy + vz * uz) / uu;
+            vx -= vAlongU * ux;
+            vy -= vAlongU * uy;
+            vz -= vAlongU * uz;
+            var vv:Number = vx * vx + vy * vy + vz * vz;
+            var tx:Number = w[6] - w[9];
+            var ty:Number = w[7] - w[10];
+            var tz:Number = w[8] - w[11];
+            var tAlongU:Number = (tx * ux + ty * uy + tz * uz) / uu;
+            tx -= tAlongU * ux;
+            ty -= tAlongU * uy;
+            tz -= tAlongU * uz;
+            var tAlongV:Number = (tx * vx + ty * vy + tz * vz) / vv;
+            tx -= tAlongV * vx;
+            ty -= tAlongV * vy;
+            tz -= tAlongV * vz;
+            var tt:Number = tx * tx + ty * ty + tz * tz;
+            var least:Number = 4 * rounding * rounding;
+            if (!(vv > least && tt > least))
             {
-                x += _shares[i] * w[int(3 * i)];
-                y += _shares[i] * w[int(3 * i + 1)];
-                z += _shares[i] * w[int(3 * i + 2)];
+                return false;
             }
-        }
-
-        // Changes the shares of a tetrahedron's first three corners from those of the place to those of the origin.
-        private function changeShares():void
-        {
-            changeShare(3, 0, 1, 2);
-            changeShare(3, 1, 2, 0);
-            changeShare(3, 2, 0, 1);
-        }
-
-        // Changes a corner's share from that of the place to that of the origin, by how far both are above the tetrahedron's face i, j, k, as parts
-        // of the corner's height. It becomes -1 if the tetrahedron is flat.
-        private function changeShare(i:int, j:int, k:int, corner:int):void
-        {
-            var w:Vector.<Number> = corners;
-            i *= 3;
-            j *= 3;
-            k *= 3;
-            var l:int = 3 * corner;
-            var atX:Number = w[i];
-            var atY:Number = w[int(i + 1)];
-            var atZ:Number = w[int(i + 2)];
-            var ux:Number = w[j] - atX;
-            var uy:Number = w[int(j + 1)] - atY;
-            var uz:Number = w[int(j + 2)] - atZ;
-            var vx:Number = w[k] - atX;
-            var vy:Number = w[int(k + 1)] - atY;
-            var vz:Number = w[int(k + 2)] - atZ;
-            var nx:Number = uy * vz - uz * vy;
-            var ny:Number = uz * vx - ux * vz;
-            var nz:Number = ux * vy - uy * vx;
-            var height:Number = nx * (w[l] - atX) + ny * (w[int(l + 1)] - atY) + nz * (w[int(l + 2)] - atZ);
-            var isFlat:Boolean = height * height <= 4 * rounding * rounding * (nx * nx + ny * ny + nz * nz);
-            _shares[corner] = isFlat ? -1 : _shares[corner] - (nx * x + ny * y + nz * z) / height;
+            var alongU:Number = -(x * ux + y * uy + z * uz) / uu;
+            var toX:Number = -x - alongU * ux;
+            var toY:Number = -y - alongU * uy;
+            var toZ:Number = -z - alongU * uz;
+            var alongV:Number = (toX * vx + toY * vy + toZ * vz) / vv;
+            toX -= alongV * vx;
+            toY -= alongV * vy;
+            toZ -= alongV * vz;
+            var ofT:Number = (toX * tx + toY * ty + toZ * tz) / tt;
+            var ofV:Number = alongV - tAlongV * ofT;
+            var ofU:Number = alongU - vAlongU * ofV - tAlongU * ofT;
+            _shares[0] += ofU;
+            _shares[1] += ofV;
+            _shares[2] += ofT;
+            _shares[3] -= ofU + ofV + ofT;
+            return true;
         }
 
         private function tryCorner(i:int):void

@@ -44,7 +44,7 @@ package starlogo.away3d
          */
         public function SourceReader(name:String, source:Object)
         {
-            super(name || "", null);
+            super(name || "");
             _source = source;
             begin(collect);
         }

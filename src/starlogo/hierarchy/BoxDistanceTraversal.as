@@ -37,6 +37,8 @@ package starlogo.hierarchy
         // The second model's axes, times its scale.
         private var _axes:BoxAxes = new BoxAxes();
 
+        private var _pose:RelativePose;
+
         // The boxes of both trees.
         private var _boxesA:Vector.<Number>;
         private var _boxesB:Vector.<Number>;
@@ -55,8 +57,9 @@ package starlogo.hierarchy
         private var _moved:BoundingStructure = _boxB.clone();
 
         /** @inheritDoc */
-        override protected function begin(a:BoxTree, b:BoxTree):void
+        override protected function begin(pose:RelativePose, a:BoxTree, b:BoxTree):void
         {
+            _pose = pose;
             _boxesA = a.boxes;
             _boxesB = b.boxes;
             _directionX = _directionY = _directionZ = 0;
@@ -70,10 +73,10 @@ package starlogo.hierarchy
          * <p>The steps are: the vector from the middle of a's box to the middle of b's box; the gaps along a's axes; the gaps along b's axes;
          * the gap along the line between the closest points so far.</p>
          */
-        override protected function estimate(a:int, b:int):void
+        override protected function estimate(a:int, b:int, out:NodePairBounds):void
         {
             var axes:BoxAxes = _axes;
-            var relative:Placement = pose.placement;
+            var relative:Placement = _pose.placement;
             var scale:Number = relative.size;
             var boxes:Vector.<Number> = _boxesB;
             var at:int = 6 * b;
@@ -115,10 +118,10 @@ package starlogo.hierarchy
             }
 
             // A pair that is too far away anyway need not be estimated exactly.
-            var far:Number = least + pose.gap + 2 * SLACK * (least + _reach);
+            var far:Number = out.least + _pose.gap + 2 * SLACK * (out.least + _reach);
             if (squared > far * far)
             {
-                bound = least;
+                out.current = out.least;
                 return;
             }
 
@@ -170,28 +173,28 @@ package starlogo.hierarchy
                     apart = gap;
                 }
             }
-            apart -= SLACK * (apart + _reach) + pose.gap;
-            if (apart > bound)
+            apart -= SLACK * (apart + _reach) + _pose.gap;
+            if (apart > out.current)
             {
-                bound = apart;
+                out.current = apart;
             }
         }
 
         /** @inheritDoc */
-        override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafTest):void
+        override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafTest, out:NodePairBounds):void
         {
             var found:ClosestPoints = _measured;
             if (leaves == null)
             {
-                measure(treeA, a, treeB, b);
+                measure(treeA, a, treeB, b, out);
             }
             else
             {
-                leaves.least = least;
-                bound = leaves.touch(treeA, a, treeB, b) ? leaves.least : Infinity;
+                leaves.least = out.least;
+                out.current = leaves.touch(treeA, a, treeB, b) ? leaves.least : Infinity;
                 found = leaves.points;
             }
-            if (bound < least)
+            if (out.current < out.least)
             {
                 points.copyPoints(found);
                 _directionX = found.bX - found.aX;
@@ -201,17 +204,17 @@ package starlogo.hierarchy
         }
 
         // Measures the distance of two nodes.
-        private function measure(treeA:BoxTree, a:int, treeB:BoxTree, b:int):void
+        private function measure(treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:NodePairBounds):void
         {
             var second:BoundingStructure = structure;
             if (second == null)
             {
-                second = treeB.writeBox(b, _boxB).place(pose.placement, _moved);
-                pose.widen(second);
+                second = treeB.writeBox(b, _boxB).place(_pose.placement, _moved);
+                _pose.widen(second);
             }
             findClosest(treeA.writeBox(a, _boxA), second, _measured);
             var distance:Number = _measured.distance;
-            bound = Math.max(0, distance - Tolerances.NESTING * (levelsBelow(treeA.levelOf(a)) + levelsBelow(treeB.levelOf(b))) * (distance + _reach));
+            out.current = Math.max(0, distance - Tolerances.NESTING * (levelsBelow(treeA.levelOf(a)) + levelsBelow(treeB.levelOf(b))) * (distance + _reach));
         }
 
         // The number of levels that a tree may have below a node on a level, plus one. A single structure counts as the last level.

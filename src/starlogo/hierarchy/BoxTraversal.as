@@ -7,7 +7,8 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Decides whether two standing trees overlap. The loop of NodePairTraversal is written out, because no pair needs a bound here.
+     * Decides whether two standing trees overlap. It is like NodePairTraversal, but without bounds, because each pair overlaps
+     * or not.
      *
      * <p>In the first model's space, its own boxes are axis-aligned, and all boxes of the second have the same rotation. So a pair of boxes
      * takes a few products (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996; Ericson, "Real-Time Collision Detection", §4.4.1). If
@@ -17,10 +18,19 @@ package starlogo.hierarchy
      *
      * @private
      */
-    public final class BoxTraversal extends NodePairTraversal
+    public final class BoxTraversal
     {
+        /** The number of pairs of nodes visited. The caller sets it to 0. */
+        public var nodeVisits:int = 0;
+
+        /** Whether the roots overlapped although the trees do not. */
+        public var rootsOverlapped:Boolean;
+
+        // The pairs of nodes still to visit.
+        private var _nodes:Vector.<int> = new Vector.<int>();
+
         /**
-         * @inheritDoc
+         * Whether two nodes that decide overlap.
          *
          * <p>The steps for a pair are: the faces of a, each with the vector from the middle of a's box to the middle of b's box along it (x, y, z);
          * the distance of b's middle from a, compared with the spheres around b and inside of it; the faces of b; and if the boxes decide, the
@@ -29,8 +39,15 @@ package starlogo.hierarchy
          * <p>All of b's numbers are scaled. So are the entries of its rotation (m00 ...) and their absolute values (abs00 ...). The
          * absolute values are larger by a rounding error, because cross products of nearly parallel edges cancel. All values are locals,
          * and the only call is to the test of leaves.</p>
+         *
+         * @param pose the pose of the second tree's nodes in the first model's space
+         * @param treeA the first tree
+         * @param depthA how many of its levels are visited
+         * @param treeB the second tree
+         * @param depthB how many of its levels are visited
+         * @param leaves decides about such nodes; null if their boxes decide
          */
-        override public function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, leaves:LeafTest):Boolean
+        public function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, leaves:LeafTest):Boolean
         {
             var relative:Placement = pose.placement;
             var scale:Number = relative.size;
@@ -62,7 +79,7 @@ package starlogo.hierarchy
             var boxesB:Vector.<Number> = treeB.boxes;
             var stopA:Vector.<int> = treeA.stop;
             var stopB:Vector.<int> = treeB.stop;
-            var stack:Vector.<int> = nodes;
+            var stack:Vector.<int> = _nodes;
             var a:int = 0;
             var b:int = 0;
             var top:int = 0;

@@ -9,11 +9,9 @@ package starlogo.hierarchy
      * proximity queries with swept sphere volumes", 1999). A node's box encloses its children's boxes. So a pair is skipped if nothing
      * below it can be better than the best pair so far. The nodes that decide are leaves or at their depth limit.
      *
-     * <p>Which pair is best depends on the question, and each question has a subclass: whether two standing trees overlap, when two moving
-     * trees first touch, how far two trees are apart. A sphere, capsule or box is a tree of one node: see StructureLeaf.</p>
-     *
-     * <p>Bounds are fields and not arguments or results, because JavaScript engines allocate an object for each Number that functions
-     * pass.</p>
+     * <p>Which pair is best depends on the question, and each question has a subclass: when two moving trees first touch, how far two trees
+     * are apart, where a ray first meets a tree. Whether two standing trees overlap needs no bounds: see BoxTraversal. A sphere, capsule or
+     * box is a tree of one node: see StructureLeaf.</p>
      *
      * @private
      */
@@ -22,30 +20,16 @@ package starlogo.hierarchy
         /** The number of pairs of nodes visited. The caller sets it to 0. */
         public var nodeVisits:int = 0;
 
-        /** For standing trees: whether the roots overlapped although the trees do not. */
-        public var rootsOverlapped:Boolean;
-
-        /** The best time or distance found, or Infinity. */
-        public var least:Number;
+        /** The best time or distance found, and the bounds of the search. */
+        public var bounds:NodePairBounds = new NodePairBounds();
 
         /** The best pair of nodes. Undefined if none is found. */
         public var firstA:int = 0;
         public var firstB:int = 0;
 
-        /** The least bound that there can be. A pair with this bound ends the search. */
-        protected var lowest:Number = 0;
-
-        /** The pose of the second tree's nodes in the first model's space. */
-        protected var pose:RelativePose;
-
-        /** A lower bound of the current pair's time or distance. Before <code>estimate()</code>, the parent pair's lower bound. */
-        protected var bound:Number;
-
-        /** The pairs of nodes still to visit. */
-        protected var nodes:Vector.<int> = new Vector.<int>();
-
-        // The bounds of these pairs.
-        private var _bounds:Vector.<Number> = new Vector.<Number>();
+        // The pairs of nodes still to visit, and their bounds.
+        private var _nodes:Vector.<int> = new Vector.<int>();
+        private var _nodeBounds:Vector.<Number> = new Vector.<Number>();
 
         /**
          * Finds the best pair of nodes that decide.
@@ -60,29 +44,25 @@ package starlogo.hierarchy
          */
         public function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, leaves:LeafTest):Boolean
         {
-            // Writing an object to a field costs Adobe's VM more than comparing it first.
-            if (this.pose !== pose)
-            {
-                this.pose = pose;
-            }
             var lowA:Vector.<int> = treeA.low;
             var lowB:Vector.<int> = treeB.low;
             var stopA:Vector.<int> = treeA.stop;
             var stopB:Vector.<int> = treeB.stop;
             var a:int = 0;
             var b:int = 0;
-            var stack:Vector.<int> = nodes;
-            var bounds:Vector.<Number> = _bounds;
+            var stack:Vector.<int> = _nodes;
+            var out:NodePairBounds = bounds;
+            var stackBounds:Vector.<Number> = _nodeBounds;
             var scale:Number = pose.placement.size;
             var top:int = 0;
             var visits:int = 1;
-            least = Infinity;
-            bound = lowest;
-            begin(treeA, treeB);
-            estimate(a, b);
+            out.least = Infinity;
+            out.current = out.lowest;
+            begin(pose, treeA, treeB);
+            estimate(a, b, out);
             while (true)
             {
-                if (bound < least)
+                if (out.current < out.least)
                 {
                     var aEnds:Boolean = stopA[a] >= depthA;
                     var bEnds:Boolean = stopB[b] >= depthB;
@@ -94,13 +74,13 @@ package starlogo.hierarchy
                         var otherB:int = dividesA ? b : lowB[b];
                         a = dividesA ? otherA + 1 : a;
                         b = dividesA ? b : otherB + 1;
-                        var above:Number = bound;
-                        estimate(otherA, otherB);
-                        var other:Number = bound;
-                        bound = above;
-                        estimate(a, b);
+                        var above:Number = out.current;
+                        estimate(otherA, otherB, out);
+                        var other:Number = out.current;
+                        out.current = above;
+                        estimate(a, b, out);
                         visits += 2;
-                        if (other < bound)
+                        if (other < out.current)
                         {
                             var node:int = a;
                             a = otherA;
@@ -108,36 +88,36 @@ package starlogo.hierarchy
                             node = b;
                             b = otherB;
                             otherB = node;
-                            above = bound;
-                            bound = other;
+                            above = out.current;
+                            out.current = other;
                             other = above;
                         }
-                        if (other < least)
+                        if (other < out.least)
                         {
                             stack[2 * top] = otherA;
                             stack[2 * top + 1] = otherB;
-                            bounds[top] = other;
+                            stackBounds[top] = other;
                             top++;
                         }
                         continue;
                     }
-                    settle(treeA, a, treeB, b, leaves);
-                    if (bound < least)
+                    settle(treeA, a, treeB, b, leaves, out);
+                    if (out.current < out.least)
                     {
-                        least = bound;
+                        out.least = out.current;
                         firstA = a;
                         firstB = b;
                     }
                 }
-                if (top == 0 || !(least > lowest))
+                if (top == 0 || !(out.least > out.lowest))
                 {
                     nodeVisits += visits;
-                    return least < Infinity;
+                    return out.least < Infinity;
                 }
                 top--;
                 a = stack[2 * top];
                 b = stack[2 * top + 1];
-                bound = bounds[top];
+                out.current = stackBounds[top];
             }
             return false;
         }
@@ -154,21 +134,21 @@ package starlogo.hierarchy
             return aX * aX + aY * aY + aZ * aZ >= scale * scale * (bX * bX + bY * bY + bZ * bZ);
         }
 
-        /** Prepares the traversal of two trees. The nodes of later calls are theirs. */
-        protected function begin(a:BoxTree, b:BoxTree):void
+        /** Prepares the traversal of two trees. The nodes of later calls are theirs. @param pose as for <code>find()</code> */
+        protected function begin(pose:RelativePose, a:BoxTree, b:BoxTree):void
         {
         }
 
-        /** Sets <code>bound</code> for a pair of nodes. A bound that is not less than <code>least</code> need not be exact. */
-        protected function estimate(a:int, b:int):void
+        /** Sets <code>out.current</code> for a pair of nodes. A bound that is not less than <code>out.least</code> need not be exact. */
+        protected function estimate(a:int, b:int, out:NodePairBounds):void
         {
         }
 
         /**
-         * Sets <code>bound</code> to the time or distance of a pair that decides. If it is not less than <code>least</code>, it need not be
-         * exact.
+         * Sets <code>out.current</code> to the time or distance of a pair that decides. If it is not less than <code>out.least</code>, it
+         * need not be exact.
          */
-        protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafTest):void
+        protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafTest, out:NodePairBounds):void
         {
         }
     }

@@ -40,17 +40,17 @@ package starlogo.hierarchy
         {
             _ray = ray;
             _all = null;
-            lowest = ray.from;
+            bounds.lowest = ray.from;
             if (!find(_standing, tree, depth, _origin, 1, null))
             {
                 return false;
             }
             ray.faceBack();
-            if (least > ray.from)
+            if (bounds.least > ray.from)
             {
                 rayBox(ray, tree.writeBox(firstA, _box));
             }
-            ray.from = least;
+            ray.from = bounds.least;
             return true;
         }
 
@@ -68,35 +68,35 @@ package starlogo.hierarchy
             _ray = ray;
             _all = out;
             _slack = slack;
-            lowest = ray.from;
+            bounds.lowest = ray.from;
             find(_standing, tree, depth, _origin, 1, null);
         }
 
         /** @inheritDoc */
-        override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafTest):void
+        override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafTest, out:NodePairBounds):void
         {
             if (_all != null)
             {
                 crossStructure(_ray, treeA.writeBox(a, _box), _slack, _part, null, _all);
                 // so the search does not end
-                bound = Infinity;
+                out.current = Infinity;
             }
         }
 
         /** @inheritDoc */
-        override protected function begin(a:BoxTree, b:BoxTree):void
+        override protected function begin(pose:RelativePose, a:BoxTree, b:BoxTree):void
         {
             _boxes = a.boxes;
         }
 
         /** @inheritDoc */
-        override protected function estimate(a:int, b:int):void
+        override protected function estimate(a:int, b:int, out:NodePairBounds):void
         {
             // For each axis, as Ray.cutAlong(). A call for each would take most of the time.
             var ray:Ray = _ray;
             var boxes:Vector.<Number> = _boxes;
             var at:int = 6 * a;
-            var enter:Number = bound;
+            var enter:Number = out.current;
             var leave:Number = ray.to;
             var offset:Number = ray.x - boxes[at];
             var speed:Number = ray.directionX == 0 ? 0 : ray.directionX;
@@ -119,7 +119,7 @@ package starlogo.hierarchy
             leave = place < leave ? place : leave;
             place = (-reach - offset) / speed;
             enter = place > enter ? place : enter;
-            bound = enter <= leave ? enter : Infinity;
+            out.current = enter <= leave ? enter : Infinity;
         }
     }
 }

@@ -18,13 +18,16 @@ package starlogo.hierarchy
     {
         private var _sweep:BoxSweep = new BoxSweep();
 
+        private var _pose:RelativePose;
+
         // The boxes of both trees.
         private var _boxesA:Vector.<Number>;
         private var _boxesB:Vector.<Number>;
 
         /** @inheritDoc */
-        override protected function begin(a:BoxTree, b:BoxTree):void
+        override protected function begin(pose:RelativePose, a:BoxTree, b:BoxTree):void
         {
+            _pose = pose;
             _boxesA = a.boxes;
             _boxesB = b.boxes;
             var relative:Placement = pose.placement;
@@ -38,29 +41,29 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function estimate(a:int, b:int):void
+        override protected function estimate(a:int, b:int, out:NodePairBounds):void
         {
-            sweep(a, b, false);
+            sweep(a, b, false, out);
         }
 
         /** @inheritDoc */
-        override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafTest):void
+        override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafTest, out:NodePairBounds):void
         {
             if (leaves == null)
             {
-                sweep(a, b, true);
+                sweep(a, b, true, out);
                 return;
             }
-            leaves.least = least < 1 ? least : 1;
-            bound = leaves.touch(treeA, a, treeB, b) ? leaves.least : RelativeMotion.NEVER;
+            leaves.least = out.least < 1 ? out.least : 1;
+            out.current = leaves.touch(treeA, a, treeB, b) ? leaves.least : RelativeMotion.NEVER;
         }
 
         // Sets the bound to the first time at which no face separates two boxes. If withEdges is true, no edge separates them then either.
         // If that time is not before the least time, sets the bound to RelativeMotion.NEVER.
-        private function sweep(a:int, b:int, withEdges:Boolean):void
+        private function sweep(a:int, b:int, withEdges:Boolean, out:NodePairBounds):void
         {
             var boxes:BoxSweep = _sweep;
-            var relative:Placement = pose.placement;
+            var relative:Placement = _pose.placement;
             var scale:Number = relative.size;
             var numbers:Vector.<Number> = _boxesB;
             var at:int = 6 * b;
@@ -78,13 +81,13 @@ package starlogo.hierarchy
             boxes.aX = numbers[int(at + 3)];
             boxes.aY = numbers[int(at + 4)];
             boxes.aZ = numbers[int(at + 5)];
-            boxes.latest = least < 1 ? least : 1;
+            boxes.latest = out.least < 1 ? out.least : 1;
             boxes.meetFaces();
             if (withEdges && boxes.time != RelativeMotion.NEVER)
             {
                 boxes.meetEdges();
             }
-            bound = boxes.time;
+            out.current = boxes.time;
         }
     }
 }

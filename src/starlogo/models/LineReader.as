@@ -1,20 +1,21 @@
 package starlogo.models
 {
     /**
-     * Reads text that has one statement per line, some lines at a time. A format overrides <code>readStatement()</code>. That method loops
-     * over <code>words</code> itself, because this is fast.
+     * Divides text that has one statement per line into words, some lines at a time. In each step, a format's reader calls
+     * <code>begin()</code>, then <code>nextStatement()</code> until there is none. It loops over <code>words</code> itself, because this is
+     * fast.
      *
      * @private
      */
-    public class LineReader extends ModelReader
+    public final class LineReader
     {
         // The marks are words made of characters that no text uses.
 
         /** Marks a line's end.  */
-        protected static const END:String = "\uE000";
+        public static const END:String = "\uE000";
 
         /** Marks a line's end after which the next line continues the statement. */
-        protected static const CONTINUED:String = "\uE001";
+        public static const CONTINUED:String = "\uE001";
 
         // A line is read in one step, together with its continuation lines.
         private static const MAX_PIECE:int = 1000000;
@@ -25,69 +26,91 @@ package starlogo.models
         private static const WORDS_PER_STEP:int = 1000;
 
         /** The words of the piece that is being read. The first and the last are empty. */
-        protected var words:Array = [""];
+        public var words:Array = [""];
 
         /** The index of the next word in <code>words</code>. */
-        protected var next:int = 0;
+        public var next:int = 0;
 
         /** The line number of the next word, from 1. The code that passes a mark must increase it. */
-        protected var line:int = 0;
+        public var line:int = 0;
 
-        private var _source:String = "";
+        private var _name:String;
+        private var _source:String;
 
         // The piece is the text from _start up to _end.
         private var _start:int = 0;
         private var _end:int = 0;
         private var _ends:NextOfTwo;
 
+        // The words from here on are for the next step.
+        private var _stop:int = 0;
+
         /**
-         * @param name the model's name
-         * @param bytes the bytes or characters that are present
-         * @param upAxis "x", "y" or "z", or a ModelTransform
+         * @param name the model's name, for errors
+         * @param source the text; a byte-order mark is skipped
          */
-        public function LineReader(name:String, bytes:int, upAxis:Object)
+        public function LineReader(name:String, source:String)
         {
-            super(name, new ModelBudget(name, bytes), upAxis);
+            _name = name;
+            _source = TextTokens.unmarked(source);
+            _ends = new NextOfTwo(_source, "\n", "\r");
         }
 
         /** The place of a line, for errors. */
-        protected static function placeOf(line:int):String
+        public static function placeOf(line:int):String
         {
             return "line " + line;
         }
 
-        /** Adds the steps that read a text. @param source the text; a byte-order mark is skipped */
-        protected final function readLines(source:String):void
+        /** The place of the next word, for errors. */
+        public function get place():String
         {
-            _source = TextTokens.unmarked(source);
-            _ends = new NextOfTwo(_source, "\n", "\r");
-            repeat(readSome);
+            return placeOf(line);
         }
 
-        /**
-         * Reads a statement, or the part of it that matters. By default every statement is skipped. @param word its first word; the next
-         * one is <code>words[next]</code>
-         */
-        protected function readStatement(word:String):void
+        /** The share of the text that is read, from 0 to 1. */
+        public function get progress():Number
         {
-            skipStatement();
+            return (_start + (_end - _start) * next / words.length) / Math.max(1, _source.length);
         }
 
-        /** The number of triangles so far. */
-        protected function get triangleCount():int
+        /** Whether there is more to read. */
+        public function get hasMore():Boolean
         {
-            return triangles.length / 3;
+            return next < words.length - 1 || _end < _source.length;
         }
 
-        /** Throws if there are too many vertices or triangles so far. */
-        protected final function checkLimits(place:String):void
+        /** Begins a step. It reads some statements, or none if the next piece of the text must be divided first. */
+        public function begin():void
         {
-            budget.require(ModelBudget.VERTICES, vertices.length / 3, place);
-            budget.require(ModelBudget.TRIANGLES, triangleCount, place);
+            if (next == words.length - 1)
+            {
+                readPiece();
+                _stop = next;
+            }
+            else
+            {
+                _stop = Math.min(next + WORDS_PER_STEP, words.length - 1);
+            }
+        }
+
+        /** Returns the first word of the step's next statement; null if there is none. The second word is <code>words[next]</code>. */
+        public function nextStatement():String
+        {
+            while (next < _stop)
+            {
+                var word:String = words[next++];
+                if (word != END && word != CONTINUED)
+                {
+                    return word;
+                }
+                line++;
+            }
+            return null;
         }
 
         /** Moves on to the end of the line. */
-        protected final function skipStatement():void
+        public function skipStatement():void
         {
             var word:String = words[next];
             while (word != END && word != CONTINUED)
@@ -97,7 +120,7 @@ package starlogo.models
         }
 
         /** Returns the words up to the end of the statement or to a comment, without marks. Moves on to that end. */
-        protected final function restOfStatement():Array
+        public function restOfStatement():Array
         {
             var rest:Array = [];
             for (var word:String = words[next]; word != END; word = words[++next])
@@ -119,38 +142,6 @@ package starlogo.models
             return rest;
         }
 
-        private function readSome():Boolean
-        {
-            if (next == words.length - 1)
-            {
-                readPiece();
-            }
-            else
-            {
-                readStatements();
-            }
-            progress = 0.9 * (_start + (_end - _start) * next / words.length) / Math.max(1, _source.length);
-            return next < words.length - 1 || _end < _source.length;
-        }
-
-        private function readStatements():void
-        {
-            var end:int = Math.min(next + WORDS_PER_STEP, words.length - 1);
-            while (next < end)
-            {
-                var word:String = words[next++];
-                if (word == END || word == CONTINUED)
-                {
-                    line++;
-                }
-                else
-                {
-                    readStatement(word);
-                }
-            }
-            checkLimits(placeOf(line));
-        }
-
         // Continued lines stay in one piece.
         private function readPiece():void
         {
@@ -166,7 +157,7 @@ package starlogo.models
             }
             while (isContinued && _end < _source.length);
             _end = Math.min(_end, _source.length);
-            refuseIf(_end - _start > MAX_PIECE, name, "a line and its continuation lines have more than " + MAX_PIECE + " characters", placeOf(line + 1));
+            refuseIf(_end - _start > MAX_PIECE, _name, "a line and its continuation lines have more than " + MAX_PIECE + " characters", placeOf(line + 1));
             var text:String = (_start == 0 ? "\n" : "") + _source.substring(_start, _end) + (_end == _source.length ? "\n" : "");
             text = TextTokens.replaceAll(text, "\r\n", "\n");
             text = TextTokens.replaceAll(text, "\r", "\n");

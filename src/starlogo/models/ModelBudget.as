@@ -84,6 +84,13 @@ package starlogo.models
             require(kind, _taken[kind], place);
         }
 
+        /** Checks how many vertices and triangles the model has. @throws ModelError if there are more than a file may have */
+        public function requireMesh(vertexCount:Number, triangleCount:Number, place:Object = ""):void
+        {
+            require(VERTICES, vertexCount, place);
+            require(TRIANGLES, triangleCount, place);
+        }
+
         /** Checks a count without taking it. @throws ModelError if it is more than a file may have */
         public function require(kind:int, count:Number, place:Object = ""):void
         {

@@ -35,47 +35,42 @@ package starlogo.models
         /** The share that is read, from 0 to 1. */
         public var progress:Number = 0;
 
-        /** Points without a surface. They become the model's vertices if there are no others. */
-        protected var loosePoints:Vector.<Number> = new Vector.<Number>();
+        // Points without a surface. They become the model's vertices if there are no others.
+        private var _loosePoints:Vector.<Number> = new Vector.<Number>();
 
-        /** What reading the file may cost. */
-        protected var budget:ModelBudget;
+        // The axis that points up in the file: "x", "y" or "z". "z" with a transform, which leaves the file as it is.
+        private var _upAxis:String;
 
-        /** The axis that points up in the file: "x", "y" or "z". "z" with a ModelTransform, which leaves the file as it is. */
-        protected var upAxis:String;
+        // null if there is none
+        private var _transform:ModelTransform;
 
-        /** The model's transform; null if there is none. */
-        protected var transform:ModelTransform;
+        // as for Model's constructor
+        private var _scaling:String = null;
 
-        /** How the model is scaled, as for Model's constructor. */
-        protected var scaling:String = null;
-
-        /** When all is read: the file's cooked results and the model's place in its source, of a file that has them. */
-        protected var cooked:CookedFile = null;
-        protected var frame:SourceFrame = null;
+        // Of a cooked file: its results, and the model's place in its source if the vertices are in that place.
+        private var _cooked:CookedFile = null;
+        private var _frame:SourceFrame = null;
 
         private var _shape:NormalisedShape = null;
 
         /**
          * @param name the model's name
-         * @param budget what reading the file may cost
          * @param upAxis "x", "y", "z" or a ModelTransform
          * @throws ModelError if the up axis is none of these
          */
-        public function ModelReader(name:String, budget:ModelBudget, upAxis:Object = "z")
+        public function ModelReader(name:String, upAxis:Object = "z")
         {
-            this.budget = budget;
             this.name = name;
-            transform = upAxis as ModelTransform;
-            this.upAxis = transform == null ? String(upAxis) : "z";
-            refuseIf(this.upAxis != "x" && this.upAxis != "y" && this.upAxis != "z", name,
+            _transform = upAxis as ModelTransform;
+            _upAxis = _transform == null ? String(upAxis) : "z";
+            refuseIf(_upAxis != "x" && _upAxis != "y" && _upAxis != "z", name,
                     "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not " + (upAxis is String ? "\"" + upAxis + "\"" : upAxis));
         }
 
         /** Adds the steps that turn and scale what is read, and returns the reader. @param scaling as for Model's constructor */
         public final function shaped(scaling:String):ModelReader
         {
-            this.scaling = scaling;
+            _scaling = scaling;
             begin(normalising).begin(labelling);
             return this;
         }
@@ -83,8 +78,8 @@ package starlogo.models
         /** When no step is left: the shape that <code>shaped()</code> asked for, for Model's constructor. */
         public final function get shape():Steps
         {
-            _shape.cooked = cooked;
-            _shape.frame = frame || _shape.frame;
+            _shape.cooked = _cooked;
+            _shape.frame = _frame || _shape.frame;
             return _shape;
         }
 
@@ -96,26 +91,54 @@ package starlogo.models
         }
 
         /**
+         * Takes what a cooked file says about its source, instead of what the caller has asked for.
+         *
+         * @param cooked the file
+         * @param scaling as for Model's constructor
+         * @param transform null if there is none
+         * @param frame the model's place in its source; null if the vertices are the source's
+         */
+        protected final function takeCooked(cooked:CookedFile, scaling:String, transform:ModelTransform, frame:SourceFrame):void
+        {
+            _cooked = cooked;
+            _scaling = scaling;
+            _transform = transform;
+            _frame = frame;
+        }
+
+        /** The list for a mesh's vertices: the model's vertices, or the points that have no surface. */
+        protected final function verticesFor(hasSurface:Boolean):Vector.<Number>
+        {
+            return hasSurface ? vertices : _loosePoints;
+        }
+
+        /**
          * Takes the loose points if there are no vertices. Throws if there are no loose points either. @param expected for the error: what
          * the file must have
          */
         protected final function takeVertices(expected:String):void
         {
-            vertices = vertices.length == 0 ? loosePoints : vertices;
+            vertices = vertices.length == 0 ? _loosePoints : vertices;
             refuseIf(vertices.length == 0, name, "no vertices: expected " + expected);
         }
 
         /** The steps that turn the vertices to z up. */
         protected final function turningUp():Steps
         {
-            return upAxis == "z" ? null : turnUp.placing(vertices);
+            return _upAxis == "z" ? null : turnUp.placing(vertices);
+        }
+
+        /** The turn to z up, from the axis that the caller has named. */
+        protected final function get turnUp():AffineTransform
+        {
+            return turnFrom(_upAxis);
         }
 
         /**
          * The turn to z up. If y is up, the file's -z becomes y. If x is up, -y becomes x and -z becomes y. (The COLLADA specification's
          * table for up_axis gives the right and inward axes.)
          */
-        protected final function get turnUp():AffineTransform
+        protected static function turnFrom(upAxis:String):AffineTransform
         {
             switch (upAxis)
             {
@@ -130,7 +153,7 @@ package starlogo.models
 
         private function normalising():Steps
         {
-            _shape = new NormalisedShape(name, vertices, triangles, frame == null ? scaling : Model.AS_GIVEN, transform, unit);
+            _shape = new NormalisedShape(name, vertices, triangles, _frame == null ? _scaling : Model.AS_GIVEN, _transform, unit);
             return _shape;
         }
 

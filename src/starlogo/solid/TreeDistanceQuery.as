@@ -70,7 +70,7 @@ package starlogo.solid
                 measureTree(pair.a, pair.depthA, pair.b, pair.depthB, pair.isExact);
             }
             out.copyPoints(_boxes.points);
-            out.distance = _boxes.least * pair.placementA.size;
+            out.distance = _boxes.bounds.least * pair.placementA.size;
             // a point of both is known already if the measured distance is 0
             var isPointNeeded:Boolean = areTouching && out.distance > 0;
             var placement:Placement = isPointNeeded ? _overlaps.findCommonPoint(pair, out) : pair.placementA;

@@ -180,7 +180,7 @@ package starlogo.solid
             if (b != null)
             {
                 _boxes.find(_pose, a.tree, pair.depthA, b.tree, pair.depthB, isExact ? _trianglePairs.begin(a, b, _pose) : null);
-                _pose.motion.time = _boxes.least;
+                _pose.motion.time = _boxes.bounds.least;
                 return;
             }
             if (isExact)
@@ -195,7 +195,7 @@ package starlogo.solid
             }
             _leaf.begin(pair.structureB, _pose);
             _boxes.find(_leaf.pose, a.tree, pair.depthA, _leaf.tree, 1, isExact ? _triangles : _leaf.decider);
-            _pose.motion.time = _boxes.least;
+            _pose.motion.time = _boxes.bounds.least;
         }
 
         // The contact of the two that findFirstParts has found, at the motion's time.

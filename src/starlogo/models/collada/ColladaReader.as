@@ -19,6 +19,10 @@ package starlogo.models.collada
         private static const VERTICES_PER_STEP:int = 3000;
         private static const TRIANGLES_PER_STEP:int = 5000;
 
+        // whether the caller has named the up axis
+        private var _isAxisNamed:Boolean;
+
+        private var _budget:ModelBudget;
         private var _xml:XmlReader;
         private var _document:ColladaDocument = null;
         private var _scene:ColladaScene = null;
@@ -31,21 +35,21 @@ package starlogo.models.collada
          */
         public function ColladaReader(name:String, source:String, upAxis:Object)
         {
-            super(name, new ModelBudget(name, source == null ? 0 : source.length), upAxis == null ? "z" : upAxis);
+            super(name, upAxis == null ? "z" : upAxis);
             refuseIf(source == null, name, "there is no text to read");
-            this.upAxis = upAxis == null ? null : this.upAxis;
-            _xml = new XmlReader(source, budget);
+            _isAxisNamed = upAxis != null;
+            _budget = new ModelBudget(name, source.length);
+            _xml = new XmlReader(source, _budget);
             add(_xml).begin(walking).beginEach(readingNext);
         }
 
         private function walking():Steps
         {
-            _document = new ColladaDocument(budget, _xml);
+            _document = new ColladaDocument(_budget, _xml);
             _xml = null;
             var asset:ColladaElement = _document.root.child("asset");
-            upAxis ||= upAxisOf(asset);
             unit = unitOf(asset);
-            _scene = new ColladaScene(_document, turnUp);
+            _scene = new ColladaScene(_document, _isAxisNamed ? turnUp : turnFrom(upAxisOf(asset)));
             return _scene;
         }
 
@@ -64,7 +68,7 @@ package starlogo.models.collada
                 {
                     _instance++;
                     progress = 0.9 * _instance / _scene.instances.length;
-                    return placing(mesh, instance, mesh.hasSurfaces ? vertices : loosePoints);
+                    return placing(mesh, instance, verticesFor(mesh.hasSurfaces));
                 });
         }
 
@@ -77,8 +81,7 @@ package starlogo.models.collada
             var firstCorner:int = triangles.length;
             var vertexCount:int = mesh.vertices.length / 3;
             var triangleCount:int = mesh.triangles.length / 3;
-            budget.require(ModelBudget.VERTICES, firstVertex + vertexCount, instance.element);
-            budget.require(ModelBudget.TRIANGLES, firstCorner / 3 + triangleCount, instance.element);
+            _budget.requireMesh(firstVertex + vertexCount, firstCorner / 3 + triangleCount, instance.element);
             if (triangleCount > 0)
             {
                 addLabels(mesh.symbols, instance, firstCorner / 3);

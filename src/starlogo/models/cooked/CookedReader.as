@@ -29,6 +29,7 @@ package starlogo.models.cooked
         private static const CORNERS_PER_STEP:int = 4500;
 
         private var _asked:Fingerprint;
+        private var _file:CookedFile;
         private var _bytes:ByteArray;
 
         /**
@@ -38,10 +39,10 @@ package starlogo.models.cooked
          */
         public function CookedReader(name:String, bytes:ByteArray, asked:Fingerprint = null)
         {
-            super(name, new ModelBudget(name, ModelBudget.BYTES));
+            super(name);
             _asked = asked;
-            cooked = new CookedFile(bytes);
-            add(cooked).begin(reading);
+            _file = new CookedFile(bytes);
+            add(_file).begin(reading);
         }
 
         /** @inheritDoc */
@@ -61,26 +62,24 @@ package starlogo.models.cooked
         // Reads the head. The work that it returns reads the numbers.
         private function reading():Steps
         {
-            refuseIf(_asked != null && cooked.isWhole && !cooked.isFor(_asked), name, "the cooked file is for another up axis, transform or scaling");
-            _bytes = cooked.section(CookedFile.MODEL, null);
-            refuseIf(cooked.isOfOtherVersion, name, "the cooked file is of another version of the engine: cook it again");
+            refuseIf(_asked != null && _file.isWhole && !_file.isFor(_asked), name, "the cooked file is for another up axis, transform or scaling");
+            _bytes = _file.section(CookedFile.MODEL, null);
+            refuseIf(_file.isOfOtherVersion, name, "the cooked file is of another version of the engine: cook it again");
             refuseIf(_bytes == null, name, "the cooked file is damaged: cook it again");
-            scaling = Model.SCALINGS[readCount(Model.SCALINGS.length - 1)];
+            var scaling:String = Model.SCALINGS[readCount(Model.SCALINGS.length - 1)];
             var form:int = readCount(CookedShape.DOUBLE);
             var hasTransform:Boolean = readCount(1) == 1;
             var vertexCount:int = readCount(int.MAX_VALUE);
             var triangleCount:int = readCount(int.MAX_VALUE);
-            budget.require(ModelBudget.VERTICES, vertexCount);
-            budget.require(ModelBudget.TRIANGLES, triangleCount);
-            if (hasTransform)
-            {
-                transform = readTransform();
-            }
+            new ModelBudget(name, ModelBudget.BYTES).requireMesh(vertexCount, triangleCount);
+            var transform:ModelTransform = hasTransform ? readTransform() : null;
+            var frame:SourceFrame = null;
             if (form == CookedShape.DOUBLE)
             {
                 frame = SourceFrame.read(_bytes, scaling);
                 refuseIf(frame == null, name, "the cooked file does not have the model's place in its source");
             }
+            takeCooked(_file, scaling, transform, frame);
             refuseIf(vertexCount == 0, name, "the cooked file has no vertices");
             // Each number takes at least one byte. A declared count is not trusted: memory is reserved only for data that is present.
             refuseIf(_bytes.bytesAvailable < 3 * (vertexCount + triangleCount), name, "the cooked file has fewer bytes than it says");

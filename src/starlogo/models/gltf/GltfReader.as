@@ -28,7 +28,7 @@ package starlogo.models.gltf
          */
         public function GltfReader(name:String, file:GltfFile, upAxis:Object, pose:GltfPose = null)
         {
-            super(name, file.budget, upAxis == null ? "y" : upAxis);
+            super(name, upAxis == null ? "y" : upAxis);
             _file = file;
             _pose = pose;
             begin(walking).beginEach(readingNext).begin(droppingUnused);
@@ -66,7 +66,7 @@ package starlogo.models.gltf
             var next:int = 0;
             return new StepSequence().beginEach(function():Steps
                 {
-                    budget.take(ModelBudget.THINGS, 1 + weights.length, place);
+                    _file.budget.take(ModelBudget.THINGS, 1 + weights.length, place);
                     if (next == primitives.length)
                     {
                         _node++;
@@ -96,7 +96,7 @@ package starlogo.models.gltf
             var isPlain:Boolean = json.listIn(primitive, "targets", place).length == 0 && attributes.JOINTS_0 === undefined;
             var key:String = "#" + position + hasSurface + (isPlain ? "" : "," + place);
             var points:GltfVertices = placed[key] ||= new GltfVertices(_file, _scene, node, primitive, place, weights, source,
-                    hasSurface ? vertices : loosePoints);
+                    verticesFor(hasSurface));
             work.add(points);
             if (hasSurface)
             {

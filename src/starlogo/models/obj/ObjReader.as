@@ -2,7 +2,9 @@ package starlogo.models.obj
 {
     import starlogo.models.Decimal;
     import starlogo.models.LineReader;
+    import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
+    import starlogo.models.ModelReader;
     import starlogo.models.TextTokens;
     import starlogo.models.TriangleRuns;
     import starlogo.models.VertexFilter;
@@ -15,11 +17,13 @@ package starlogo.models.obj
      *
      * @private
      */
-    public final class ObjReader extends LineReader
+    public final class ObjReader extends ModelReader
     {
         private static const POLYGONS_PER_STEP:int = 100;
         private static const CORNERS_PER_STEP:int = 1500;
 
+        private var _lines:LineReader;
+        private var _budget:ModelBudget;
         private var _isUsed:Vector.<uint> = null;
 
         // Faces with more than three corners are kept here until all vertices are known.
@@ -44,22 +48,28 @@ package starlogo.models.obj
          */
         public function ObjReader(name:String, source:String, upAxis:Object)
         {
-            super(name, source == null ? 0 : source.length, upAxis);
+            super(name, upAxis);
             refuseIf(source == null, name, "there is no text to read");
             refuseIf(source.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
-            _triangulator = new Triangulator(budget, vertices, triangles);
-            readLines(source);
-            call(checkIndices).repeat(_triangulator.cuttingBetween(cutPolygons)).begin(droppingUnused).begin(turningUp);
+            _lines = new LineReader(name, source);
+            _budget = new ModelBudget(name, source.length);
+            _triangulator = new Triangulator(_budget, vertices, triangles);
+            repeat(readSome).call(checkIndices).repeat(_triangulator.cuttingBetween(cutPolygons)).begin(droppingUnused).begin(turningUp);
         }
 
-        /** @inheritDoc */
-        override protected function get triangleCount():int
+        private function readSome():Boolean
         {
-            return triangles.length / 3 + _polygonTriangles;
+            _lines.begin();
+            for (var word:String = _lines.nextStatement(); word != null; word = _lines.nextStatement())
+            {
+                readStatement(word);
+            }
+            _budget.requireMesh(vertices.length / 3, triangles.length / 3 + _polygonTriangles, _lines.place);
+            progress = 0.9 * _lines.progress;
+            return _lines.hasMore;
         }
 
-        /** @inheritDoc */
-        override protected function readStatement(word:String):void
+        private function readStatement(word:String):void
         {
             if (word == "v")
             {
@@ -81,21 +91,21 @@ package starlogo.models.obj
             }
             else
             {
-                skipStatement();
+                _lines.skipStatement();
             }
         }
 
         // The number of the name in the rest of a statement; -1 if there is no name.
         private function readLabel(runs:TriangleRuns):int
         {
-            var label:String = restOfStatement().join(" ");
+            var label:String = _lines.restOfStatement().join(" ");
             return label == "" ? -1 : runs.numberOf(label, label);
         }
 
         private function readVertex():void
         {
-            var all:Array = words;
-            var at:int = next;
+            var all:Array = _lines.words;
+            var at:int = _lines.next;
             var x:Number = Decimal.of(all[at]);
             var y:Number = Decimal.of(all[int(at + 1)]);
             var z:Number = Decimal.of(all[int(at + 2)]);
@@ -105,17 +115,17 @@ package starlogo.models.obj
                 return;
             }
             vertices.push(x, y, z);
-            next = at + 3;
-            if (all[next] != END)
+            _lines.next = at + 3;
+            if (all[at + 3] != LineReader.END)
             {
-                skipStatement();
+                _lines.skipStatement();
             }
         }
 
         private function readUnusualVertex():void
         {
-            var first:int = line;
-            var rest:Array = restOfStatement();
+            var first:int = _lines.line;
+            var rest:Array = _lines.restOfStatement();
             for (var i:int = 0; i < 3; i++)
             {
                 var coordinate:Number = i < rest.length ? TextTokens.toNumber(rest[i]) : NaN;
@@ -129,26 +139,27 @@ package starlogo.models.obj
 
         private function readFace():void
         {
-            var all:Array = words;
+            var lines:LineReader = _lines;
+            var all:Array = lines.words;
             var count:int = 0;
-            var word:String = all[next];
-            while (word != END)
+            var word:String = all[lines.next];
+            while (word != LineReader.END)
             {
-                var index:int = word == CONTINUED || word.charCodeAt(0) == 0x23 ? -1 : cornerOf(word);
+                var index:int = word == LineReader.CONTINUED || word.charCodeAt(0) == 0x23 ? -1 : cornerOf(word);
                 if (index >= 0)
                 {
                     _corners[count++] = index;
                 }
-                else if (word == CONTINUED)
+                else if (word == LineReader.CONTINUED)
                 {
-                    line++;
+                    lines.line++;
                 }
                 else
                 {
-                    skipStatement();
+                    _lines.skipStatement();
                     break;
                 }
-                word = all[++next];
+                word = all[++lines.next];
             }
             addFace(count);
         }
@@ -175,19 +186,19 @@ package starlogo.models.obj
             var index:int = int(value);
             if (index != value || index == 0)
             {
-                throw errorAt(line, "expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
+                throw errorAt(_lines.line, "expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
                         TextTokens.shorten(word) + "\"");
             }
             index = index > 0 ? index - 1 : vertices.length / 3 + index;
             if (index < 0)
             {
-                throw errorAt(line, "the corner \"" + TextTokens.shorten(word) +
+                throw errorAt(_lines.line, "the corner \"" + TextTokens.shorten(word) +
                         "\" counts back beyond the first vertex: there are " + vertices.length / 3 + " before it");
             }
             if (index > _highestIndex)
             {
                 _highestIndex = index;
-                _highestLine = line;
+                _highestLine = _lines.line;
             }
             return index;
         }
@@ -196,7 +207,7 @@ package starlogo.models.obj
         {
             var vertexCount:int = vertices.length / 3;
             refuseIf(vertexCount == 0, name, "no vertices: expected lines such as \"v 1 2 3\"");
-            refuseIf(_highestIndex >= vertexCount, name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, placeOf(_highestLine));
+            refuseIf(_highestIndex >= vertexCount, name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, LineReader.placeOf(_highestLine));
             _isUsed = new Vector.<uint>(vertexCount);
         }
 
@@ -228,7 +239,7 @@ package starlogo.models.obj
 
         private function errorAt(line:int, problem:String):ModelError
         {
-            return new ModelError(name, placeOf(line), problem);
+            return new ModelError(name, LineReader.placeOf(line), problem);
         }
     }
 }

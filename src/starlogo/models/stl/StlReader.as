@@ -8,6 +8,7 @@ package starlogo.models.stl
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
     import starlogo.models.ModelFile;
+    import starlogo.models.ModelReader;
     import starlogo.models.TextTokens;
     import starlogo.models.refuseIf;
 
@@ -16,7 +17,7 @@ package starlogo.models.stl
      *
      * @private
      */
-    public final class StlReader extends LineReader
+    public final class StlReader extends ModelReader
     {
         private static const HEADER_LENGTH:int = 84;
         private static const COUNT_PLACE:int = 80;
@@ -24,11 +25,15 @@ package starlogo.models.stl
         private static const NORMAL_LENGTH:int = 12;
         private static const FACETS_PER_STEP:int = 300;
 
+        private var _budget:ModelBudget;
         private var _points:PointTable;
 
         // of a binary file
         private var _bytes:ByteArray;
         private var _count:int;
+
+        // of a text file
+        private var _lines:LineReader = null;
 
         // of a text file: the number of corners of the present facet so far
         private var _corners:int = 0;
@@ -41,21 +46,23 @@ package starlogo.models.stl
          */
         public function StlReader(name:String, bytes:ByteArray, text:String, upAxis:Object)
         {
-            super(name, bytes == null ? text.length : bytes.length, upAxis);
+            super(name, upAxis);
+            _budget = new ModelBudget(name, bytes == null ? text.length : bytes.length);
             _bytes = bytes;
             if (bytes != null)
             {
                 ModelFile.checkSize(name, bytes);
                 bytes.endian = Endian.LITTLE_ENDIAN;
                 _count = countIn(bytes);
-                budget.require(ModelBudget.TRIANGLES, _count);
+                _budget.require(ModelBudget.TRIANGLES, _count);
                 _points = new PointTable(Math.min(3 * _count, ModelBudget.MOST_VERTICES));
                 slices(_count, FACETS_PER_STEP, readFacets);
             }
             else
             {
                 _points = new PointTable(Math.min(text.length / 20, ModelBudget.MOST_VERTICES));
-                readLines(text);
+                _lines = new LineReader(name, text);
+                repeat(readSome);
             }
             vertices = _points.coordinates;
             call(checkEnd).begin(turningUp);
@@ -108,49 +115,61 @@ package starlogo.models.stl
                 }
                 place += FACET_LENGTH;
             }
-            checkLimits("triangle " + end);
+            _budget.requireMesh(vertices.length / 3, triangles.length / 3, "triangle " + end);
             progress = 0.9 * end / Math.max(1, _count);
         }
 
-        /** @inheritDoc */
-        override protected function readStatement(word:String):void
+        private function readSome():Boolean
+        {
+            _lines.begin();
+            for (var word:String = _lines.nextStatement(); word != null; word = _lines.nextStatement())
+            {
+                readStatement(word);
+            }
+            _budget.requireMesh(vertices.length / 3, triangles.length / 3, _lines.place);
+            progress = 0.9 * _lines.progress;
+            return _lines.hasMore;
+        }
+
+        private function readStatement(word:String):void
         {
             switch (word.toLowerCase().replace("endsolid", "solid"))
             {
                 case "solid":
-                    skipStatement();
+                    _lines.skipStatement();
                     break;
                 case "vertex":
                     readVertex();
                     break;
                 case "endloop":
-                    refuseIf(_corners != 3, name, "expected a facet of three vertices, but found " + _corners, placeOf(line));
+                    refuseIf(_corners != 3, name, "expected a facet of three vertices, but found " + _corners, _lines.place);
                     _corners = 0;
                     break;
                 case "outer":
-                    refuseIf(_corners != 0, name, "a loop begins before the last one has ended", placeOf(line));
+                    refuseIf(_corners != 0, name, "a loop begins before the last one has ended", _lines.place);
             }
         }
 
         private function readVertex():void
         {
-            var at:int = next;
+            var words:Array = _lines.words;
+            var at:int = _lines.next;
             var x:Number = Decimal.of(words[at]);
             var y:Number = Decimal.of(words[int(at + 1)]);
             var z:Number = Decimal.of(words[int(at + 2)]);
             if (x - x + y - y + z - z != 0 || _corners == 3)
             {
-                throw new ModelError(name, placeOf(line), _corners == 3 ? "a facet has more than three vertices"
-                        : "expected a vertex, three finite numbers, but found \"" + TextTokens.shorten(restOfStatement().join(" ")) + "\"");
+                throw new ModelError(name, _lines.place, _corners == 3 ? "a facet has more than three vertices"
+                        : "expected a vertex, three finite numbers, but found \"" + TextTokens.shorten(_lines.restOfStatement().join(" ")) + "\"");
             }
             triangles.push(_points.indexOf(x, y, z));
-            next = at + 3;
+            _lines.next = at + 3;
             _corners++;
         }
 
         private function checkEnd():void
         {
-            refuseIf(_corners != 0, name, "the file is cut off: a facet has no end", placeOf(line));
+            refuseIf(_corners != 0, name, "the file is cut off: a facet has no end", _lines == null ? "" : _lines.place);
             takeVertices("facets");
         }
     }

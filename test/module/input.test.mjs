@@ -541,7 +541,7 @@ test("JSON and tools see what an object is like, and nothing of what is inside",
 	collision.update(agents);
 	const [agent] = agents;
 	assert.deepEqual(JSON.parse(JSON.stringify(agent)), {
-		id: agent.id, breed: "turtles", shape: "sphere", x: 0, y: 0, z: 0, heading: 0, pitch: 0, roll: 0, size: 1, color: 0, hierarchical: false, traversalDepth: 0, collideAs: "tightest", sweeps: false,
+		id: agent.id, breed: "turtles", shape: "sphere", x: 0, y: 0, z: 0, heading: 0, pitch: 0, roll: 0, size: 1, color: 0, hierarchical: false, traversalDepth: 0, collideAs: "tightest", sweeps: false, isOneWay: false,
 	});
 	for (const object of [agent, collision, collision.collisionSystem, land, land.hierarchies, collision.statistics, new ModelLoader(land)]) {
 		for (const options of [{}, { depth: 10 }, { showHidden: true, depth: 10 }]) {

@@ -19,8 +19,8 @@ package starlogo.broadphase
         // Extents that fit the level store this number.
         internal var number:int;
 
-        // A power of two, in patches. The widest members are at most this wide, and no member is narrower than half of it, unless it is far
-        // out. Cells are a little wider. So two members that touch are in the same cell or in neighbouring cells.
+        // A power of two, in patches. The widest members are at most this wide. No member is narrower than half of it, unless it is far
+        // out or the level is the finest. Cells are a little wider. So two members that touch are in the same cell or in neighbouring cells.
         internal var width:Number;
         internal var cellsPerPatch:Number;
 
@@ -31,7 +31,7 @@ package starlogo.broadphase
         /** Two extents may be this far apart, in patches, and still be a pair. Rounding errors are smaller than this everywhere in reach. */
         public var slack:Number;
 
-        // the number of members in this search, and the index of the first cell's counter
+        // the number of members in the last search, and in CellLists since; and the index of the first cell's counter
         internal var count:int;
         internal var base:int;
 

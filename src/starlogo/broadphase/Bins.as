@@ -17,7 +17,8 @@ package starlogo.broadphase
      * members. A cell's number is a hash. The number of cell counters depends on the number of members, not on the size of the world. Cells
      * far from each other may share a number, which only costs time. Cells that one pair can reach never share a number.</p>
      *
-     * <p>The bins do not know how the pairs are used. They keep nothing between searches except allocated memory. The time of a search is
+     * <p>The bins do not know how the pairs are used. Each search begins anew; CellLists reads where the last one put its
+     * cells. The time of a search is
      * proportional to the number of members and overlapping pairs, the memory to the number of members. After the first search nothing is
      * allocated.</p>
      *

@@ -16,7 +16,7 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * The base class of the engine's four collision systems. It finds collisions between the shapes that a ShapeChoice gives to agents.
+     * The base class of the engine's four collision systems. It finds collisions between the shapes that an AgentShapes gives to agents.
      *
      * <p>It tests only agents that are near each other on the ground plane (thesis §3.7), each pair once. A frame takes time in proportion to the
      * number of agents and of pairs that overlap on the ground plane. The memory is in proportion to the number of agents. After the first frame it
@@ -36,7 +36,7 @@ package starlogo.collision
         private static const SEARCHING:int = 1;
         private static const HANDLING:int = 2;
 
-        /** @private Chooses the shapes of agents, for questions too. */
+        /** @private Chooses the shapes of agents. */
         engine var choice:AgentShapes;
 
         /** @private Tests pairs of agents, for questions too. */
@@ -64,7 +64,7 @@ package starlogo.collision
         /**
          * Creates a collider.
          *
-         * @param choice chooses the shapes that represent agents: a ShapeChoice
+         * @param choice chooses the shapes that represent agents
          */
         public function Collider(choice:AgentShapes)
         {

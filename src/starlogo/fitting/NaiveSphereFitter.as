@@ -4,8 +4,8 @@ package starlogo.fitting
     import starlogo.geometry.VertexBounds;
 
     /**
-     * Finds the bounding sphere around the middle of the axis-aligned box (thesis §3.4.1, the naive algorithm), in two passes over the
-     * vertices. Its radius is at most 1.73 times the smallest, and usually much closer.
+     * Finds the bounding sphere around the middle of the axis-aligned box (thesis §3.4.1, the naive algorithm), in a pass over the
+     * vertices and one over their extreme points. Its radius is at most 1.73 times the smallest, and usually much closer.
      */
     public final class NaiveSphereFitter extends Fitter
     {

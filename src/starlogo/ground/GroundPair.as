@@ -77,7 +77,7 @@ package starlogo.ground
             _pieces.setTo(grid, tree, structure, placement, depth, exact);
         }
 
-        /** Whether a piece of the model overlaps the surface by more than a depth, or is wholly under the ground. */
+        /** Whether a piece of the model overlaps the surface by more than a depth, or a point of it is as deep under the ground. */
         public function isDeeper(depth:Number):Boolean
         {
             _pieces.begin(RelativeMotion.NONE, 0);

@@ -12,7 +12,7 @@ package starlogo.hierarchy
      *
      * <p>In the first model's space, its own boxes are axis-aligned, and all boxes of the second have the same rotation. So a pair of boxes
      * takes a few products (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996; Ericson, "Real-Time Collision Detection", §4.4.1). If
-     * two nodes overlap, the larger one is divided, and the child nearer to the other node is visited first. The axes of the edges are
+     * two nodes overlap, the larger one is divided, or deep down both, and the child nearer to the other node is visited first. The axes of the edges are
      * tried only for pairs whose boxes decide. Higher up, the next boxes separate most of what these axes would separate (van den Bergen,
      * "Efficient collision detection of complex deformable models using AABB trees", 1997).</p>
      *
@@ -38,7 +38,7 @@ package starlogo.hierarchy
          *
          * <p>All of b's numbers are scaled. So are the entries of its rotation (m00 ...) and their absolute values (abs00 ...). The
          * absolute values are larger by a rounding error, because cross products of nearly parallel edges cancel. All values are locals,
-         * and the only call is to the test of leaves.</p>
+         * and the calls are to the test of leaves and for the axis of a node.</p>
          *
          * @param pose the pose of the second tree's nodes in the first model's space
          * @param treeA the first tree

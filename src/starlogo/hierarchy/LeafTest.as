@@ -5,8 +5,8 @@ package starlogo.hierarchy
     import starlogo.intersection.TriangleTest;
 
     /**
-     * Decides about two leaves by their contents: whether they touch, when they touch, or how far they are apart. Abstract: a lower package
-     * defines the contents. <code>least</code> is the best time or distance so far. It is not used for models that stand still.
+     * Decides about two leaves by their contents: whether they touch, when they touch, or how far they are apart. Abstract: subclasses
+     * know the contents. <code>least</code> is the best time or distance so far.
      *
      * @private
      */

@@ -10,8 +10,8 @@ package starlogo.hierarchy
      * below it can be better than the best pair so far. The nodes that decide are leaves or at their depth limit.
      *
      * <p>Which pair is best depends on the question, and each question has a subclass: when two moving trees first touch, how far two trees
-     * are apart, where a ray first meets a tree. Whether two standing trees overlap needs no bounds: see BoxTraversal. A sphere, capsule or
-     * box is a tree of one node: see StructureLeaf.</p>
+     * are apart, where a ray first meets a tree. Whether two standing trees overlap needs no bounds: see BoxTraversal. A structure is a
+     * tree of one node: see StructureLeaf.</p>
      *
      * @private
      */

@@ -59,7 +59,7 @@ package starlogo.hierarchy
         }
 
         // Sets the bound to the first time at which no face separates two boxes. If withEdges is true, no edge separates them then either.
-        // If that time is not before the least time, sets the bound to RelativeMotion.NEVER.
+        // If that time is after the least time, sets the bound to RelativeMotion.NEVER.
         private function sweep(a:int, b:int, withEdges:Boolean, out:NodePairBounds):void
         {
             var boxes:BoxSweep = _sweep;

@@ -7,7 +7,7 @@ package starlogo.intersection
 
     /**
      * Finds the kernel of a pair of structures by their two kinds. The convex core tests every pair
-     * with a kind from HULL on.
+     * with a hull.
      *
      * <p>The package intersection says how two structures meet: whether they touch (<code>intersects()</code>), when they first do
      * (<code>sweep</code>), how they overlap (<code>contact</code>), how far apart they are (<code>distance</code>), and where a ray meets one

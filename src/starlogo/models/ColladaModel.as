@@ -12,7 +12,7 @@ package starlogo.models
      * document has no scene, all geometries of its library are read.</p>
      *
      * <p>The document's up axis is turned to z. The reader recognises elements by their names, in any namespace or none. Numbers may have
-     * a decimal comma. The unit is ignored, because a model is scaled anyway. The unit and up axis that single elements have of their own,
+     * a decimal comma. The unit counts if the model is not scaled (<code>Model.AS_GIVEN</code>). The unit and up axis that single elements have of their own,
      * lights, cameras, animations, splines and solids are ignored too. A reference into another document is an error.</p>
      *
      * <p>Each geometry that a node places is a mesh with the node's name. A material is the one that is bound to the symbol of a primitive, and

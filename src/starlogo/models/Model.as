@@ -66,7 +66,7 @@ package starlogo.models
         private var _materials:TriangleLabels;
         private var _meshes:TriangleLabels;
 
-        // What is told about each pose, and the vertices of the next one until they are checked. Null before they are first needed.
+        // What is told about each pose, and the vertices of the next one until they are checked, null before the first.
         private var _listeners:Vector.<PoseListener> = new Vector.<PoseListener>();
         private var _posed:Vector.<Number> = null;
 
@@ -138,7 +138,7 @@ package starlogo.models
             return _materials == null ? null : _materials.numbers;
         }
 
-        /** The name of each material, by its number; null for a material without a name. Null if there are no names. Do not change it. */
+        /** The name of each material, by its number; null for a material without a name. Null if nothing gave names. Do not change it. */
         public function get materialNames():Vector.<String>
         {
             return _materials == null ? null : _materials.names;
@@ -150,7 +150,7 @@ package starlogo.models
             return _meshes == null ? null : _meshes.numbers;
         }
 
-        /** The name of each mesh, by its number; null for a mesh without a name. Null if there are no names. Do not change it. */
+        /** The name of each mesh, by its number; null for a mesh without a name. Null if nothing gave names. Do not change it. */
         public function get meshNames():Vector.<String>
         {
             return _meshes == null ? null : _meshes.names;
@@ -216,14 +216,14 @@ package starlogo.models
          * vertices themselves give the first shape again, but for rounding.</p>
          *
          * <p>All agents with the model have the new shape from the next <code>update()</code> on, in each GreatLand to which the model was
-         * added. <code>areColliding()</code> sees it at once. Hierarchies keep their division and get new boxes. Exact colliders test the new triangles. Bounding structures stay as they are,
-         * because fitting them takes much longer. To fit them to the pose, call
+         * added. <code>areColliding()</code> sees it at once. Hierarchies keep their division and get new boxes. Exact colliders test the new
+         * triangles. Bounding structures stay as they are, because fitting them takes much longer. To fit them to the pose, call
          * <code>greatLand.boundingStructures.add(model.name, model.vertices)</code>. Until then colliders that use structures have the old
          * ones. The order of the vertices must not change. A pose that is very different from the first one makes tests slower, but not
          * wrong.</p>
          *
          * <p>If it throws, nothing has changed. Cost: linear in the numbers of vertices and triangles, a small part of the time in which the
-         * hierarchy is built. It allocates nothing after the first time. What is inside of the surface is prepared again when it is next
+         * hierarchy is built. It allocates a few records. What is inside of the surface is prepared again when it is next
          * needed, which takes longer.</p>
          *
          * @param vertices x, y, z of each vertex, in the order of the model's vertices; is neither kept nor changed

@@ -10,7 +10,7 @@ package starlogo.models
         /** The number of each triangle; -1 for none. */
         public var numbers:Vector.<int>;
 
-        /** The name of each number, or null for a number without a name. Null if no number has a name. */
+        /** The name of each number, or null for a number without a name. Null if nothing gave names. */
         public var names:Vector.<String>;
 
         public function TriangleLabels(numbers:Vector.<int>, names:Vector.<String>)

@@ -271,7 +271,8 @@ package starlogo.queries
         }
 
         /**
-         * Whether an agent touches another: whether <code>touching()</code> would list any agent. The search ends at the first one.
+         * Whether an agent touches another: whether <code>touching()</code> would list any agent. The search ends at the first one, but with
+         * <code>accepts</code> it finds all first.
          *
          * @param agent the agent that asks. Its shape is read now too
          * @param filter the agents that count; null for all. <code>accepts</code> is called for the agents that it touches, beginning with the
@@ -580,7 +581,7 @@ package starlogo.queries
         /**
          * Moves an agent, and lets it slide along what it touches. It begins like <code>moveUntilTouch()</code>. When the agent touches another,
          * the rest of the motion is projected on the plane of the contact, or on the line where two such planes meet. All contacts of this
-         * motion count, so the agent stops in a corner. If there is room, it ends a clearance (1e-10 of its extent) away from what it touches,
+         * motion count, so the agent stops in a corner. If there is room, it ends a clearance (1e-10 of its extent and more) away from what it touches,
          * so that the next motion along it is free.
          *
          * @param agent the agent that moves

@@ -9,7 +9,7 @@ package starlogo.queries
     /**
      * The breeds of the rows in each node of a tree, so that a search for a rare breed skips the nodes without it.
      *
-     * <p>The nodes learn them when searches have passed over as many rows of other breeds as the tree has, and forget them when an agent gets
+     * <p>The nodes learn them when searches have passed over as many rows that do not count as the tree has, and forget them when an agent gets
      * another breed. So they cost a game without such searches nothing, and take no longer than the searches do.</p>
      *
      * @private
@@ -22,7 +22,7 @@ package starlogo.queries
         // A set has a bit for each breed. Breeds with the same remainder share one.
         private static const BITS:int = 32;
 
-        // How many rows of other breeds searches have tested since the nodes learned their breeds, or the tree was built.
+        // How many rows that do not count searches have tested since the nodes learned their breeds, or the tree was built.
         private var _passedOver:int = 0;
 
         // By node: the set of its rows' breeds; and what Breeds.changes was when the nodes learned them, or -1.
@@ -55,13 +55,13 @@ package starlogo.queries
             return Breeds.count <= BITS;
         }
 
-        /** How many rows of breeds that do not count searches have tested since the nodes learned their breeds, or the tree was built. */
+        /** How many rows that do not count searches have tested since the nodes learned their breeds, or the tree was built. */
         public function get passedOver():int
         {
             return _passedOver;
         }
 
-        /** Counts rows of breeds that do not count. */
+        /** Counts rows that a filter does not let through, by their breeds or otherwise. */
         public function passOver(rows:int):void
         {
             _passedOver += rows;

@@ -146,7 +146,7 @@ package starlogo.queries
             return -1;
         }
 
-        /** Counts a row whose breed does not count. */
+        /** Counts a row that the filter does not let through. */
         public function passOver():void
         {
             _tree.breeds.passOver(1);

@@ -5,7 +5,7 @@ package starlogo.queries
     import starlogo.search.NumberList;
 
     /**
-     * The way of a body: what moves, where to, and what may be in the way. MoveQueries.findWay() writes it.
+     * The way of a body: what moves, where to, and what may be in the way. MoveQueries.findWay() and findWayWithin() write it.
      *
      * @private
      */

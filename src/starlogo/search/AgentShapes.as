@@ -26,8 +26,8 @@ package starlogo.search
         }
 
         /**
-         * @private Brings the tests of pairs that the shapes need, besides those of spheres. A game loads only the code of the tests that its
-         * shapes bring.
+         * @private Brings the tests of pairs that the shapes need, besides those of spheres and those that the collider has brought. A game
+         * loads only the code of the tests that are brought.
          */
         engine function prepare(narrowPhase:NarrowPhase):void
         {

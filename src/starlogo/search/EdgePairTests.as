@@ -15,8 +15,8 @@ package starlogo.search
      * Tests whether a body touches the edges of the world, when it touches them, and how. The edges are the second body of each pair. Motions
      * end where the first body is.
      *
-     * <p>An edge is a plane, so a body touches it if the farthest point of its shape does. Spheres, capsules and boxes reach to the ends of
-     * their extents. A tree may reach less far.</p>
+     * <p>An edge is a plane, so a body touches it if the farthest point of its shape does. Structures reach to the ends of their
+     * extents. A tree may reach less far.</p>
      *
      * <p>A body that touches several edges has one contact. Its depth is the length of the shortest way back from all of them. Its normal is
      * the direction of that way.</p>

@@ -18,7 +18,7 @@ package starlogo.search
      */
     internal final class KeptPairs
     {
-        // Pairs are kept if at most one row in OF_ALL has changed. If all shapes are spheres, or only some breeds have handlers, at most one row in
+        // Pairs are kept if at most one row in OF_ALL was read again or left. Those that the filter takes in or out do not count. If all shapes are spheres, or only some breeds have handlers, at most one row in
         // OF_FAST may have changed.
         private static const OF_ALL:int = 8;
         private static const OF_FAST:int = 20;

@@ -23,7 +23,8 @@ package starlogo.search
      * lifted. The shortest of these ways is taken if no push is shorter. One sweep down finds each lift, because all places above a
      * free one are free.</p>
      *
-     * <p>If no push is found, the shortest way out of the structures around both bodies gives the direction (DirectionSearch).</p>
+     * <p>The shortest way out of the structures around both bodies is tried too; if no push is found, it gives the direction
+     * (DirectionSearch).</p>
      *
      * @private
      */

@@ -37,7 +37,7 @@ package starlogo.search
         private var _count:int = 0;
         private var _current:int = -1;
 
-        // The new contact and those that decide about the current push, as half-spaces; how far a push has to go along their normals, by number;
+        // The new contact and those that decide about the current push, as half-spaces; their normals and how far a push has to go along them, by number;
         // and the shortest way out of them.
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
         private var _contacts:Vector.<Number> = new Vector.<Number>(16, true);

@@ -19,7 +19,7 @@ package starlogo.search
         /** Whether an agent of the list sweeps. */
         public var isSwept:Boolean = false;
 
-        /** How deep trees are tested; 0 if exactly, or if there are none. */
+        /** How deep trees are tested; 0 if exactly. */
         public var maxDepth:int = 0;
 
         /** Whether two searches of the same agents find the same pairs, if the same agents take part. */

@@ -29,7 +29,7 @@ package starlogo.search
             }
         }
 
-        /** @private The shapes may be spheres, boxes and capsules. */
+        /** @private The shapes may be structures of all kinds. */
         override engine function prepare(narrowPhase:NarrowPhase):void
         {
             StructurePairTests.bringTo(narrowPhase);

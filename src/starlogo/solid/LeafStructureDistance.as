@@ -10,7 +10,7 @@ package starlogo.solid
 
     use namespace engine;
 
-    /** Finds the distance of a solid sphere, capsule or box from the triangles in leaves. */
+    /** Finds the distance of a solid structure from the triangles in leaves. */
     internal final class LeafStructureDistance extends LeafTest
     {
         /** The index of the nearest triangle so far in the hierarchy's order, or -1. */

@@ -18,7 +18,7 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Decides whether a triangle of a model's leaf touches a solid sphere, capsule or box, or when it does so. The ground tests its triangles
+     * Decides whether a triangle of a model's leaf touches a solid structure, or when it does so. The ground tests its triangles
      * by the same ConvexTriangle. If the structure moves, separating axes rule out most triangles before.
      */
     internal final class LeafStructureTest extends LeafTest
@@ -109,7 +109,6 @@ package starlogo.solid
         private function prepareMotion():void
         {
             var motion:RelativeMotion = _motion;
-            var extents:Vector.<Number> = _extents;
             var margin:Number = Tolerances.EXTENTS * (boxes.halfX + boxes.halfY + boxes.halfZ + Math.abs(_core.x) + Math.abs(_core.y) + Math.abs(_core.z)
                     + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             _radius = _test.shape.radius + _test.shape.margin + margin;

@@ -154,7 +154,7 @@ package starlogo.solid
             }
         }
 
-        /** One more than the number of a triangle's piece, negative if the triangle is reversed; 0 without area. */
+        /** One more than the number of a triangle's piece, negative if the triangle is reversed; 0 if two of its corners are at one place. */
         public function sideOf(triangle:int):int
         {
             return surface.signedPieces[tree.order[triangle]];

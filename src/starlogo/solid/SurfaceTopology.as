@@ -32,7 +32,7 @@ package starlogo.solid
         public var parts:Vector.<int>;
 
         /**
-         * For each triangle, one more than the number of its piece, or 0 for a triangle without area. Pieces are connected over edges. The
+         * For each triangle, one more than the number of its piece, or 0 for a triangle with two corners at one place. Pieces are connected over edges. The
          * number is negative for triangles that have to be reversed, so that all of the piece have the same orientation.
          */
         public var signedPieces:Vector.<int>;

@@ -6,7 +6,7 @@ package starlogo.models.gltf
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
-    /** Adds the vertices of a primitive to a model, at the place of a node, in steps. They are morphed, and moved by their skin at rest. */
+    /** Adds the vertices of a primitive to a model, at the place of a node, in steps. They are morphed, and moved by their skin, at rest or in a pose. */
     internal final class GltfVertices extends StepSequence
     {
         private static const VERTICES_PER_STEP:int = 4000;

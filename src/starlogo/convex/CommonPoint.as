@@ -24,8 +24,9 @@ package starlogo.convex
         /** Writes the point halfway between the two surfaces, relative to b's origin. */
         public function find(cores:CorePair, out:ContactPoint):void
         {
-            // If a's core is a point, it is the common part.
-            if (cores.a.end > 3)
+            // If a core is a point, it is the common part.
+            var isPointB:Boolean = cores.a.end > 3 && cores.b.end == 3;
+            if (cores.a.end > 3 && !isPointB)
             {
                 wrap(findCorners(cores.b, 1, out), out, _b);
             }
@@ -34,7 +35,13 @@ package starlogo.convex
             _corner.y = cores.y;
             _corner.z = cores.z;
             _a.move(_corner);
-            if (_a.isPoint)
+            if (isPointB)
+            {
+                out.x = cores.b.points[0];
+                out.y = cores.b.points[1];
+                out.z = cores.b.points[2];
+            }
+            else if (_a.isPoint)
             {
                 _a.writeMiddle(out);
             }

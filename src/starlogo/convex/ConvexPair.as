@@ -143,6 +143,10 @@ package starlogo.convex
             else
             {
                 _overlap.find(_cores, out);
+                if (_witness.distance > 0)
+                {
+                    _overlap.tryGap(_cores, _witness, out);
+                }
             }
             var depth:Number = out.depth + (a.radius + b.radius);
             out.depth = depth > 0 ? depth : 0;

@@ -47,6 +47,17 @@ package starlogo.convex
             }
         }
 
+        /**
+         * Takes the direction of the gap between the cores, if the displacement is shorter along it. Needles have no face whose normal is precise.
+         *
+         * @param out has the displacement that find() has found
+         */
+        public function tryGap(cores:CorePair, gap:CoreWitness, out:ContactPoint):void
+        {
+            _along.setTo(gap.x, gap.y, gap.z);
+            tryDirection(cores, out);
+        }
+
         private function tryFaces(shape:ConvexShape, cores:CorePair, out:ContactPoint):void
         {
             var p:Vector.<Number> = shape.points;

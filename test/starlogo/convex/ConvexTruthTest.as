@@ -6,6 +6,7 @@ package starlogo.convex
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
     import support.Complaints;
     import support.ConvexVectors;
     import support.Effort;
@@ -131,6 +132,26 @@ package starlogo.convex
         }
 
         /** The gap of the cores is 4e-9 of the longer one. The way out is along it, and shorter than all ways across a face or two edges. */
+
+        /** A ball of 1e-11 of a needle's length, at a place within the needle: the way out is across its face, and the ball's middle is the point. */
+        [Test]
+        public function aTinyBallOnANeedleIsTheContact():void
+        {
+            var ball:ConvexShape = new ConvexShape();
+            ball.setSphere(new Sphere(new Vector3D(-2324.2954994414868, 7405.301039092563, 4175.392686694984), 1.1249302533384826e-6));
+            var needle:ConvexShape = new ConvexShape();
+            var x:Number = -23635.266779967762;
+            var y:Number = 75302.93224734013;
+            var z:Number = 42458.68022003831;
+            needle.setTriangle(new <Number>[x, y, z, x + 27049.11885530567, y - 86179.60545251267, z - 48591.36549429552,
+                        x - 3320.473384408615, y + 10579.16483780976, z + 5964.938673090721], 0);
+            var contact:ContactPoint = new ContactPoint();
+            _pair.findContact(ball, needle, new RelativeMotion(0), contact);
+            assertTrue(String(contact.depth), contact.depth < 1e-5);
+            var off:Vector3D = new Vector3D(contact.x - ball.x, contact.y - ball.y, contact.z - ball.z);
+            assertTrue(String(off), off.length < 1e-4);
+        }
+
         [Test]
         public function theShortestWayOutOfANeedleIsAlongATinyGap():void
         {

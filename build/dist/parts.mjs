@@ -13,6 +13,7 @@ const INSIDE = {
 	'@dimforge/rapier3d-compat': { folder: 'js/playground/', where: ['playground'], what: 'is measured beside the engine' },
 	blockly: { folder: 'js/playground/', where: ['playground'], what: 'shows blocks' },
 	kdbush: { folder: 'js/playground/', where: ['playground'], what: 'is measured beside the engine' },
+	'qrcode-generator': { folder: 'js/playground/', where: ['playground'], what: 'draws QR codes' },
 	three: { folder: 'js/playground/', where: ['playground'], what: 'draws' },
 	typedoc: { folder: 'js/module/', where: ['docs/typedoc', 'playground/docs/api'], what: 'the style sheets and scripts of the JavaScript API\'s pages' },
 	lunr: { folder: 'js/module/', where: ['docs/typedoc', 'playground/docs/api'], what: 'finds names in these pages' },

@@ -9,11 +9,8 @@ package starlogo.queries
      *
      * @private
      */
-    public final class AllQueries
+    public final class AllQueries extends MotionQueries
     {
-        /** What the questions work with. */
-        public var room:QuerySet;
-
         /** What is near. */
         public var places:PlaceQueries;
 
@@ -26,22 +23,14 @@ package starlogo.queries
         /** What a ray meets. */
         public var rays:RayQueries;
 
-        /** What a motion meets. */
-        public var moves:MoveQueries;
-
-        /** How a character walks. */
-        public var walks:WalkQueries;
-
         /** @param seen the agents that questions are about */
         public function AllQueries(seen:QueryWorld)
         {
-            room = new QuerySet(seen);
+            super(seen);
             places = new PlaceQueries(room);
             touches = new TouchQueries(room);
             distances = new DistanceQueries(room);
             rays = new RayQueries(room);
-            moves = new MoveQueries(room);
-            walks = new WalkQueries(room, moves);
         }
     }
 }

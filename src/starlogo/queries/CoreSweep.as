@@ -136,20 +136,12 @@ package starlogo.queries
                     out.clearRow = row;
                     return;
                 }
+                sweepCoreOnwards(other, from);
             }
-            if (!isNaN(touchTime))
-            {
-                // The core is inside of the body, so it meets nothing before. It mostly meets the same thing soon after.
-                _motion.earliest = touchTime;
-                _motion.latest = Math.min(1, touchTime + SOON * _body.slop / _length);
-                sweepCore(other, from);
-                _motion.latest = 1;
-            }
-            if (_motion.time == RelativeMotion.NEVER || isNaN(touchTime))
+            else
             {
                 sweepCore(other, from);
             }
-            _motion.earliest = 0;
             if (_motion.time < out.time)
             {
                 out.row = row;
@@ -157,6 +149,21 @@ package starlogo.queries
                 out.touchTime = touchTime;
                 out.contact.copyFrom(_contact);
             }
+        }
+
+        // Sweeps the core from the time on at which the whole body touches. It is inside of the body, so it meets nothing before, and mostly it meets
+        // the same thing soon after.
+        private function sweepCoreOnwards(other:Body, from:Vector3D):void
+        {
+            _motion.earliest = _motion.time;
+            _motion.latest = Math.min(1, _motion.time + SOON * _body.slop / _length);
+            sweepCore(other, from);
+            _motion.latest = 1;
+            if (_motion.time == RelativeMotion.NEVER)
+            {
+                sweepCore(other, from);
+            }
+            _motion.earliest = 0;
         }
 
         private function sweepCore(other:Body, from:Vector3D):void

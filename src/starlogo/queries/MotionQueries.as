@@ -5,7 +5,7 @@ package starlogo.queries
      *
      * @private
      */
-    public final class MotionQueries
+    public class MotionQueries
     {
         /** What the questions work with. */
         public var room:QuerySet;

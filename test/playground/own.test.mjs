@@ -99,9 +99,9 @@ test('a glTF file and a GLB file are drawn in their base colours; Compare and Me
 	await page.getByRole('button', { name: 'Run', exact: true }).click();
 	await page.waitForFunction(() => globalThis.playground.live.parts.count >= 24);
 	await page.getByRole('button', { name: 'Stop', exact: true }).click();
-	const figures = await page.evaluate(() => ['pairs', 'inRapier'].map((name) => document.querySelector(`.live .part-${name} dd`).textContent));
-	assert.equal(figures[0], figures[1]);
-	assert.notEqual(figures[0], '0');
+	const [engine, rapier] = await page.evaluate(() => ['pairs', 'inRapier'].map((name) => Number(document.querySelector(`.live .part-${name} dd`).textContent.replaceAll(',', ''))));
+	// Rapier computes in single precision, so a pair that only just touches may be missing there, or be one too many
+	assert.ok(engine > 100 && Math.abs(engine - rapier) <= 1, `${engine} and ${rapier} pairs`);
 	assert.deepEqual(said.splice(0), []);
 	await leave();
 });

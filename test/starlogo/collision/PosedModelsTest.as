@@ -61,7 +61,7 @@ package starlogo.collision
                     for (var m:int = 0; m < 2; m++)
                     {
                         pose(models[m], kinds[m], random);
-                        known.push(new Model("pose " + i + " " + k + " " + m, models[m].vertices, models[m].triangles, Model.AS_GIVEN));
+                        known.push(new Model("pose " + i + " " + k + " " + m, models[m].vertices, onceEach(kinds[m], models[m].triangles), Model.AS_GIVEN));
                     }
                     var isSmall:Boolean = random.chance(0.6);
                     agents[1].moveTo(random.between(-0.6, 0.6), random.between(-0.6, 0.6), random.between(-0.2, 0.8));
@@ -244,6 +244,12 @@ package starlogo.collision
         {
             var model:Model = new Model(name, QuestionModels.of(kind).vertices, QuestionModels.of(kind).triangles, Model.AS_GIVEN);
             return isCooked ? CookedModel.fromBytes(name, new GreatLand().bake(model)) : model;
+        }
+
+        // The triangles of a kind. The windings of both copies of a surface cancel each other, so the reference has the first one alone.
+        private static function onceEach(kind:String, triangles:Vector.<uint>):Vector.<uint>
+        {
+            return kind == "both windings" ? triangles.slice(0, triangles.length / 2) : triangles;
         }
 
         private static function asGiven(name:String):Model

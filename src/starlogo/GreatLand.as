@@ -178,7 +178,7 @@ package starlogo
         {
             var build:ModelResultsBuilder = newBuild(model, null);
             finish(build);
-            return build.toCooked(argumentsFingerprint(upAxis, model.source.scaling, usesTransforms));
+            return build.toCooked(argumentsFingerprint(upAxis, model.data.scaling, usesTransforms));
         }
 
         /** @inheritDoc */

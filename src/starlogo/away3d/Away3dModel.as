@@ -31,8 +31,7 @@ package starlogo.away3d
          */
         public function Away3dModel(name:String, source:Object)
         {
-            super(name, null, null, Model.FOOTPRINT,
-                    source is SourceReader ? SourceReader(source).shape : new SourceReader(name, source).readShape(Model.FOOTPRINT));
+            super(null, null, null, null, source is SourceReader ? SourceReader(source).data : new SourceReader(name, source).read(Model.FOOTPRINT));
             var offset:Vector3D = this.source.offset;
             _origin = new Vector3D(offset.x, offset.z, offset.y);
         }

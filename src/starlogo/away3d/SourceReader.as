@@ -59,7 +59,7 @@ package starlogo.away3d
                 _hasTriangles ||= part.numTriangles > 0;
             }
             _points = new PointTable(most);
-            vertices = _points.coordinates;
+            data.vertices = _points.coordinates;
             var reading:StepSequence = new StepSequence();
             for each (part in _parts)
             {
@@ -177,7 +177,7 @@ package starlogo.away3d
                     throw new ModelError(name, "", "triangle " + i / 3 + " of a sub-geometry names vertex " + Math.max(a, b, c) + ", the last one is "
                             + (count - 1));
                 }
-                triangles.push(pointOf(a), pointOf(b), pointOf(c));
+                data.triangles.push(pointOf(a), pointOf(b), pointOf(c));
             }
             noteProgress(end);
         }

@@ -44,9 +44,9 @@ package starlogo.libraries
             _structures = structures;
             _settings = settings;
             this.hierarchy = hierarchy;
-            if (model.cooked != null)
+            if (model.data.cooked != null)
             {
-                _fits.readFrom(model.cooked, model, settings);
+                _fits.readFrom(model.data.cooked, model, settings);
             }
             _store = isComplete ? null : store;
             if (_store != null)

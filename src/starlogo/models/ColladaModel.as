@@ -39,7 +39,7 @@ package starlogo.models
          */
         public function ColladaModel(name:String, source:String, upAxis:Object = null, scaling:String = Model.FOOTPRINT)
         {
-            super(name, null, null, scaling, new ColladaReader(name, source, upAxis).readShape(scaling));
+            super(null, null, null, null, new ColladaReader(name, source, upAxis).read(scaling));
         }
 
         /**

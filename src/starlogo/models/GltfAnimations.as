@@ -102,7 +102,7 @@ package starlogo.models
             _file.beginAgain();
             var reader:GltfReader = new GltfReader(_name, _file, _upAxis, pose);
             finish(reader);
-            return reader.vertices;
+            return reader.data.vertices;
         }
 
         private function poseOf(animation:int):GltfPose

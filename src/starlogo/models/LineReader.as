@@ -1,9 +1,8 @@
 package starlogo.models
 {
     /**
-     * Divides text that has one statement per line into words, some lines at a time. In each step, a format's reader calls
-     * <code>begin()</code>, then <code>nextStatement()</code> until there is none. It loops over <code>words</code> itself, because this is
-     * fast.
+     * Divides text that has one statement per line into words, some lines at a time. A format's reader gets the first word of each
+     * statement, and loops over the other <code>words</code> itself, because this is fast.
      *
      * @private
      */
@@ -42,9 +41,6 @@ package starlogo.models
         private var _end:int = 0;
         private var _ends:NextOfTwo;
 
-        // The words from here on are for the next step.
-        private var _stop:int = 0;
-
         /**
          * @param name the model's name, for errors
          * @param source the text; a byte-order mark is skipped
@@ -68,45 +64,43 @@ package starlogo.models
             return placeOf(line);
         }
 
-        /** The share of the text that is read, from 0 to 1. */
-        public function get progress():Number
-        {
-            return (_start + (_end - _start) * next / words.length) / Math.max(1, _source.length);
-        }
-
         /** Whether there is more to read. */
         public function get hasMore():Boolean
         {
             return next < words.length - 1 || _end < _source.length;
         }
 
-        /** Begins a step. It reads some statements, or none if the next piece of the text must be divided first. */
-        public function begin():void
+        /**
+         * Does a step: reads some statements, or none if the next piece of the text must be divided first.
+         *
+         * @param read reads a statement, whose first word it gets: <code>function(word:String):void</code>. The second word is
+         * <code>words[next]</code>
+         * @return the share of the text that is read, from 0 to 1
+         */
+        public function readStatements(read:Function):Number
         {
+            var stop:int = 0;
             if (next == words.length - 1)
             {
                 readPiece();
-                _stop = next;
             }
             else
             {
-                _stop = Math.min(next + WORDS_PER_STEP, words.length - 1);
+                stop = Math.min(next + WORDS_PER_STEP, words.length - 1);
             }
-        }
-
-        /** Returns the first word of the step's next statement; null if there is none. The second word is <code>words[next]</code>. */
-        public function nextStatement():String
-        {
-            while (next < _stop)
+            while (next < stop)
             {
                 var word:String = words[next++];
-                if (word != END && word != CONTINUED)
+                if (word == END || word == CONTINUED)
                 {
-                    return word;
+                    line++;
                 }
-                line++;
+                else
+                {
+                    read(word);
+                }
             }
-            return null;
+            return (_start + (_end - _start) * next / words.length) / Math.max(1, _source.length);
         }
 
         /** Moves on to the end of the line. */

@@ -3,9 +3,6 @@ package starlogo.models
     import starlogo.engine;
     import starlogo.geometry.VertexBounds;
     import starlogo.geometry.VertexData;
-    import starlogo.models.cooked.CookedFile;
-    import starlogo.steps.Steps;
-    import starlogo.steps.finish;
 
     use namespace engine;
 
@@ -52,19 +49,7 @@ package starlogo.models
          */
         engine static const SCALINGS:Vector.<String> = new <String>[FOOTPRINT, VOLUME, AS_GIVEN];
 
-        /**
-         * The cooked file with the results for the model; null for none.
-         *
-         * @private
-         */
-        engine var cooked:CookedFile;
-
-        private var _name:String;
-        private var _vertices:Vector.<Number>;
-        private var _triangles:Vector.<uint>;
-        private var _source:SourceFrame;
-        private var _materials:TriangleLabels;
-        private var _meshes:TriangleLabels;
+        private var _data:ModelData;
 
         // What is told about each pose, and the vertices of the next one until they are checked, null before the first.
         private var _listeners:Vector.<PoseListener> = new Vector.<PoseListener>();
@@ -78,43 +63,26 @@ package starlogo.models
          * @param triangles three vertex indices for each triangle (0 is the first vertex); null or empty if only vertices are known; is not
          * changed
          * @param scaling <code>FOOTPRINT</code>, <code>VOLUME</code> or <code>AS_GIVEN</code>
-         * @param shape for the engine alone: the shape that a reader has made. The other arguments are not used then
+         * @param data for the engine alone: what a reader has read and normalised. The other arguments are null then
          * @throws ModelError if the name is empty, if there is no vertex, if a coordinate is missing, not finite or so large that the
          * model's extent is not finite, if an index names no vertex, or if the scaling is unknown
          * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295. In a Vector all indices are such integers
          */
-        public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT, shape:Steps = null)
+        public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT, data:ModelData = null)
         {
-            var made:NormalisedShape = shape as NormalisedShape;
-            if (made == null)
-            {
-                made = new NormalisedShape(name, vertices, triangles, scaling);
-                finish(made);
-            }
-            _name = made.name;
-            _vertices = made.vertices;
-            _vertices.fixed = true;
-            _triangles = made.triangles;
-            if (_triangles != null)
-            {
-                _triangles.fixed = true;
-            }
-            _source = made.frame;
-            cooked = made.cooked;
-            _materials = made.materials;
-            _meshes = made.meshes;
+            _data = data || ModelData.of(name, vertices, triangles, scaling);
         }
 
         /** The model's place and scale in its source, for a renderer that draws the source. Shared with the model. */
         public function get source():SourceFrame
         {
-            return _source;
+            return _data.frame;
         }
 
         /** The name by which agents select the shape. */
         public function get name():String
         {
-            return _name;
+            return _data.name;
         }
 
         /**
@@ -123,37 +91,37 @@ package starlogo.models
          */
         public function get vertices():Vector.<Number>
         {
-            return _vertices;
+            return _data.vertices;
         }
 
         /** Three vertex indices per triangle, or null if only vertices are known. This is the model's own vector: do not change it. */
         public function get triangles():Vector.<uint>
         {
-            return _triangles;
+            return _data.triangles;
         }
 
         /** The number of each triangle's material, -1 for none; null if no triangle has one. This is the model's own vector: do not change it. */
         public function get materials():Vector.<int>
         {
-            return _materials == null ? null : _materials.numbers;
+            return _data.materials == null ? null : _data.materials.list(triangleCount);
         }
 
         /** The name of each material, by its number; null for a material without a name. Null if nothing gave names. Do not change it. */
         public function get materialNames():Vector.<String>
         {
-            return _materials == null ? null : _materials.names;
+            return _data.materials == null ? null : _data.materials.names;
         }
 
         /** The number of the mesh that each triangle belongs to, -1 for none; null if the model has no meshes. Do not change it. */
         public function get meshes():Vector.<int>
         {
-            return _meshes == null ? null : _meshes.numbers;
+            return _data.meshes == null ? null : _data.meshes.list(triangleCount);
         }
 
         /** The name of each mesh, by its number; null for a mesh without a name. Null if nothing gave names. Do not change it. */
         public function get meshNames():Vector.<String>
         {
-            return _meshes == null ? null : _meshes.names;
+            return _data.meshes == null ? null : _data.meshes.names;
         }
 
         /**
@@ -165,7 +133,7 @@ package starlogo.models
          */
         public function setMaterials(numbers:Vector.<int> = null, names:Vector.<String> = null):void
         {
-            _materials = labelsOf("materials", numbers, names);
+            _data.materials = labelsOf("materials", numbers, names);
         }
 
         /**
@@ -177,19 +145,18 @@ package starlogo.models
          */
         public function setMeshes(numbers:Vector.<int> = null, names:Vector.<String> = null):void
         {
-            _meshes = labelsOf("meshes", numbers, names);
+            _data.meshes = labelsOf("meshes", numbers, names);
         }
 
-        /** @private The material of each triangle; null if no triangle has one. */
-        engine final function get materialLabels():TriangleLabels
+        /** @private What the model is made of. */
+        engine final function get data():ModelData
         {
-            return _materials;
+            return _data;
         }
 
-        /** @private The mesh of each triangle; null if no triangle has one. */
-        engine final function get meshLabels():TriangleLabels
+        private function get triangleCount():int
         {
-            return _meshes;
+            return triangles == null ? 0 : triangles.length / 3;
         }
 
         private function labelsOf(what:String, numbers:Vector.<int>, names:Vector.<String>):TriangleLabels
@@ -198,13 +165,16 @@ package starlogo.models
             {
                 return null;
             }
-            var count:int = _triangles == null ? 0 : _triangles.length / 3;
-            refuseIf(numbers.length != count, _name, numbers.length + " numbers of " + what + " for " + count + " triangles");
-            for each (var number:int in numbers)
+            var count:int = triangleCount;
+            refuseIf(numbers.length != count, name, numbers.length + " numbers of " + what + " for " + count + " triangles");
+            var labels:TriangleLabels = new TriangleLabels();
+            labels.names = names == null ? null : names.slice();
+            for (var i:int = 0; i < count; i++)
             {
-                refuseIf(number < -1 || names != null && number >= names.length, _name, "no name for number " + number + " of its " + what);
+                refuseIf(numbers[i] < -1 || names != null && numbers[i] >= names.length, name, "no name for number " + numbers[i] + " of its " + what);
+                labels.begin(numbers[i], i);
             }
-            return new TriangleLabels(numbers.slice(), names == null ? null : names.slice());
+            return labels;
         }
 
         /**
@@ -232,24 +202,25 @@ package starlogo.models
          */
         public function pose(vertices:Vector.<Number>):void
         {
-            if (vertices == null || vertices.length != _vertices.length)
+            var own:Vector.<Number> = _data.vertices;
+            if (vertices == null || vertices.length != own.length)
             {
-                throw new ArgumentError("model \"" + _name + "\": a pose needs its " + _vertices.length / 3 + " vertices with three coordinates each, not "
+                throw new ArgumentError("model \"" + name + "\": a pose needs its " + own.length / 3 + " vertices with three coordinates each, not "
                         + (vertices == null ? "null" : vertices.length + " numbers"));
             }
-            _posed ||= new Vector.<Number>(_vertices.length, true);
-            _source.place(vertices, _posed);
+            _posed ||= new Vector.<Number>(own.length, true);
+            source.place(vertices, _posed);
             var bounds:VertexBounds = VertexBounds.of(_posed);
             if (!bounds.areFinite)
             {
-                throw new ArgumentError("model \"" + _name + "\": " + (VertexData.vertexProblem(vertices) || VertexData.vertexProblem(_posed)));
+                throw new ArgumentError("model \"" + name + "\": " + (VertexData.vertexProblem(vertices) || VertexData.vertexProblem(_posed)));
             }
             VertexBounds.requireWithin(bounds.largest);
             for (var i:int = 0; i < _posed.length; i++)
             {
-                _vertices[i] = _posed[i];
+                own[i] = _posed[i];
             }
-            cooked = null;
+            _data.cooked = null;
             for each (var listener:PoseListener in _listeners)
             {
                 listener.onPose();
@@ -284,9 +255,8 @@ package starlogo.models
          */
         engine final function isMadeOf(points:Vector.<Number>):Boolean
         {
-            var shape:NormalisedShape = new NormalisedShape(_name, points, _triangles, _source.scaling, _source.transform);
-            finish(shape);
-            return VertexData.areSame(shape.vertices, _vertices) && shape.frame.isAs(_source) && String(shape.triangles) == String(_triangles);
+            var made:ModelData = ModelData.of(name, points, triangles, _data.scaling, _data.transform);
+            return VertexData.areSame(made.vertices, vertices) && made.frame.isAs(source) && String(made.triangles) == String(triangles);
         }
     }
 }

@@ -143,7 +143,7 @@ package starlogo.models
             }
             try
             {
-                _reader ||= new CookedReader(name, _downloads.file.bytes, argumentsFingerprint(_upAxis, _scaling, _usesTransforms)).shaped(null);
+                _reader ||= new CookedReader(name, _downloads.file.bytes, argumentsFingerprint(_upAxis, _scaling, _usesTransforms)).normalised(null);
                 return _reader.step();
             }
             catch (error:ModelError)
@@ -200,7 +200,7 @@ package starlogo.models
                 {
                     _downloads.giveBuffers(gltf);
                     _downloads.letGo();
-                    _reader = (gltf == null ? newReader(format, bytes, text) : new GltfReader(name, gltf, _upAxis as ModelTransform)).shaped(_scaling);
+                    _reader = (gltf == null ? newReader(format, bytes, text) : new GltfReader(name, gltf, _upAxis as ModelTransform)).normalised(_scaling);
                     // this function lives as long as the reader works
                     bytes = null;
                     text = null;
@@ -225,7 +225,7 @@ package starlogo.models
 
         private function keepModel():void
         {
-            model = _source != null ? _source.model : new Model(name, null, null, _scaling, _reader.shape);
+            model = _source != null ? _source.model : new Model(null, null, null, null, _reader.data);
             _reader = null;
             _source = null;
             _downloads.letGo();

@@ -31,7 +31,7 @@ package starlogo.models
          */
         public function ObjModel(name:String, source:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(name, null, null, scaling, new ObjReader(name, source, upAxis).readShape(scaling));
+            super(null, null, null, null, new ObjReader(name, source, upAxis).read(scaling));
         }
 
         /**

@@ -15,20 +15,6 @@ package starlogo.models
      */
     public final class SourceFrame
     {
-        /**
-         * The scaling of the model.
-         *
-         * @private
-         */
-        engine var scaling:String = null;
-
-        /**
-         * The transform of the model; null for none.
-         *
-         * @private
-         */
-        engine var transform:ModelTransform = null;
-
         // A matrix column by column, then x, y and z, then the unit. A point p of the source is at matrix * (p - (x, y, z)) in the model.
         private var _numbers:Vector.<Number> = new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
 
@@ -145,12 +131,11 @@ package starlogo.models
          * Reads a frame that writeTo wrote.
          *
          * @param bytes read from its position on
-         * @param scaling the scaling of the model
          * @return null if a number is not finite, or the unit is not positive
          *
          * @private
          */
-        engine static function read(bytes:ByteArray, scaling:String):SourceFrame
+        engine static function read(bytes:ByteArray):SourceFrame
         {
             var frame:SourceFrame = new SourceFrame();
             var sum:Number = 0;
@@ -160,7 +145,6 @@ package starlogo.models
                 frame._numbers[written(i)] = number;
                 sum += number - number;
             }
-            frame.scaling = scaling;
             return sum == 0 && frame.unit > 0 ? frame : null;
         }
 

@@ -1,28 +1,125 @@
 package starlogo.models
 {
     /**
-     * The material or the mesh of each triangle of a model, as a record: a number for each triangle, and a name for each number.
+     * The material or the mesh of each triangle: a number, which may have a name. Triangles that follow one another and have the same
+     * number are a run.
      *
      * @private
      */
     public final class TriangleLabels
     {
-        /** The number of each triangle; -1 for none. */
-        public var numbers:Vector.<int>;
+        /** The name of each number, or null for a number without a name. Null if nothing gives names. */
+        public var names:Vector.<String> = new Vector.<String>();
 
-        /** The name of each number, or null for a number without a name. Null if nothing gave names. */
-        public var names:Vector.<String>;
+        /** The first triangle of each run. Triangles before the first run have no number. */
+        public var starts:Vector.<int> = new Vector.<int>();
 
-        public function TriangleLabels(numbers:Vector.<int>, names:Vector.<String>)
+        /** The number of each run; -1 for none. */
+        public var numbers:Vector.<int> = new Vector.<int>();
+
+        // The number of each key; the key is "#" and the key.
+        private var _known:Object = {};
+
+        // The number of each triangle, after it was first needed.
+        private var _list:Vector.<int> = null;
+
+        /** The number of a key. A new key gets the next number. @param name its name; null if it has none */
+        public function numberFor(key:String, name:String):int
         {
-            this.numbers = numbers;
-            this.names = names;
+            if (_known["#" + key] === undefined)
+            {
+                names.push(name);
+                _known["#" + key] = names.length - 1;
+            }
+            return _known["#" + key];
         }
 
-        /** The number of a triangle; -1 if there are no labels or no such triangle. */
+        /** Gives a number to all triangles from one on. It must not be before the last run. */
+        public function begin(number:int, triangle:int):void
+        {
+            var last:int = starts.length - 1;
+            if (last >= 0 && starts[last] == triangle)
+            {
+                numbers[last] = number;
+            }
+            else if (number != (last < 0 ? -1 : numbers[last]))
+            {
+                starts.push(triangle);
+                numbers.push(number);
+            }
+        }
+
+        /** Drops runs beyond the last triangle. Returns these labels; null if no triangle has a number. @param count the number of triangles */
+        public function upTo(count:int):TriangleLabels
+        {
+            var isAny:Boolean = false;
+            while (starts.length > 0 && starts[starts.length - 1] >= count)
+            {
+                starts.pop();
+                numbers.pop();
+            }
+            for each (var number:int in numbers)
+            {
+                isAny ||= number >= 0;
+            }
+            return isAny ? this : null;
+        }
+
+        /** Reverses the order of the triangles. @param count the number of triangles */
+        public function reverse(count:int):void
+        {
+            var before:Vector.<int> = starts;
+            var ofBefore:Vector.<int> = numbers;
+            starts = new Vector.<int>();
+            numbers = new Vector.<int>();
+            for (var run:int = before.length - 1; run >= 0; run--)
+            {
+                begin(ofBefore[run], count - (run + 1 < before.length ? before[run + 1] : count));
+            }
+            if (before.length > 0 && before[0] > 0)
+            {
+                begin(-1, count - before[0]);
+            }
+        }
+
+        /** The number of each triangle, as a list. Always the same list. @param count the number of triangles */
+        public function list(count:int):Vector.<int>
+        {
+            if (_list == null)
+            {
+                _list = new Vector.<int>(count, true);
+                var run:int = -1;
+                for (var i:int = 0; i < count; i++)
+                {
+                    while (run + 1 < starts.length && starts[run + 1] <= i)
+                    {
+                        run++;
+                    }
+                    _list[i] = run < 0 ? -1 : numbers[run];
+                }
+            }
+            return _list;
+        }
+
+        /** The number of a triangle; -1 if there are no labels. */
         public static function numberOf(labels:TriangleLabels, triangle:int):int
         {
-            return labels == null || triangle < 0 || triangle >= labels.numbers.length ? -1 : labels.numbers[triangle];
+            var low:int = -1;
+            var high:int = labels == null ? 0 : labels.starts.length;
+            // the last run that does not begin after the triangle
+            while (low + 1 < high)
+            {
+                var middle:int = (low + high) >> 1;
+                if (labels.starts[middle] <= triangle)
+                {
+                    low = middle;
+                }
+                else
+                {
+                    high = middle;
+                }
+            }
+            return low < 0 ? -1 : labels.numbers[low];
         }
 
         /** The name of a number; null if it has none. */

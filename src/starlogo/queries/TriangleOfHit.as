@@ -56,8 +56,8 @@ package starlogo.queries
             }
             if (body.shape.source != null)
             {
-                var materials:TriangleLabels = body.shape.source.materialLabels;
-                mesh = TriangleLabels.numberOf(body.shape.source.meshLabels, triangle);
+                var materials:TriangleLabels = body.shape.source.data.materials;
+                mesh = TriangleLabels.numberOf(body.shape.source.data.meshes, triangle);
                 material = TriangleLabels.numberOf(materials, triangle);
                 materialName = TriangleLabels.nameOf(materials, material);
             }

@@ -139,7 +139,7 @@ package starlogo.models
             pose[3] = 9;
             // the first land has not read the tree yet
             cooked.pose(pose);
-            assertNull(cooked.cooked);
+            assertNull(cooked.data.cooked);
             var later:GreatLand = landOf(cooked);
             for each (var land:GreatLand in [lazily, later, landOf(CookedModel.fromBytes("pyramid", kitchen.bake(cooked)))])
             {

@@ -6,7 +6,6 @@ package starlogo.models
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.steps.finish;
     import support.Collada;
     import support.Surfaces;
     import support.assertThrows;
@@ -172,9 +171,8 @@ package starlogo.models
             var random:SeededRandom = new SeededRandom(13);
             for (var i:int = 0; i < 20; i++)
             {
-                var shape:NormalisedShape = new NormalisedShape("a", box.vertices, box.triangles, random.pick(SCALINGS), randomTransform(random, i));
-                finish(shape);
-                assertTrue(Surfaces.volume(new Model("a", null, null, null, shape)) > 0);
+                var data:ModelData = ModelData.of("a", box.vertices, box.triangles, random.pick(SCALINGS), randomTransform(random, i));
+                assertTrue(Surfaces.volume(new Model(null, null, null, null, data)) > 0);
             }
             assertTrue("some are mirrored: " + _mirrored, _mirrored > 3 && _mirrored < 17);
         }

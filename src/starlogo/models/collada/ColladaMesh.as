@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    import starlogo.models.TriangleRuns;
+    import starlogo.models.TriangleLabels;
     import starlogo.models.VertexFilter;
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.refuseIf;
@@ -20,7 +20,7 @@ package starlogo.models.collada
         public var hasSurfaces:Boolean = false;
 
         /** When all is read: the symbol of the material of each triangle. */
-        public var symbols:TriangleRuns = new TriangleRuns();
+        public var symbols:TriangleLabels = new TriangleLabels();
 
         private var _document:ColladaDocument;
         private var _mesh:ColladaElement;
@@ -60,7 +60,7 @@ package starlogo.models.collada
                 {
                     var work:StepSequence = new StepSequence();
                     var symbol:String = element.attribute("material");
-                    symbols.begin(symbol == "" ? -1 : symbols.numberOf(symbol, symbol), triangles.length / 3);
+                    symbols.begin(symbol == "" ? -1 : symbols.numberFor(symbol, symbol), triangles.length / 3);
                     var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(_document, element)), work);
                     return work.add(new ColladaPrimitive(_document, element, points, _isUsed, triangles, _triangulator));
                 });

@@ -4,7 +4,7 @@ package starlogo.models.collada
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelReader;
     import starlogo.models.TextTokens;
-    import starlogo.models.TriangleRuns;
+    import starlogo.models.TriangleLabels;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -48,7 +48,7 @@ package starlogo.models.collada
             _document = new ColladaDocument(_budget, _xml);
             _xml = null;
             var asset:ColladaElement = _document.root.child("asset");
-            unit = unitOf(asset);
+            data.unit = unitOf(asset);
             _scene = new ColladaScene(_document, _isAxisNamed ? turnUp : turnFrom(upAxisOf(asset)));
             return _scene;
         }
@@ -78,7 +78,7 @@ package starlogo.models.collada
         private function placing(mesh:ColladaMesh, instance:ColladaNode, out:Vector.<Number>):Steps
         {
             var firstVertex:int = out.length / 3;
-            var firstCorner:int = triangles.length;
+            var firstCorner:int = data.triangles.length;
             var vertexCount:int = mesh.vertices.length / 3;
             var triangleCount:int = mesh.triangles.length / 3;
             _budget.requireMesh(firstVertex + vertexCount, firstCorner / 3 + triangleCount, instance.element);
@@ -97,21 +97,21 @@ package starlogo.models.collada
         }
 
         // An instance is a mesh with the name of its node. Its materials are those that it binds to the symbols of its geometry.
-        private function addLabels(symbols:TriangleRuns, instance:ColladaNode, firstTriangle:int):void
+        private function addLabels(symbols:TriangleLabels, instance:ColladaNode, firstTriangle:int):void
         {
             var element:ColladaElement = instance.element;
             var label:String = nameOf(element.name != "geometry" && element.parent != null ? element.parent : element) || nameOf(instance.geometry);
-            meshes.begin(meshes.numberOf(String(meshes.names.length), label), firstTriangle);
-            materials.begin(-1, firstTriangle);
+            data.meshes.begin(data.meshes.numberFor(String(data.meshes.names.length), label), firstTriangle);
+            data.materials.begin(-1, firstTriangle);
             var bound:Vector.<int> = new Vector.<int>();
             for each (var symbol:String in symbols.names)
             {
                 var material:ColladaElement = _document.materialOf(element, symbol);
-                bound.push(material == null ? materials.numberOf(symbol, symbol) : materials.numberOf(material.id, nameOf(material)));
+                bound.push(material == null ? data.materials.numberFor(symbol, symbol) : data.materials.numberFor(material.id, nameOf(material)));
             }
             for (var i:int = 0; i < symbols.starts.length; i++)
             {
-                materials.begin(symbols.numbers[i] < 0 ? -1 : bound[symbols.numbers[i]], firstTriangle + symbols.starts[i]);
+                data.materials.begin(symbols.numbers[i] < 0 ? -1 : bound[symbols.numbers[i]], firstTriangle + symbols.starts[i]);
             }
         }
 
@@ -122,7 +122,7 @@ package starlogo.models.collada
 
         private function addTriangles(from:Vector.<uint>, first:int, last:int, firstVertex:int, firstCorner:int, isMirror:Boolean):void
         {
-            var to:Vector.<uint> = triangles;
+            var to:Vector.<uint> = data.triangles;
             var at:int = firstCorner + first;
             var second:int = isMirror ? 2 : 1;
             var third:int = 3 - second;

@@ -10,7 +10,7 @@ package starlogo.models.cooked
     import starlogo.models.ModelReader;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
-    import starlogo.models.TriangleRuns;
+    import starlogo.models.TriangleLabels;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -66,25 +66,24 @@ package starlogo.models.cooked
             _bytes = _file.section(CookedFile.MODEL, null);
             refuseIf(_file.isOfOtherVersion, name, "the cooked file is of another version of the engine: cook it again");
             refuseIf(_bytes == null, name, "the cooked file is damaged: cook it again");
-            var scaling:String = Model.SCALINGS[readCount(Model.SCALINGS.length - 1)];
+            data.cooked = _file;
+            data.scaling = Model.SCALINGS[readCount(Model.SCALINGS.length - 1)];
             var form:int = readCount(CookedShape.DOUBLE);
             var hasTransform:Boolean = readCount(1) == 1;
             var vertexCount:int = readCount(int.MAX_VALUE);
             var triangleCount:int = readCount(int.MAX_VALUE);
             new ModelBudget(name, ModelBudget.BYTES).requireMesh(vertexCount, triangleCount);
-            var transform:ModelTransform = hasTransform ? readTransform() : null;
-            var frame:SourceFrame = null;
+            data.transform = hasTransform ? readTransform() : null;
             if (form == CookedShape.DOUBLE)
             {
-                frame = SourceFrame.read(_bytes, scaling);
-                refuseIf(frame == null, name, "the cooked file does not have the model's place in its source");
+                data.frame = SourceFrame.read(_bytes);
+                refuseIf(data.frame == null, name, "the cooked file does not have the model's place in its source");
             }
-            takeCooked(_file, scaling, transform, frame);
             refuseIf(vertexCount == 0, name, "the cooked file has no vertices");
             // Each number takes at least one byte. A declared count is not trusted: memory is reserved only for data that is present.
             refuseIf(_bytes.bytesAvailable < 3 * (vertexCount + triangleCount), name, "the cooked file has fewer bytes than it says");
-            vertices.length = 3 * vertexCount;
-            triangles.length = 3 * triangleCount;
+            data.vertices.length = 3 * vertexCount;
+            data.triangles.length = 3 * triangleCount;
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     readNumbers(first, end, form);
@@ -96,12 +95,12 @@ package starlogo.models.cooked
         {
             if (_bytes.bytesAvailable > 0)
             {
-                readLabels(materials);
-                readLabels(meshes);
+                readLabels(data.materials);
+                readLabels(data.meshes);
             }
         }
 
-        private function readLabels(out:TriangleRuns):void
+        private function readLabels(out:TriangleLabels):void
         {
             var nameCount:int = VarInt.read(_bytes);
             for (var i:int = 0; i < nameCount; i++)
@@ -149,7 +148,7 @@ package starlogo.models.cooked
 
         private function readNumbers(first:int, end:int, form:int):void
         {
-            var all:Vector.<Number> = vertices;
+            var all:Vector.<Number> = data.vertices;
             var divisor:Number = CookedShape.divisorOf(form);
             for (var i:int = 3 * first; i < 3 * end; i++)
             {
@@ -167,11 +166,11 @@ package starlogo.models.cooked
             }
         }
 
-        // NormalisedShape checks whether the vertices exist.
+        // The Normalisation checks whether the vertices exist.
         private function readCorners(first:int, end:int):void
         {
             var bytes:ByteArray = _bytes;
-            var all:Vector.<uint> = triangles;
+            var all:Vector.<uint> = data.triangles;
             var index:int = first == 0 ? 0 : all[int(first - 1)];
             for (var i:int = first; i < end; i++)
             {

@@ -5,8 +5,7 @@ package starlogo.models.cooked
     import starlogo.engine;
     import starlogo.models.Model;
     import starlogo.models.ModelTransform;
-    import starlogo.models.SourceFrame;
-    import starlogo.models.TriangleRuns;
+    import starlogo.models.TriangleLabels;
 
     use namespace engine;
 
@@ -75,11 +74,10 @@ package starlogo.models.cooked
 
         private static function write(model:Model, form:int, numbers:Vector.<Number>):ByteArray
         {
-            var frame:SourceFrame = model.source;
-            var transform:ModelTransform = form == DOUBLE ? null : frame.transform;
+            var transform:ModelTransform = form == DOUBLE ? null : model.data.transform;
             var out:ByteArray = CookedFile.newBytes();
             var triangleCount:int = model.triangles == null ? 0 : model.triangles.length / 3;
-            for each (var count:int in [Model.SCALINGS.indexOf(frame.scaling), form, transform == null ? 0 : 1, numbers.length / 3, triangleCount])
+            for each (var count:int in [Model.SCALINGS.indexOf(model.data.scaling), form, transform == null ? 0 : 1, numbers.length / 3, triangleCount])
             {
                 VarInt.write(count, out);
             }
@@ -91,7 +89,7 @@ package starlogo.models.cooked
             }
             if (form == DOUBLE)
             {
-                frame.writeTo(out);
+                model.source.writeTo(out);
             }
             var write:Function = form == DOUBLE ? out.writeDouble : out.writeFloat;
             var divisor:Number = divisorOf(form);
@@ -110,31 +108,30 @@ package starlogo.models.cooked
             {
                 VarInt.write(model.triangles[i] - (i == 0 ? 0 : model.triangles[i - 1]), out);
             }
-            if (model.materials != null || model.meshes != null)
+            if (model.data.materials != null || model.data.meshes != null)
             {
-                writeLabels(model.materials, model.materialNames, out);
-                writeLabels(model.meshes, model.meshNames, out);
+                writeLabels(model.data.materials || new TriangleLabels(), out);
+                writeLabels(model.data.meshes || new TriangleLabels(), out);
             }
             return out;
         }
 
         // The names, and the runs of triangles with the same number. The length of a missing name is -1.
-        private static function writeLabels(numbers:Vector.<int>, names:Vector.<String>, out:ByteArray):void
+        private static function writeLabels(labels:TriangleLabels, out:ByteArray):void
         {
-            var runs:TriangleRuns = TriangleRuns.of(numbers || new Vector.<int>(), names || new Vector.<String>());
-            VarInt.write(names == null ? -1 : runs.names.length, out);
-            for each (var label:String in runs.names)
+            VarInt.write(labels.names == null ? -1 : labels.names.length, out);
+            for each (var label:String in labels.names)
             {
                 var bytes:ByteArray = new ByteArray();
                 bytes.writeUTFBytes(label || "");
                 VarInt.write(label == null ? -1 : bytes.length, out);
                 out.writeBytes(bytes);
             }
-            VarInt.write(runs.starts.length, out);
-            for (var i:int = 0; i < runs.starts.length; i++)
+            VarInt.write(labels.starts.length, out);
+            for (var i:int = 0; i < labels.starts.length; i++)
             {
-                VarInt.write(runs.starts[i] - (i == 0 ? 0 : runs.starts[i - 1]), out);
-                VarInt.write(runs.numbers[i], out);
+                VarInt.write(labels.starts[i] - (i == 0 ? 0 : labels.starts[i - 1]), out);
+                VarInt.write(labels.numbers[i], out);
             }
         }
     }

@@ -39,7 +39,7 @@ package starlogo.models.gltf
             _scene = new GltfScene(_file.json, turnUp, _pose);
             for (var i:int = 0; i < _file.json.count("materials"); i++)
             {
-                materials.names.push(textOf(_file.json.entry("materials", i).name));
+                data.materials.names.push(textOf(_file.json.entry("materials", i).name));
             }
             return _scene;
         }
@@ -102,7 +102,7 @@ package starlogo.models.gltf
             {
                 addLabels(node, primitive, place);
             }
-            return hasSurface ? work.add(new GltfTriangles(_file, primitive, place, points, triangles)) : work;
+            return hasSurface ? work.add(new GltfTriangles(_file, primitive, place, points, data.triangles)) : work;
         }
 
         // A node is a mesh with its name, or its mesh's. A primitive has one material.
@@ -111,8 +111,8 @@ package starlogo.models.gltf
             var json:GltfJson = _file.json;
             var entry:Object = json.entry("nodes", node);
             var mesh:Object = json.entry("meshes", json.reference(entry, "mesh", "nodes[" + node + "]", "meshes"));
-            meshes.begin(meshes.numberOf(String(node), textOf(entry.name) || textOf(mesh.name)), triangles.length / 3);
-            materials.begin(json.reference(primitive, "material", place, "materials"), triangles.length / 3);
+            data.meshes.begin(data.meshes.numberFor(String(node), textOf(entry.name) || textOf(mesh.name)), data.triangles.length / 3);
+            data.materials.begin(json.reference(primitive, "material", place, "materials"), data.triangles.length / 3);
         }
 
         private static function textOf(value:*):String
@@ -123,7 +123,7 @@ package starlogo.models.gltf
         private function droppingUnused():Steps
         {
             takeVertices("a mesh in the scene");
-            return triangles.length == 0 ? null : new VertexFilter(vertices, triangles, new Vector.<uint>(vertices.length / 3));
+            return data.triangles.length == 0 ? null : new VertexFilter(data.vertices, data.triangles, new Vector.<uint>(data.vertices.length / 3));
         }
     }
 }

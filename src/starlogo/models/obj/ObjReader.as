@@ -6,7 +6,7 @@ package starlogo.models.obj
     import starlogo.models.ModelError;
     import starlogo.models.ModelReader;
     import starlogo.models.TextTokens;
-    import starlogo.models.TriangleRuns;
+    import starlogo.models.TriangleLabels;
     import starlogo.models.VertexFilter;
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.refuseIf;
@@ -53,19 +53,14 @@ package starlogo.models.obj
             refuseIf(source.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
             _lines = new LineReader(name, source);
             _budget = new ModelBudget(name, source.length);
-            _triangulator = new Triangulator(_budget, vertices, triangles);
+            _triangulator = new Triangulator(_budget, data.vertices, data.triangles);
             repeat(readSome).call(checkIndices).repeat(_triangulator.cuttingBetween(cutPolygons)).begin(droppingUnused).begin(turningUp);
         }
 
         private function readSome():Boolean
         {
-            _lines.begin();
-            for (var word:String = _lines.nextStatement(); word != null; word = _lines.nextStatement())
-            {
-                readStatement(word);
-            }
-            _budget.requireMesh(vertices.length / 3, triangles.length / 3 + _polygonTriangles, _lines.place);
-            progress = 0.9 * _lines.progress;
+            progress = 0.9 * _lines.readStatements(readStatement);
+            _budget.requireMesh(data.vertices.length / 3, data.triangles.length / 3 + _polygonTriangles, _lines.place);
             return _lines.hasMore;
         }
 
@@ -81,13 +76,13 @@ package starlogo.models.obj
             }
             else if (word == "usemtl")
             {
-                _material = readLabel(materials);
-                materials.begin(_material, triangles.length / 3);
+                _material = readLabel(data.materials);
+                data.materials.begin(_material, data.triangles.length / 3);
             }
             else if (word == "o" || word == "g")
             {
-                _mesh = readLabel(meshes);
-                meshes.begin(_mesh, triangles.length / 3);
+                _mesh = readLabel(data.meshes);
+                data.meshes.begin(_mesh, data.triangles.length / 3);
             }
             else
             {
@@ -96,10 +91,10 @@ package starlogo.models.obj
         }
 
         // The number of the name in the rest of a statement; -1 if there is no name.
-        private function readLabel(runs:TriangleRuns):int
+        private function readLabel(labels:TriangleLabels):int
         {
             var label:String = _lines.restOfStatement().join(" ");
-            return label == "" ? -1 : runs.numberOf(label, label);
+            return label == "" ? -1 : labels.numberFor(label, label);
         }
 
         private function readVertex():void
@@ -114,7 +109,7 @@ package starlogo.models.obj
                 readUnusualVertex();
                 return;
             }
-            vertices.push(x, y, z);
+            data.vertices.push(x, y, z);
             _lines.next = at + 3;
             if (all[at + 3] != LineReader.END)
             {
@@ -133,7 +128,7 @@ package starlogo.models.obj
                 {
                     throw errorAt(first, "expected a vertex, three finite numbers, but found \"v " + TextTokens.shorten(rest.join(" ")) + "\"");
                 }
-                vertices.push(coordinate);
+                data.vertices.push(coordinate);
             }
         }
 
@@ -168,7 +163,7 @@ package starlogo.models.obj
         {
             if (count == 3)
             {
-                triangles.push(_corners[0], _corners[1], _corners[2]);
+                data.triangles.push(_corners[0], _corners[1], _corners[2]);
             }
             else if (count > 3)
             {
@@ -189,11 +184,11 @@ package starlogo.models.obj
                 throw errorAt(_lines.line, "expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
                         TextTokens.shorten(word) + "\"");
             }
-            index = index > 0 ? index - 1 : vertices.length / 3 + index;
+            index = index > 0 ? index - 1 : data.vertices.length / 3 + index;
             if (index < 0)
             {
                 throw errorAt(_lines.line, "the corner \"" + TextTokens.shorten(word) +
-                        "\" counts back beyond the first vertex: there are " + vertices.length / 3 + " before it");
+                        "\" counts back beyond the first vertex: there are " + data.vertices.length / 3 + " before it");
             }
             if (index > _highestIndex)
             {
@@ -205,7 +200,7 @@ package starlogo.models.obj
 
         private function checkIndices():void
         {
-            var vertexCount:int = vertices.length / 3;
+            var vertexCount:int = data.vertices.length / 3;
             refuseIf(vertexCount == 0, name, "no vertices: expected lines such as \"v 1 2 3\"");
             refuseIf(_highestIndex >= vertexCount, name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, LineReader.placeOf(_highestLine));
             _isUsed = new Vector.<uint>(vertexCount);
@@ -218,8 +213,8 @@ package starlogo.models.obj
             var count:int = 0;
             while (_polygon < end && count < CORNERS_PER_STEP && !_triangulator.isCutting)
             {
-                materials.begin(_polygonLabels[2 * _polygon], triangles.length / 3);
-                meshes.begin(_polygonLabels[2 * _polygon + 1], triangles.length / 3);
+                data.materials.begin(_polygonLabels[2 * _polygon], data.triangles.length / 3);
+                data.meshes.begin(_polygonLabels[2 * _polygon + 1], data.triangles.length / 3);
                 var polygon:Vector.<uint> = _polygons[_polygon++];
                 _triangulator.addPolygon(polygon);
                 for each (var corner:uint in polygon)
@@ -234,7 +229,7 @@ package starlogo.models.obj
         /** If there are faces, removes the vertices that no face uses. */
         private function droppingUnused():Steps
         {
-            return triangles.length + _polygons.length == 0 ? null : new VertexFilter(vertices, triangles, _isUsed);
+            return data.triangles.length + _polygons.length == 0 ? null : new VertexFilter(data.vertices, data.triangles, _isUsed);
         }
 
         private function errorAt(line:int, problem:String):ModelError

@@ -64,7 +64,7 @@ package starlogo.models.stl
                 _lines = new LineReader(name, text);
                 repeat(readSome);
             }
-            vertices = _points.coordinates;
+            data.vertices = _points.coordinates;
             call(checkEnd).begin(turningUp);
         }
 
@@ -111,23 +111,18 @@ package starlogo.models.stl
                     {
                         throw new ModelError(name, "triangle " + i, "expected three finite numbers for a vertex, but found " + x + ", " + y + ", " + z);
                     }
-                    triangles.push(_points.indexOf(x, y, z));
+                    data.triangles.push(_points.indexOf(x, y, z));
                 }
                 place += FACET_LENGTH;
             }
-            _budget.requireMesh(vertices.length / 3, triangles.length / 3, "triangle " + end);
+            _budget.requireMesh(data.vertices.length / 3, data.triangles.length / 3, "triangle " + end);
             progress = 0.9 * end / Math.max(1, _count);
         }
 
         private function readSome():Boolean
         {
-            _lines.begin();
-            for (var word:String = _lines.nextStatement(); word != null; word = _lines.nextStatement())
-            {
-                readStatement(word);
-            }
-            _budget.requireMesh(vertices.length / 3, triangles.length / 3, _lines.place);
-            progress = 0.9 * _lines.progress;
+            progress = 0.9 * _lines.readStatements(readStatement);
+            _budget.requireMesh(data.vertices.length / 3, data.triangles.length / 3, _lines.place);
             return _lines.hasMore;
         }
 
@@ -162,7 +157,7 @@ package starlogo.models.stl
                 throw new ModelError(name, _lines.place, _corners == 3 ? "a facet has more than three vertices"
                         : "expected a vertex, three finite numbers, but found \"" + TextTokens.shorten(_lines.restOfStatement().join(" ")) + "\"");
             }
-            triangles.push(_points.indexOf(x, y, z));
+            data.triangles.push(_points.indexOf(x, y, z));
             _lines.next = at + 3;
             _corners++;
         }

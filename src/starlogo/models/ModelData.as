@@ -1,0 +1,74 @@
+package starlogo.models
+{
+    import starlogo.models.cooked.CookedFile;
+    import starlogo.steps.finish;
+
+    /**
+     * What a model is made of. A ModelReader fills it with what its file says, a Normalisation brings that to the model's place and
+     * scale, and the Model keeps it.
+     *
+     * @private
+     */
+    public final class ModelData
+    {
+        /** The model's name. */
+        public var name:String;
+
+        /** x, y, z of each vertex. Before the Normalisation they are as in the file, turned to z up. */
+        public var vertices:Vector.<Number> = new Vector.<Number>();
+
+        /** Three vertex indices for each triangle. The Normalisation sets it to null if there are none. */
+        public var triangles:Vector.<uint> = new Vector.<uint>();
+
+        /** The material of each triangle. The Normalisation sets it to null if no triangle has one. */
+        public var materials:TriangleLabels = new TriangleLabels();
+
+        /** The mesh of each triangle. The Normalisation sets it to null if no triangle has one. */
+        public var meshes:TriangleLabels = new TriangleLabels();
+
+        /** The scaling: Model.FOOTPRINT, VOLUME or AS_GIVEN. */
+        public var scaling:String = null;
+
+        /** Turns, scales and moves the model; null for none. */
+        public var transform:ModelTransform = null;
+
+        /** The length of the file's unit in patches, for Model.AS_GIVEN without a transform. */
+        public var unit:Number = 1;
+
+        /**
+         * The model's place and scale in its source. The Normalisation sets it. If a cooked file has set it before, the vertices are in
+         * their places already.
+         */
+        public var frame:SourceFrame = null;
+
+        /** The cooked file with the results for the model; null for none. */
+        public var cooked:CookedFile = null;
+
+        /** Data without vertices. */
+        public function ModelData(name:String)
+        {
+            this.name = name || "";
+        }
+
+        /**
+         * The data of a model that is not read from a file.
+         *
+         * @param name the model's name
+         * @param vertices x, y, z of each; copied
+         * @param triangles three vertex indices each; copied; null for none
+         * @param scaling as for Model's constructor
+         * @param transform null for none
+         * @throws ModelError as Model's constructor
+         */
+        public static function of(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>, scaling:String, transform:ModelTransform = null):ModelData
+        {
+            var data:ModelData = new ModelData(name);
+            data.vertices = vertices == null ? data.vertices : vertices.slice();
+            data.triangles = triangles == null ? data.triangles : triangles.slice();
+            data.scaling = scaling;
+            data.transform = transform;
+            finish(new Normalisation(data));
+            return data;
+        }
+    }
+}

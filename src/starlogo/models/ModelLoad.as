@@ -33,14 +33,6 @@ package starlogo.models
          */
         public var whenOver:Function = null;
 
-        /** The loads before and after it in its LoadQueue; null at the ends. Only the LoadQueue writes this and the next. */
-        public var previous:ModelLoad = null;
-        public var next:ModelLoad = null;
-
-        /** The loads of the same name before and after it in its LoadQueue. */
-        public var olderNamesake:ModelLoad = null;
-        public var newerNamesake:ModelLoad = null;
-
         private var _upAxis:Object;
         private var _scaling:String;
         private var _receiver:ModelReceiver;

@@ -68,7 +68,9 @@ package starlogo.models
 
         private var _receiver:ModelReceiver;
         private var _budget:Number;
-        private var _queue:LoadQueue = new LoadQueue();
+
+        // The loads that are not over, in the order in which they were added.
+        private var _loads:Vector.<ModelLoad> = new Vector.<ModelLoad>();
         private var _doneCount:int = 0;
         private var _manifest:ModelManifest = null;
         private var _longestFrame:int = 0;
@@ -137,7 +139,7 @@ package starlogo.models
         /** The number of models that are not loaded yet. */
         public function get pendingCount():int
         {
-            return _queue.count;
+            return _loads.length;
         }
 
         /** The longest time it has worked in one frame so far, in milliseconds. */
@@ -155,7 +157,10 @@ package starlogo.models
         /** Whether a model of this name is requested but not loaded yet. */
         public function isPending(name:String):Boolean
         {
-            return _queue.has(name);
+            return _loads.some(function(load:ModelLoad, index:int, all:Vector.<ModelLoad>):Boolean
+                {
+                    return load.name == name;
+                });
         }
 
         /**
@@ -219,9 +224,12 @@ package starlogo.models
          */
         public function cancel(name:String = null):void
         {
-            for each (var load:ModelLoad in _queue.newestFirst(name))
+            for each (var load:ModelLoad in _loads.concat().reverse())
             {
-                drop(load);
+                if (name == null || load.name == name)
+                {
+                    drop(load);
+                }
             }
         }
 
@@ -234,7 +242,7 @@ package starlogo.models
             }
             load.cancel();
             tell(load, null, null);
-            if (_queue.count == 0)
+            if (_loads.length == 0)
             {
                 rest();
                 dispatchEvent(new Event(Event.CANCEL));
@@ -257,7 +265,7 @@ package starlogo.models
         {
             var added:ModelLoad = new ModelLoad(name, upAxis, scaling, _receiver, newURLLoader);
             _receiver.expect(name);
-            _queue.add(added);
+            _loads.push(added);
             sFrames.addEventListener(Event.ENTER_FRAME, onFrame);
             return added;
         }
@@ -287,12 +295,14 @@ package starlogo.models
 
         private function nextReady():ModelLoad
         {
-            var pending:ModelLoad = _queue.first;
-            while (pending != null && !pending.isReady)
+            for each (var load:ModelLoad in _loads)
             {
-                pending = pending.next;
+                if (load.isReady)
+                {
+                    return load;
+                }
             }
-            return pending;
+            return null;
         }
 
         /** Does one step. An error ends this load only. */
@@ -336,28 +346,29 @@ package starlogo.models
         // Returns whether the load was still in the queue.
         private function remove(load:ModelLoad):Boolean
         {
-            var wasQueued:Boolean = _queue.remove(load);
-            if (wasQueued)
+            var index:int = _loads.indexOf(load);
+            if (index >= 0)
             {
+                _loads.splice(index, 1);
                 _receiver.expectNoMore(load.name);
             }
-            return wasQueued;
+            return index >= 0;
         }
 
         private function report():void
         {
-            if (_queue.count + _doneCount == 0)
+            if (_loads.length + _doneCount == 0)
             {
                 return; // a handler has cancelled the other loads
             }
             var done:Number = _doneCount;
-            for (var pending:ModelLoad = _queue.first; pending != null; pending = pending.next)
+            for each (var load:ModelLoad in _loads)
             {
-                done += pending.progress;
+                done += load.progress;
             }
-            var total:Number = 100 * (_doneCount + _queue.count);
+            var total:Number = 100 * (_doneCount + _loads.length);
             dispatchEvent(new ProgressEvent(ProgressEvent.PROGRESS, false, false, Math.floor(100 * done), total));
-            if (_queue.count == 0 && _doneCount > 0)
+            if (_loads.length == 0 && _doneCount > 0)
             {
                 rest();
                 dispatchEvent(new Event(Event.COMPLETE));

@@ -1,0 +1,50 @@
+package starlogo.models
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.steps.Steps;
+
+    /** Loads that are cancelled while others are. It is the receiver itself. */
+    public class CancelledLoadsTest implements ModelReceiver
+    {
+        private static const NAMES:Array = ["bear", "hasOwnProperty"];
+
+        private var _loader:ModelLoader = null;
+        private var _expected:int = 0;
+
+        /** A receiver that hears of the end of one load may cancel the others. */
+        [Test]
+        public function cancelsWhileItCancels():void
+        {
+            _loader = new ModelLoader(this);
+            for (var i:int = 0; i < 6; i++)
+            {
+                _loader.loadText(NAMES[i % 2], "v 0 0 0");
+            }
+            assertEquals(6, _expected);
+            assertTrue(_loader.isPending("hasOwnProperty"));
+            assertFalse("a member of every object", _loader.isPending("toString"));
+            _loader.cancel(NAMES[0]);
+            assertEquals(0, _expected);
+            assertEquals(0, _loader.pendingCount);
+            assertFalse(_loader.isPending(NAMES[1]));
+        }
+
+        public function expect(name:String):void
+        {
+            _expected++;
+        }
+
+        public function expectNoMore(name:String):void
+        {
+            _expected--;
+            _loader.cancel();
+        }
+
+        public function receive(model:Model):Steps
+        {
+            return null;
+        }
+    }
+}

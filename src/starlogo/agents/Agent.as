@@ -166,7 +166,7 @@ package starlogo.agents
             return sCreated;
         }
 
-        /** A number that no other agent of this run has. The first is 1. The agent of the world's edges has 0. */
+        /** A number that no other agent of this run has. The first is 1. Agents of the edges of the world have negative numbers. */
         public function get id():int
         {
             return number;

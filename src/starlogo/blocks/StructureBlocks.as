@@ -3,7 +3,7 @@ package starlogo.blocks
     import starlogo.agents.Agent;
     import starlogo.debug.CollisionLines;
     import starlogo.geometry.requireGiven;
-    import starlogo.search.IdTable;
+    import starlogo.search.HashTable;
 
     /**
      * The block "show bounding structures". It says which agents' structures are shown, and returns lines to draw: the shapes that the
@@ -16,7 +16,7 @@ package starlogo.blocks
 
         // By the ids of agents: 1 for agents whose structures are shown. Only ids are stored, so agents that have left the game can be
         // garbage-collected.
-        private var _agents:IdTable = new IdTable();
+        private var _agents:HashTable = new HashTable();
         private var _lines:CollisionLines;
 
         /**
@@ -44,7 +44,7 @@ package starlogo.blocks
             BlockSubject.check("show bounding structures", subject);
             if (subject is Agent)
             {
-                _agents.set (Agent(subject).id, isOn ? 1 : 0);
+                _agents.set (Agent(subject).id, 0, isOn ? 1 : 0);
                 return;
             }
             var index:int = _breeds.indexOf(subject as String);
@@ -68,7 +68,7 @@ package starlogo.blocks
         /** Whether an agent's structures are shown, because of the agent itself or its breed. */
         public function isShown(agent:Agent):Boolean
         {
-            return _agents.valueOf(agent.id) == 1 || _breeds.indexOf(agent.breed) >= 0;
+            return _agents.valueOf(agent.id, 0) == 1 || _breeds.indexOf(agent.breed) >= 0;
         }
 
         /**

@@ -3,11 +3,11 @@ package starlogo.collision
     import flash.utils.getTimer;
     import starlogo.agents.Agent;
     import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.search.AgentShapes;
     import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;
-    import starlogo.search.FoundContact;
     import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
@@ -58,7 +58,8 @@ package starlogo.collision
 
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _found:FoundPairs = new FoundPairs();
-        private var _foundContact:FoundContact = new FoundContact();
+        private var _motion:RelativeMotion = new RelativeMotion();
+        private var _point:ContactPoint = new ContactPoint();
         private var _input:FrameInput = new FrameInput();
 
         /**
@@ -143,12 +144,12 @@ package starlogo.collision
         {
             requireTwo(collider, collidee);
             var contact:Contact = out || new Contact();
-            var found:FoundContact = _foundContact;
-            var point:ContactPoint = found.point;
-            _seen.findContact(collider, collidee, found);
-            contact.time = found.time;
+            var motion:RelativeMotion = _motion;
+            var point:ContactPoint = _point;
+            _seen.findContact(collider, collidee, motion, point);
+            contact.time = motion.time;
             contact.depth = point.depth;
-            contact.approachSpeed = found.approachSpeed;
+            contact.approachSpeed = Math.max(0, -(motion.x * point.normalX + motion.y * point.normalY + motion.z * point.normalZ));
             contact.normal.setTo(point.normalX, point.normalY, point.normalZ);
             contact.point.setTo(point.x, point.y, point.z);
             return contact;

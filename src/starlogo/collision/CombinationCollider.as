@@ -1,10 +1,7 @@
 package starlogo.collision
 {
     import starlogo.GreatLand;
-    import starlogo.engine;
     import starlogo.search.TreesAndFits;
-
-    use namespace engine;
 
     /**
      * Finds collisions precisely for the agents that ask for it, and fast for all others. Agents with the trait <code>hierarchical</code>

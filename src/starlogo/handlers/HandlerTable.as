@@ -3,6 +3,7 @@ package starlogo.handlers
     import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
+    import starlogo.search.HashTable;
     import starlogo.search.textOf;
 
     use namespace engine;
@@ -15,11 +16,6 @@ package starlogo.handlers
      */
     public final class HandlerTable
     {
-        private static const LEAST_SLOTS:int = 64;
-
-        // The factor of the first breed in the hash of a pair: an odd number, so that pairs of neighbouring numbers have slots of their own.
-        private static const SPREAD:int = 40503;
-
         /** The pairs of breeds that have handlers. */
         public var interests:BreedInterests = new BreedInterests();
 
@@ -29,10 +25,9 @@ package starlogo.handlers
         /** The kinds of the handlers that take the contact of a touch. */
         public var contactKinds:int = 0;
 
-        // The pairs of breeds that have handlers, or that have met. A hash table with open addressing finds them; it is at most half full. A pair
-        // of an older revision gets its handlers anew.
-        private var _pairs:Vector.<PairHandlers>;
-        private var _slots:Vector.<PairHandlers>;
+        // The pairs of breeds that have handlers, or that have met, and the index of each. A pair of an older revision gets its handlers anew.
+        private var _pairs:Vector.<PairHandlers> = new Vector.<PairHandlers>();
+        private var _indices:HashTable = new HashTable();
         private var _revision:int = 0;
 
         // The handlers that came after the last frame began, and whether one was removed since then. How many were ever added, and how many of
@@ -41,11 +36,6 @@ package starlogo.handlers
         private var _isOneRemoved:Boolean = false;
         private var _count:int = 0;
         private var _knownCount:int = 0;
-
-        public function HandlerTable()
-        {
-            fill(new Vector.<PairHandlers>(), LEAST_SLOTS);
-        }
 
         /**
          * Adds a handler of a kind.
@@ -68,8 +58,8 @@ package starlogo.handlers
             {
                 throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + kind + "\"");
             }
-            var pair:PairHandlers = _slots[slotOf(BreedInterests.numberOf(breed), BreedInterests.numberOf(otherBreed))];
-            var removed:CollisionHandler = pair == null ? null : pair.find(handler, kind == null ? PairHandlers.ANY_KIND : wanted);
+            var pair:PairHandlers = pairOf(BreedInterests.numberOf(breed), BreedInterests.numberOf(otherBreed));
+            var removed:CollisionHandler = pair.find(handler, kind == null ? PairHandlers.ANY_KIND : wanted);
             if (removed == null)
             {
                 return false;
@@ -119,21 +109,9 @@ package starlogo.handlers
          */
         public function handlersOf(breed:int, otherBreed:int):PairHandlers
         {
-            // slotOf() as a loop here, because one more call for each pair takes a tenth of a frame in Adobe's VM
-            var slots:Vector.<PairHandlers> = _slots;
-            var last:int = slots.length - 1;
-            var slot:int = breed * SPREAD + otherBreed & last;
-            var found:PairHandlers = slots[slot];
-            while (found != null)
-            {
-                if (found.breed == breed && found.otherBreed == otherBreed)
-                {
-                    return found.revision == _revision ? found : find(found);
-                }
-                slot = slot + 1 & last;
-                found = slots[slot];
-            }
-            return find(pairOf(breed, otherBreed));
+            var index:int = _indices.valueOf(breed, otherBreed);
+            var found:PairHandlers = index < 0 ? pairOf(breed, otherBreed) : _pairs[index];
+            return found.revision == _revision ? found : find(found);
         }
 
         // Finds the handlers of a pair, as they were when the frame began.
@@ -152,8 +130,8 @@ package starlogo.handlers
             {
                 for each (var other:int in otherBreed > Breeds.ANY ? [otherBreed, Breeds.ANY] : [otherBreed])
                 {
-                    var pair:PairHandlers = _slots[slotOf(number, other)];
-                    for each (var handler:CollisionHandler in pair == null ? null : pair.added)
+                    var index:int = _indices.valueOf(number, other);
+                    for each (var handler:CollisionHandler in index < 0 ? null : _pairs[index].added)
                     {
                         if (handler.order < _knownCount)
                         {
@@ -178,7 +156,8 @@ package starlogo.handlers
         private function startAgain():void
         {
             var pairs:Vector.<PairHandlers> = _pairs;
-            fill(new Vector.<PairHandlers>(), LEAST_SLOTS);
+            _pairs = new Vector.<PairHandlers>();
+            _indices.clear();
             interests = new BreedInterests();
             kinds = contactKinds = 0;
             _isOneRemoved = false;
@@ -198,40 +177,13 @@ package starlogo.handlers
         // A pair in the table. A new pair has no handlers yet.
         private function pairOf(breed:int, otherBreed:int):PairHandlers
         {
-            var slot:int = slotOf(breed, otherBreed);
-            if (_slots[slot] != null)
+            var index:int = _indices.valueOf(breed, otherBreed);
+            if (index < 0)
             {
-                return _slots[slot];
+                index = _pairs.push(new PairHandlers(breed, otherBreed)) - 1;
+                _indices.set (breed, otherBreed, index);
             }
-            var pair:PairHandlers = _slots[slot] = new PairHandlers(breed, otherBreed);
-            _pairs.push(pair);
-            if (2 * _pairs.length > _slots.length)
-            {
-                fill(_pairs, 2 * _slots.length);
-            }
-            return pair;
-        }
-
-        private function fill(pairs:Vector.<PairHandlers>, slotCount:int):void
-        {
-            _pairs = pairs;
-            _slots = new Vector.<PairHandlers>(slotCount, true);
-            for each (var pair:PairHandlers in pairs)
-            {
-                _slots[slotOf(pair.breed, pair.otherBreed)] = pair;
-            }
-        }
-
-        // The slot of a pair, or the free slot where it belongs.
-        private function slotOf(breed:int, otherBreed:int):int
-        {
-            var last:int = _slots.length - 1;
-            var slot:int = breed * SPREAD + otherBreed & last;
-            while (_slots[slot] != null && (_slots[slot].breed != breed || _slots[slot].otherBreed != otherBreed))
-            {
-                slot = slot + 1 & last;
-            }
-            return slot;
+            return _pairs[index];
         }
 
         private static function require(breed:String, otherBreed:String, handler:Function):void

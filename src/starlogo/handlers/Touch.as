@@ -30,8 +30,8 @@ package starlogo.handlers
         /** How many touches began before it. */
         public var order:Number;
 
-        /** The hash of the two agents, in the tracker's table. */
-        public var hash:int;
+        /** Its index among the tracker's touches. */
+        public var index:int;
 
         /** Whether handlers have been called for both agents, not only for the first. */
         public var isBothWays:Boolean;

@@ -3,7 +3,9 @@ package starlogo.handlers
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.search.FoundPairs;
+    import starlogo.search.HashTable;
     import starlogo.search.KeySort;
+    import starlogo.search.NumberList;
 
     use namespace engine;
 
@@ -16,8 +18,6 @@ package starlogo.handlers
      */
     public final class TouchTracker
     {
-        private static const LEAST_LENGTH:int = 16;
-
         /** The number of the frame, from 1 on. */
         public var frame:int = 0;
 
@@ -41,18 +41,15 @@ package starlogo.handlers
         private var _open:Vector.<Touch> = new Vector.<Touch>();
         private var _openCount:int = 0;
 
-        // A hash table of all touches, with open addressing. It is at most half full, and its length is a power of two. The last hash that was
-        // computed.
-        private var _table:Vector.<Touch> = new Vector.<Touch>(LEAST_LENGTH);
-        private var _hash:int;
-
-        // Objects for later touches, and the number of touches that ever began.
-        private var _spares:Vector.<Touch> = new Vector.<Touch>();
-        private var _spareCount:int = 0;
+        // All touches that there are, and their objects for later ones, at their indices; the index of two agents by their numbers, the lesser
+        // first; the indices of objects for later touches; and the number of touches that ever began.
+        private var _all:Vector.<Touch> = new Vector.<Touch>();
+        private var _indices:HashTable = new HashTable();
+        private var _free:NumberList = new NumberList();
         private var _begun:Number = 0;
 
         private var _sort:KeySort = new KeySort();
-        private var _indices:Vector.<int> = new Vector.<int>();
+        private var _order:Vector.<int> = new Vector.<int>();
         private var _keys:Vector.<Number> = new Vector.<Number>();
 
         /** Whether the touches of all pairs but the added ones go on. Otherwise no pair has a touch when the frame begins. */
@@ -92,8 +89,13 @@ package starlogo.handlers
          */
         public function renew(pair:int, a:Agent, b:Agent):void
         {
-            var touch:Touch = _table[slotOf(a, b)];
-            if (touch != null && touch.isBothWays && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber)
+            var index:int = indexOf(a, b);
+            if (index < 0)
+            {
+                return;
+            }
+            var touch:Touch = _all[index];
+            if (touch.isBothWays && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber)
             {
                 touch.seenIn = frame;
                 touches[pair] = touch;
@@ -111,7 +113,8 @@ package starlogo.handlers
                 {
                     // a pair that is listed twice has one touch
                     touch.seenIn = frame;
-                    remove(touch);
+                    _indices.remove(Math.min(touch.first.number, touch.second.number), Math.max(touch.first.number, touch.second.number));
+                    count--;
                     _open[endedCount] = touch;
                     endedCount++;
                 }
@@ -125,8 +128,7 @@ package starlogo.handlers
             for (var i:int = 0; i < endedCount; i++)
             {
                 ended[i].first = ended[i].second = null;
-                _spares[_spareCount] = ended[i];
-                _spareCount++;
+                _free.add(ended[i].index);
             }
             endedCount = 0;
         }
@@ -134,22 +136,17 @@ package starlogo.handlers
         /** Returns the touch of a pair, of two agents with these breeds. If there is none, it begins. */
         public function start(pair:int, first:Agent, second:Agent, firstBreed:int, secondBreed:int, isBothWays:Boolean = false):Touch
         {
-            var slot:int = slotOf(first, second);
-            var touch:Touch = _table[slot];
-            if (touch == null)
+            var index:int = indexOf(first, second);
+            var touch:Touch = index < 0 ? newTouch() : _all[index];
+            if (index < 0)
             {
-                touch = _table[slot] = newTouch();
                 touch.first = first;
                 touch.second = second;
                 touch.firstBreed = firstBreed;
                 touch.secondBreed = secondBreed;
                 touch.isBothWays = isBothWays;
-                touch.hash = _hash;
+                _indices.set (Math.min(first.number, second.number), Math.max(first.number, second.number), touch.index);
                 count++;
-                if (2 * count > _table.length)
-                {
-                    growTable();
-                }
             }
             touches[pair] = touch;
             if (pair >= _pairCount)
@@ -169,11 +166,11 @@ package starlogo.handlers
         public function inOrder():Vector.<Touch>
         {
             var found:Vector.<Touch> = new Vector.<Touch>();
-            for (var i:int = 0; i < _table.length; i++)
+            for (var i:int = 0; i < _all.length; i++)
             {
-                if (_table[i] != null)
+                if (_all[i].first != null)
                 {
-                    found.push(_table[i]);
+                    found.push(_all[i]);
                 }
             }
             var ordered:Vector.<Touch> = new Vector.<Touch>();
@@ -184,14 +181,15 @@ package starlogo.handlers
         private function newTouch():Touch
         {
             var touch:Touch;
-            if (_spareCount > 0)
+            if (_free.count > 0)
             {
-                _spareCount--;
-                touch = _spares[_spareCount];
+                _free.count--;
+                touch = _all[_free.numbers[_free.count]];
             }
             else
             {
                 touch = new Touch();
+                touch.index = _all.push(touch) - 1;
             }
             touch.beganIn = touch.seenIn = frame;
             touch.order = _begun;
@@ -243,63 +241,20 @@ package starlogo.handlers
         {
             for (var i:int = 0; i < length; i++)
             {
-                _indices[i] = i;
+                _order[i] = i;
                 _keys[i] = from[i].order;
             }
-            _sort.sort(_indices, _keys, length);
+            _sort.sort(_order, _keys, length);
             for (i = 0; i < length; i++)
             {
-                out[i] = from[_indices[i]];
+                out[i] = from[_order[i]];
             }
         }
 
-        private function growTable():void
+        // The index of the touch of two agents, in either order; -1 if there is none.
+        private function indexOf(a:Agent, b:Agent):int
         {
-            var before:Vector.<Touch> = _table;
-            _table = new Vector.<Touch>(2 * before.length);
-            for (var i:int = 0; i < before.length; i++)
-            {
-                if (before[i] != null)
-                {
-                    _table[slotOf(before[i].first, before[i].second)] = before[i];
-                }
-            }
-        }
-
-        // The touches behind the gap move up into it, except a touch whose own slot is behind the gap.
-        private function remove(touch:Touch):void
-        {
-            var mask:int = _table.length - 1;
-            var gap:int = slotOf(touch.first, touch.second);
-            for (var slot:int = (gap + 1) & mask; _table[slot] != null; slot = (slot + 1) & mask)
-            {
-                var other:Touch = _table[slot];
-                if (((slot - other.hash) & mask) >= ((slot - gap) & mask))
-                {
-                    _table[gap] = other;
-                    gap = slot;
-                }
-            }
-            _table[gap] = null;
-            count--;
-        }
-
-        // The slot of a pair in the table, in either order of its agents, or the free slot where it belongs.
-        private function slotOf(a:Agent, b:Agent):int
-        {
-            var idA:int = a.number;
-            var idB:int = b.number;
-            var mixed:int = idA < idB ? idA * 8191 + idB * 131 : idB * 8191 + idA * 131;
-            var mask:int = _table.length - 1;
-            _hash = mixed ^ mixed >>> 11;
-            var slot:int = _hash & mask;
-            var touch:Touch = _table[slot];
-            while (touch != null && !(touch.first === a && touch.second === b) && !(touch.first === b && touch.second === a))
-            {
-                slot = (slot + 1) & mask;
-                touch = _table[slot];
-            }
-            return slot;
+            return a.number < b.number ? _indices.valueOf(a.number, b.number) : _indices.valueOf(b.number, a.number);
         }
     }
 }

@@ -31,7 +31,7 @@ package starlogo.search
         /** Where the agents are and were. */
         public var places:PlaceHistory = new PlaceHistory();
 
-        /** By row: the number of the agent's breed. The breeds of the ground and of the edges have the numbers of their rows. */
+        /** By row: the number of the agent's breed. */
         internal var breeds:Vector.<int> = new Vector.<int>();
 
         // By row: the shape of the agent's model, which is null while the model is loading; the shape's form; and the body, which is as old as its
@@ -73,8 +73,6 @@ package starlogo.search
             _rowExtents = new RowExtents(levels);
             extents = _rowExtents.extents;
             grow(ListedAgents.LISTED);
-            breeds[ListedAgents.GROUND] = ListedAgents.GROUND;
-            breeds[ListedAgents.EDGES] = ListedAgents.EDGES;
         }
 
         /**
@@ -86,7 +84,7 @@ package starlogo.search
         public function read(agents:Vector.<Agent>):void
         {
             forgetReplaced();
-            list.departed.count = 0;
+            list.beginRead();
             var isOther:Boolean = !list.isAccepted || agents.length != list.count || !readChanged(agents, list.rows);
             if (isOther)
             {
@@ -136,6 +134,7 @@ package starlogo.search
                 shapes[row] = null;
                 if (agent != null)
                 {
+                    breeds[row] = agent.breedNumber;
                     setShape(row, ModelShapes.newShapeOfWorldAgent(WorldAgent(agent)));
                     findExtents(row);
                     places.now.put(row, agent);

@@ -22,9 +22,10 @@ package starlogo.search
         /** @private Whether all pairs of the breeds of agents that are told apart are of interest. */
         engine var areAll:Boolean = true;
 
-        // By number: the numbers that make a pair with it, plus 1, because no id is 0. Null for a breed that no pair names, and for ANY until a
-        // pair has ANY_BREED. ANY is a member like the others, so a breed with ANY_BREED costs no more than a breed with one other.
-        private var _partners:Vector.<IdTable> = new Vector.<IdTable>(Breeds.ANY + 1);
+        // The pairs, in both orders, and by the number of a breed whether a pair names it. ANY is a member like the others, so a breed with
+        // ANY_BREED costs no more than a breed with one other.
+        private var _pairs:HashTable = new HashTable();
+        private var _isNamed:Vector.<Boolean> = new Vector.<Boolean>(Breeds.ANY + 1);
 
         // How many breeds of agents the pairs name, and how many pairs are of two of these.
         private var _agentBreeds:int = 0;
@@ -32,12 +33,6 @@ package starlogo.search
 
         /** How often a pair was added. */
         internal var revision:int = 0;
-
-        /** All numbers of breeds in pairs are less than this. It grows when a pair is added. */
-        public function get breedCount():int
-        {
-            return _partners.length;
-        }
 
         /**
          * Adds a pair of breeds. A pair that is already there is not added again.
@@ -54,17 +49,16 @@ package starlogo.search
         engine function addNumbers(number:int, other:int):void
         {
             revision++;
-            enter(number);
-            enter(other);
-            if (!_partners[number].has(other + 1))
+            name(number);
+            name(other);
+            if (!has(number, other))
             {
-                _partners[number].set (other + 1, 0);
-                _partners[other].set (number + 1, 0);
+                _pairs.set (number, other, 0);
+                _pairs.set (other, number, 0);
                 _agentPairs += number > Breeds.ANY && other > Breeds.ANY ? 1 : 0;
             }
             // the breeds that no pair names are told apart from the others once a pair has ANY_BREED
-            var any:IdTable = _partners[Breeds.ANY];
-            areAll = any == null ? 2 * _agentPairs == _agentBreeds * (_agentBreeds + 1) : any.has(Breeds.ANY + 1);
+            areAll = isNamed(Breeds.ANY) ? has(Breeds.ANY, Breeds.ANY) : 2 * _agentPairs == _agentBreeds * (_agentBreeds + 1);
         }
 
         /** The number of a breed, from 0 on, or -1 if the breed is in no pair. */
@@ -76,14 +70,14 @@ package starlogo.search
         /** Whether a pair of breeds is of interest. Pass their numbers; the answer is false if one of them is -1. */
         public function includes(index:int, otherIndex:int):Boolean
         {
-            if (!isEntered(index) || !isEntered(otherIndex))
+            if (!isNamed(index) || !isNamed(otherIndex))
             {
                 return false;
             }
             var isOfAgents:Boolean = !Breeds.isReserved(index);
             var isOtherOfAgents:Boolean = !Breeds.isReserved(otherIndex);
-            return _partners[index].has(otherIndex + 1) || isOfAgents && isOtherOfAgents && areAll ||
-                isOtherOfAgents && _partners[index].has(Breeds.ANY + 1) || isOfAgents && _partners[otherIndex].has(Breeds.ANY + 1);
+            return has(index, otherIndex) || isOfAgents && isOtherOfAgents && areAll || isOtherOfAgents && has(index, Breeds.ANY)
+                || isOfAgents && has(otherIndex, Breeds.ANY);
         }
 
         /** @private The number of a breed in the class Breeds, or Breeds.ANY for ANY_BREED. */
@@ -95,26 +89,26 @@ package starlogo.search
         /** @private The same as <code>indexOf()</code> of a breed's name, from the breed's number in the class Breeds. */
         engine function indexOfNumber(breed:int):int
         {
-            if (isEntered(breed))
+            if (isNamed(breed))
             {
                 return breed;
             }
-            return _partners[Breeds.ANY] == null || Breeds.isReserved(breed) ? -1 : Breeds.ANY;
+            return !isNamed(Breeds.ANY) || Breeds.isReserved(breed) ? -1 : Breeds.ANY;
         }
 
         /** The number of listed agents whose breed is in no pair. */
         internal function countOutsiders(table:AgentTable):int
         {
-            var partners:Vector.<IdTable> = _partners;
+            var named:Vector.<Boolean> = _isNamed;
             var breeds:Vector.<int> = table.breeds;
             var rows:Vector.<int> = table.list.rows;
-            var known:int = partners.length;
-            var end:int = partners[Breeds.ANY] == null ? table.list.count : 0;
+            var known:int = named.length;
+            var end:int = isNamed(Breeds.ANY) ? 0 : table.list.count;
             var outsiders:int = 0;
             for (var i:int = 0; i < end; i++)
             {
-                var number:int = breeds[rows[i]];
-                if (number >= known || partners[number] == null)
+                var breed:int = breeds[rows[i]];
+                if (breed >= known || !named[breed])
                 {
                     outsiders++;
                 }
@@ -125,30 +119,26 @@ package starlogo.search
         /**
          * Keeps a row's candidates whose breeds are of interest together with its own breed, and moves them to the beginning of the list.
          *
-         * @param numbers by row: the number of its breed. A breed that is in no pair has no partners but those of ANY_BREED
+         * @param breeds by row: the number of its breed. A breed that is in no pair has no partners but those of ANY_BREED
          * @param others the candidates, which are rows
          * @param count the number of candidates
          * @return the number of candidates that it keeps
          */
-        internal function keepOfInterest(numbers:Vector.<int>, row:int, others:Vector.<int>, count:int):int
+        internal function keepOfInterest(breeds:Vector.<int>, row:int, others:Vector.<int>, count:int):int
         {
-            var own:int = indexOfNumber(numbers[row]);
-            var any:IdTable = _partners[Breeds.ANY];
-            if (any != null && any.has(own + 1))
+            var own:int = indexOfNumber(breeds[row]);
+            if (has(own, Breeds.ANY))
             {
                 return count;
             }
             // ANY_BREED does not stand for the ground or the edges
-            any = Breeds.isReserved(own) ? null : any;
-            var partners:IdTable = _partners[own];
-            var ids:Vector.<int> = partners.slots;
+            var mayBeAny:Boolean = isNamed(Breeds.ANY) && !Breeds.isReserved(own);
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                var number:int = numbers[other] + 1;
-                // as has(), with one call less for each candidate
-                if (ids[partners.slotOf(number)] == number || any != null && any.has(number))
+                var breed:int = breeds[other];
+                if (_pairs.valueOf(own, breed) >= 0 || mayBeAny && has(Breeds.ANY, breed))
                 {
                     others[kept] = other;
                     kept++;
@@ -157,23 +147,28 @@ package starlogo.search
             return kept;
         }
 
-        /** Whether pairs of a breed were added. */
-        internal function isEntered(number:int):Boolean
+        /** Whether a pair names a breed. */
+        internal function isNamed(breed:int):Boolean
         {
-            return number >= 0 && number < _partners.length && _partners[number] != null;
+            return breed >= 0 && breed < _isNamed.length && _isNamed[breed];
         }
 
-        private function enter(number:int):void
+        private function has(breed:int, other:int):Boolean
         {
-            if (number >= _partners.length)
+            return _pairs.valueOf(breed, other) >= 0;
+        }
+
+        private function name(breed:int):void
+        {
+            if (breed >= _isNamed.length)
             {
                 // room for all breeds at once, because Adobe's VM copies a vector whenever its length is set
-                _partners.length = Breeds.count;
+                _isNamed.length = Breeds.count;
             }
-            if (_partners[number] == null)
+            if (!_isNamed[breed])
             {
-                _partners[number] = new IdTable();
-                _agentBreeds += number > Breeds.ANY ? 1 : 0;
+                _isNamed[breed] = true;
+                _agentBreeds += breed > Breeds.ANY ? 1 : 0;
             }
         }
     }

@@ -102,7 +102,7 @@ package starlogo.search
          */
         public function findAtWorldAgent(worldAgent:int, rows:Vector.<int>, length:int):void
         {
-            if (_table.list.agents[worldAgent] == null || !_conditions.interests.isEntered(worldAgent))
+            if (_table.list.agents[worldAgent] == null || !_conditions.interests.isNamed(_table.breeds[worldAgent]))
             {
                 return;
             }

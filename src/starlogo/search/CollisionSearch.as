@@ -5,6 +5,7 @@ package starlogo.search
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
     import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
 
     use namespace engine;
@@ -28,7 +29,6 @@ package starlogo.search
         private var _bins:Bins = new Bins();
         private var _conditions:SearchConditions = new SearchConditions();
         private var _motions:RowMotions;
-        private var _contacts:PairContacts;
         private var _candidates:CandidateFilter;
         private var _order:PairOrder = new PairOrder();
 
@@ -54,7 +54,6 @@ package starlogo.search
             _shapes = new ModelShapes(choice);
             table = new AgentTable(_shapes, _bins.levels);
             _motions = new RowMotions(narrowPhase);
-            _contacts = new PairContacts(narrowPhase, _motions);
             _candidates = new CandidateFilter(table, narrowPhase, _motions, _conditions);
             _kept = new KeptPairs(table, _candidates, _motions, _bins.levels, _order);
         }
@@ -142,35 +141,35 @@ package starlogo.search
          * Finds the contact of two agents that touch. It takes them where the last search saw them, or where they are now if the last search did
          * not see both. The ground and the edges of the world count as they are now, or as they were when they were held.
          *
-         * @param out receives the contact
+         * @param motion receives the motion of the first relative to the second, with the time of the touch: 1 if neither sweeps
+         * @param out receives the contact. Its normal points from the second agent to the first
          * @throws ArgumentError if a model is unknown or still loading, or if both stand for the ground or the edges of the world
          */
-        public function findContact(a:Agent, b:Agent, out:FoundContact):void
+        public function findContact(a:Agent, b:Agent, motion:RelativeMotion, out:ContactPoint):void
         {
             if (Breeds.isReserved(a.breedNumber) && Breeds.isReserved(b.breedNumber))
             {
                 throw new ArgumentError("the ground and the edges of the world have no contact with each other");
             }
-            if (comesAfter(a, b))
-            {
-                // as in the pairs of a search, so rounding is the same in either order
-                findContact(b, a, out);
-                var point:ContactPoint = out.point;
-                point.setNormal(-point.normalX, -point.normalY, -point.normalZ);
-                return;
-            }
             var rowA:int = table.list.rowOf(a);
             var rowB:int = table.list.rowOf(b);
-            if (rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null)
+            if (comesAfter(a, rowA, b, rowB))
             {
-                if (_conditions.isSwept)
-                {
-                    _contacts.findOnMotions(table, rowA, rowB, out);
-                }
-                else
-                {
-                    _contacts.findStanding(table.bodyOf(rowA), table.bodyOf(rowB), out);
-                }
+                // as in the pairs of a search, so rounding is the same in either order
+                findContact(b, a, motion, out);
+                out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
+                motion.endAfter(-motion.x, -motion.y, -motion.z);
+                return;
+            }
+            var areSeen:Boolean = rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null;
+            if (areSeen && _conditions.isSwept)
+            {
+                _motions.findContact(table, rowA, rowB, motion, out);
+                return;
+            }
+            if (areSeen)
+            {
+                _narrowPhase.findContact(table.bodyOf(rowA), table.bodyOf(rowB), motion, out);
                 return;
             }
             var bodyA:Body = table.bodyOfNow(a, _bodyA);
@@ -180,18 +179,16 @@ package starlogo.search
                 var loading:Agent = bodyA.shape == null ? a : b;
                 throw new ArgumentError(loading + ": its model is still loading");
             }
-            _contacts.findStanding(bodyA, bodyB, out);
+            _narrowPhase.findContact(bodyA, bodyB, motion, out);
         }
 
         // Whether the second of two agents comes first in a pair. The ground and the edges of the world come last.
-        private function comesAfter(a:Agent, b:Agent):Boolean
+        private function comesAfter(a:Agent, rowA:int, b:Agent, rowB:int):Boolean
         {
             if (Breeds.isReserved(a.breedNumber) || Breeds.isReserved(b.breedNumber))
             {
                 return Breeds.isReserved(a.breedNumber);
             }
-            var rowA:int = table.list.rowOf(a);
-            var rowB:int = table.list.rowOf(b);
             if (rowA >= 0 && rowB >= 0)
             {
                 return table.list.ranks[rowA] > table.list.ranks[rowB];

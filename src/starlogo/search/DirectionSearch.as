@@ -2,10 +2,7 @@ package starlogo.search
 {
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.engine;
     import starlogo.geometry.Tolerances;
-
-    use namespace engine;
 
     /**
      * Finds the distance at which two touching bodies are free of each other if the first one moves along a direction. It tries places farther and

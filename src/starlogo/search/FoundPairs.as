@@ -52,7 +52,7 @@ package starlogo.search
         public var added:NumberList = new NumberList();
 
         // For pairs of another system: the rows of agents by their ids; and by row the agents and their indices.
-        private var _byId:IdTable = null;
+        private var _byId:HashTable = null;
         private var _readAgents:Vector.<Agent> = null;
         private var _readRanks:Vector.<int> = null;
 
@@ -150,8 +150,8 @@ package starlogo.search
             basis = NONE;
             for (var i:int = 0; i + 1 < pairs.length; i += 2)
             {
-                rows[2 * count] = _byId.valueOf(pairs[i].id);
-                rows[2 * count + 1] = _byId.valueOf(pairs[i + 1].id);
+                rows[2 * count] = _byId.valueOf(pairs[i].id, 0);
+                rows[2 * count + 1] = _byId.valueOf(pairs[i + 1].id, 0);
                 if (rows[2 * count] >= 0 && rows[2 * count + 1] >= 0)
                 {
                     count++;
@@ -194,7 +194,7 @@ package starlogo.search
         // Gives the agents of a list rows in their order.
         private function readList(list:Vector.<Agent>):void
         {
-            _byId ||= new IdTable();
+            _byId ||= new HashTable();
             _readAgents ||= new Vector.<Agent>();
             _readRanks ||= new Vector.<int>();
             _byId.clear();
@@ -206,7 +206,7 @@ package starlogo.search
                 _readRanks[row] = i;
                 if (list[i] != null)
                 {
-                    _byId.set (list[i].id, row);
+                    _byId.set (list[i].id, 0, row);
                 }
             }
             refer(_readAgents, _readRanks, list.length);

@@ -18,8 +18,8 @@ package starlogo.search
      */
     internal final class KeptPairs
     {
-        // Pairs are kept if at most one row in OF_ALL was read again or left. Those that the filter takes in or out do not count. If all shapes are spheres, or only some breeds have handlers, at most one row in
-        // OF_FAST may have changed.
+        // Pairs are kept if at most one row in OF_ALL has changed. If all shapes are spheres, or only some breeds have handlers, it is at most one
+        // row in OF_FAST.
         private static const OF_ALL:int = 8;
         private static const OF_FAST:int = 20;
 
@@ -106,17 +106,22 @@ package starlogo.search
          */
         public function find(conditions:SearchConditions, pairs:FoundPairs):Boolean
         {
-            _isLikeLast = conditions.isLike(_conditions) && haveFewChanged(conditions);
-            _conditions.copyFrom(conditions);
-            if (!_isValid || !_isLikeLast || pairs !== _pairs || pairs.revision != _pairsRevision)
-            {
-                _isValid = false;
-                return false;
-            }
+            var isValid:Boolean = _isValid && pairs === _pairs && pairs.revision == _pairsRevision;
             // they are not if the search throws
             _isValid = false;
+            _isLikeLast = conditions.isLike(_conditions) && areFew(countRead(conditions.isSwept), conditions);
+            _conditions.copyFrom(conditions);
+            if (!_isLikeLast || !isValid)
+            {
+                return false;
+            }
             _searchNumber++;
             listChanged();
+            _isLikeLast = areFew(_changed.count, conditions);
+            if (!_isLikeLast)
+            {
+                return false;
+            }
             if (conditions.isSwept)
             {
                 _motions.find(_table, _levels, _changed.numbers, _changed.count);
@@ -142,15 +147,22 @@ package starlogo.search
             return true;
         }
 
-        private function haveFewChanged(conditions:SearchConditions):Boolean
+        // The number of rows that were read again, or have another place in the list.
+        private function countRead(isSwept:Boolean):int
+        {
+            var count:int = _table.places.moved.count + _table.list.departed.count;
+            if (isSwept)
+            {
+                count += _table.places.movedBefore.count;
+            }
+            return count;
+        }
+
+        // Whether so few rows have changed that a search of all rows would take longer.
+        private function areFew(changes:int, conditions:SearchConditions):Boolean
         {
             var interests:BreedInterests = conditions.interests;
             var among:int = conditions.areSpheres || interests != null && !interests.areAll ? OF_FAST : OF_ALL;
-            var changes:int = _table.places.moved.count + _table.list.departed.count;
-            if (conditions.isSwept)
-            {
-                changes += _table.places.movedBefore.count;
-            }
             return among * changes <= _table.list.count;
         }
 

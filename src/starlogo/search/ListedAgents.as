@@ -16,7 +16,7 @@ package starlogo.search
      */
     public final class ListedAgents
     {
-        /** The row of the agent of the ground, which is in no list. Its breed has the same number. */
+        /** The row of the agent of the ground, which is in no list. */
         public static const GROUND:int = 0;
 
         /** The row of the agent of the edges of the world. */
@@ -57,7 +57,7 @@ package starlogo.search
 
         private var _free:NumberList = new NumberList();
         private var _inOrder:Vector.<int> = new Vector.<int>();
-        private var _rowsById:IdTable = new IdTable();
+        private var _rowsById:HashTable = new HashTable();
 
         // All rows below it are in use or free.
         private var _end:int = LISTED;
@@ -77,9 +77,9 @@ package starlogo.search
         {
             if (Breeds.isReserved(agent.breedNumber))
             {
-                return agents[agent.breedNumber] === agent ? agent.breedNumber : -1;
+                return agents[GROUND] === agent ? GROUND : agents[EDGES] === agent ? EDGES : -1;
             }
-            var row:int = _rowsById.valueOf(agent.number);
+            var row:int = _rowsById.valueOf(agent.number, 0);
             return row >= 0 && ranks[row] == UNLISTED ? -1 : row;
         }
 
@@ -95,6 +95,12 @@ package starlogo.search
                 }
             }
             return i == count && list.length == count;
+        }
+
+        /** Begins to read another list: no row has departed from it yet. */
+        internal function beginRead():void
+        {
+            departed.count = 0;
         }
 
         /**
@@ -118,7 +124,7 @@ package starlogo.search
                 if (row < 0 || agents[row] !== agent)
                 {
                     requireAgent(i, agent);
-                    row = _rowsById.valueOf(agent.number);
+                    row = _rowsById.valueOf(agent.number, 0);
                 }
                 if (row < 0)
                 {
@@ -199,7 +205,7 @@ package starlogo.search
             agents[row] = agent;
             ranks[row] = UNLISTED;
             arrived.add(row);
-            _rowsById.set (agent.number, row);
+            _rowsById.set (agent.number, 0, row);
             return row;
         }
 
@@ -249,7 +255,7 @@ package starlogo.search
 
         private function free(row:int):void
         {
-            _rowsById.remove(agents[row].number);
+            _rowsById.remove(agents[row].number, 0);
             agents[row] = null;
             departed.add(row);
             _free.add(row);

@@ -2,6 +2,8 @@ package starlogo.search
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Extents;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
 
     use namespace engine;
@@ -88,6 +90,21 @@ package starlogo.search
                 return b.form < ModelShape.GROUND && areTouching(b, a);
             }
             return testsOf(a, b).areTouching(a, b);
+        }
+
+        /**
+         * Finds the contact of two bodies where they are, which separates them.
+         *
+         * @param motion becomes none, at the time 1
+         * @param out receives the contact. Its normal points from the second body to the first
+         */
+        public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            motion.endAfter(0, 0, 0);
+            motion.time = 1;
+            var tests:PairTests = testsOf(a, b);
+            tests.findContact(a, b, motion, out);
+            tests.separate(a, b, motion, out);
         }
 
         /** Writes the numbers of tests, and sets them to 0. */

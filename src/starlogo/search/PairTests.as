@@ -4,11 +4,8 @@ package starlogo.search
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.engine;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
-
-    use namespace engine;
 
     /**
      * Tests two bodies: whether they touch, when they touch, and how. NarrowPhase has an object of a subclass for each kind of pairs. The ground or

@@ -3,10 +3,7 @@ package starlogo.search
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.engine;
     import starlogo.geometry.Tolerances;
-
-    use namespace engine;
 
     /**
      * Finds a normal and a depth for a contact that separate its two bodies. If the first one moves along the normal by the depth, no part of it

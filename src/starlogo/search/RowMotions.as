@@ -125,18 +125,39 @@ package starlogo.search
             }
         }
 
-        /** Whether one of two rows sweeps and has a motion. */
-        public function isSwept(a:int, b:int):Boolean
+        /**
+         * Finds the contact of two rows that touch: on their motions if one of the two sweeps, or else where they are.
+         *
+         * @param b may be the ground or the edges of the world
+         * @param motion receives the motion of the first relative to the second, with the time
+         * @param out receives the contact at that time
+         */
+        public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            return _isSweeping[a] || _isSweeping[b];
+            var bodyA:Body = table.bodyOf(a);
+            var bodyB:Body = table.bodyOf(b);
+            motion.time = RelativeMotion.NEVER;
+            if (isSwept(a, b))
+            {
+                findTime(table, null, a, b, motion, out);
+            }
+            if (motion.time == RelativeMotion.NEVER)
+            {
+                _narrowPhase.findContact(bodyA, bodyB, motion, out);
+                return;
+            }
+            _narrowPhase.testsOf(bodyA, bodyB).separate(bodyA, bodyB, motion, out);
+            // the motion was relative to b at its present place, so the point is moved back to where b was at that time
+            var back:Number = motion.time - 1;
+            out.x += back * _motions.x[b];
+            out.y += back * _motions.y[b];
+            out.z += back * _motions.z[b];
         }
 
-        /** Moves the point of a contact by a part of a row's motion, against it. */
-        public function moveBack(row:int, part:Number, point:ContactPoint):void
+        // Whether one of two rows sweeps and has a motion.
+        private function isSwept(a:int, b:int):Boolean
         {
-            point.x -= part * _motions.x[row];
-            point.y -= part * _motions.y[row];
-            point.z -= part * _motions.z[row];
+            return _isSweeping[a] || _isSweeping[b];
         }
 
         private function hasMoved(row:int):Boolean

@@ -21,6 +21,8 @@ package starlogo.search
         /** The edges that it stands for, or null: the least and the greatest x, then y, then z. */
         public var edges:Vector.<Number> = null;
 
+        private static var sCreated:int = 0;
+
         private var _tests:Class;
 
         /**
@@ -38,7 +40,8 @@ package starlogo.search
         /** @private It does not count as an agent of the game. */
         override engine function newNumber():int
         {
-            return 0;
+            sCreated++;
+            return -sCreated;
         }
 
         /** Creates the tests of pairs with what it stands for. */

@@ -11,6 +11,7 @@ package starlogo.search
     import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
+    import starlogo.queries.AgentFilter;
     import support.RandomWorlds;
     import support.landOf;
 
@@ -60,6 +61,29 @@ package starlogo.search
                 collision.update(agents);
                 assertTrue(collision.statistics.candidatePairs > 0 && 10 * collision.statistics.candidatePairs < all);
             }
+        }
+
+        [Test]
+        public function manyThatAFilterTakesInOrOutAreASearchOfAll():void
+        {
+            var collision:Collision = new Collision(new TightestFitCollider(_greatLand));
+            listen(collision);
+            var filter:AgentFilter = new AgentFilter();
+            collision.filter = filter;
+            var agents:Vector.<Agent> = scattered(200, 12);
+            collision.update(agents);
+            collision.update(agents);
+            var all:int = collision.statistics.candidatePairs;
+            filter.except = new <Agent>[agents[3], agents[4]];
+            collision.update(agents);
+            assertTrue("few are out", 10 * collision.statistics.candidatePairs < all);
+            filter.except = agents.slice(0, 80);
+            collision.update(agents);
+            assertTrue("many are out", 10 * collision.statistics.candidatePairs > all);
+            var plain:Collision = new Collision(new TightestFitCollider(_greatLand));
+            listen(plain);
+            plain.update(agents.slice(80));
+            assertEquals(plain.statistics.collisions, collision.statistics.collisions);
         }
 
         [Test]

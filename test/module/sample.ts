@@ -66,7 +66,6 @@ import {
 	Model,
 	ModelError,
 	ModelEvent,
-	ModelFits,
 	ModelLoader,
 	ModelLoaderEvents,
 	ModelReceiver,
@@ -116,6 +115,7 @@ import {
 	AgentWalks,
 	LevelShapes,
 	SeenAgents,
+	StoredResults,
 } from "starlogo-collision";
 
 /** What went on, line by line. */
@@ -380,7 +380,7 @@ export function keep(): string[] {
 	const greatLand = new GreatLand();
 	greatLand.fitStore = new FitStore(100000, storage);
 	greatLand.addModel(model);
-	const fits: ModelFits | null = greatLand.fitStore.read(model, new FitSettings(greatLand.boundingStructures, greatLand.hierarchies));
+	const fits: StoredResults | null = greatLand.fitStore.read(model, new FitSettings(greatLand.boundingStructures, greatLand.hierarchies));
 	const cooked: CookedModel = CookedModel.fromBytes("cylinder", greatLand.bake(model, "z"));
 	finish(new GreatLand().receive(cooked));
 	const baked: Uint8Array = greatLand.bake(model);

@@ -1,8 +1,10 @@
 package starlogo.libraries
 {
+    import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.fitting.Fitter;
     import starlogo.geometry.Fingerprint;
+    import starlogo.models.cooked.CookedFile;
 
     use namespace engine;
 
@@ -16,25 +18,11 @@ package starlogo.libraries
         private static const REVISION:int = 10;
 
         /**
-         * The settings for structures; null if structures are not wanted, or cannot be kept.
+         * For each section of a cooked file, the settings of what is in it. Null if that is not wanted, or cannot be kept.
          *
          * @private
          */
-        engine var structures:Fingerprint = null;
-
-        /**
-         * The settings for a hull; null if none is wanted, or it cannot be kept.
-         *
-         * @private
-         */
-        engine var hull:Fingerprint = null;
-
-        /**
-         * The settings for a hierarchy; null if none is wanted.
-         *
-         * @private
-         */
-        engine var hierarchy:Fingerprint = null;
+        engine var sections:Vector.<Fingerprint> = new Vector.<Fingerprint>(CookedFile.SECTIONS, true);
 
         /**
          * Whether the surface for exact colliders is wanted.
@@ -54,13 +42,14 @@ package starlogo.libraries
             if (structures != null)
             {
                 var signatures:String = signaturesOf(structures.fitters);
-                this.structures = signatures == null ? null : fingerprintOf("structures, " + signatures);
+                sections[CookedFile.STRUCTURES] = signatures == null ? null : fingerprintOf("structures, " + signatures);
                 // The smallest sphere may take the hull's place.
-                hull = signatures == null || !structures.keepHulls ? null : fingerprintOf(structures.hullFitter.signature + ", " + signatures);
+                sections[CookedFile.HULL] = signatures == null || !structures.keepHulls ? null
+                    : fingerprintOf(structures.hullFitter.signature + ", " + signatures);
             }
             if (hierarchies != null)
             {
-                hierarchy = fingerprintOf(["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join());
+                sections[CookedFile.HIERARCHY] = sections[CookedFile.SURFACE] = fingerprintOf(["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join());
                 wantsSurface = hierarchies.prepareExact;
             }
         }
@@ -68,8 +57,38 @@ package starlogo.libraries
         /** All settings as sixteen hexadecimal digits. */
         public function toString():String
         {
-            var all:Array = [structures, hierarchy, wantsSurface];
+            var all:Array = [sections[CookedFile.STRUCTURES], sections[CookedFile.HIERARCHY], wantsSurface];
+            var hull:Fingerprint = sections[CookedFile.HULL];
             return fingerprintOf((hull == null ? all : all.concat(hull)).join()).toString();
+        }
+
+        /**
+         * The bytes of a section of a file. Null if it is empty, has other settings, or is not wanted.
+         *
+         * @private
+         */
+        engine function read(file:CookedFile, index:int):ByteArray
+        {
+            return sections[index] == null ? null : file.section(index, sections[index]);
+        }
+
+        /**
+         * Makes the bytes of a cooked file.
+         *
+         * @param model the settings of the model's section: a fingerprint of its arguments, or of its geometry in a FitStore
+         * @param contents the bytes of each section; null for none. Those that cannot be kept are left out
+         *
+         * @private
+         */
+        engine function write(model:Fingerprint, contents:Vector.<ByteArray>):ByteArray
+        {
+            var all:Vector.<Fingerprint> = sections.concat();
+            all[CookedFile.MODEL] = model;
+            for (var i:int = 0; i < CookedFile.SECTIONS; i++)
+            {
+                contents[i] = all[i] == null ? null : contents[i];
+            }
+            return CookedFile.write(all, contents);
         }
 
         // null if a fitter has no signature

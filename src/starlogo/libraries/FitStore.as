@@ -3,11 +3,10 @@ package starlogo.libraries
     import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.geometry.Fingerprint;
+    import starlogo.geometry.requireGiven;
     import starlogo.libraries.cooked.TreeWriter;
     import starlogo.models.Model;
     import starlogo.models.cooked.CookedFile;
-    import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
     import starlogo.steps.finish;
 
     use namespace engine;
@@ -68,40 +67,46 @@ package starlogo.libraries
         }
 
         /**
-         * Reads the fits of a model, at once.
+         * Reads the results for a model, at once.
          *
          * @param model the model
-         * @param settings the settings of the wanted fits
+         * @param settings the settings of the wanted results
          * @return null if there are none, or they are damaged
          * @throws ArgumentError if one argument is null
          */
-        public function read(model:Model, settings:FitSettings):ModelFits
+        public function read(model:Model, settings:FitSettings):StoredResults
         {
-            check(model, settings);
-            var fits:ModelFits = new ModelFits();
-            finish(reading(model, new Fingerprint(), settings, fits));
-            return fits.hasStructures || fits.hasHierarchy ? fits : null;
+            var geometry:Fingerprint = geometryOf(model, settings);
+            var file:CookedFile = fileOf(geometry, settings);
+            finish(file);
+            if (!file.isFor(geometry))
+            {
+                return null;
+            }
+            var results:StoredResults = new StoredResults();
+            results.file = file;
+            return results;
         }
 
         /**
-         * Stores the fits of a model. They replace those stored for the same settings.
+         * Stores the results for a model. They replace those stored for the same settings. Results of other settings are left out.
          *
          * @param model the model
          * @param settings the settings with which they were computed
-         * @param fits the fits
+         * @param results the results
          * @return whether they are stored
          * @throws ArgumentError if one argument is null
          */
-        public function write(model:Model, settings:FitSettings, fits:ModelFits):Boolean
+        public function write(model:Model, settings:FitSettings, results:StoredResults):Boolean
         {
-            if (fits == null)
+            requireGiven("the results", results);
+            var geometry:Fingerprint = geometryOf(model, settings);
+            var contents:Vector.<ByteArray> = new Vector.<ByteArray>(CookedFile.SECTIONS, true);
+            for (var i:int = CookedFile.STRUCTURES; i < CookedFile.SECTIONS; i++)
             {
-                throw new ArgumentError("the fits must not be null");
+                contents[i] = settings.read(results.file, i);
             }
-            check(model, settings);
-            var geometry:Fingerprint = new Fingerprint();
-            finish(geometry.addingGeometry(model.vertices, model.triangles));
-            return keep(geometry, settings, fits);
+            return keep(geometry, settings, settings.write(geometry, contents));
         }
 
         /** Removes all entries. */
@@ -115,39 +120,23 @@ package starlogo.libraries
         }
 
         /**
-         * Reads the fits of a model, in steps.
-         *
-         * @param model the model
-         * @param geometry receives the fingerprint of the model
-         * @param settings the settings of the wanted fits
-         * @param fits takes the results; it keeps what it already has
+         * The file kept for a geometry. None of its steps is done yet. It is not whole if there is none.
          *
          * @private
          */
-        engine function reading(model:Model, geometry:Fingerprint, settings:FitSettings, fits:ModelFits):Steps
+        engine function fileOf(geometry:Fingerprint, settings:FitSettings):CookedFile
         {
-            var file:CookedFile;
-            return new StepSequence().add(geometry.addingGeometry(model.vertices, model.triangles)).begin(function():Steps
-                {
-                    var name:String = nameOf(geometry, settings);
-                    var bytes:ByteArray = _storage.read(name);
-                    if (bytes != null)
-                    {
-                        list(entriesBut(name), name, bytes);
-                    }
-                    file = new CookedFile(bytes);
-                    return file;
-                }).call(function():void
-                {
-                    if (file.isFor(geometry))
-                    {
-                        fits.readFrom(file, model, settings);
-                    }
-                });
+            var name:String = nameOf(geometry, settings);
+            var bytes:ByteArray = _storage.read(name);
+            if (bytes != null)
+            {
+                list(entriesBut(name), name, bytes);
+            }
+            return new CookedFile(bytes);
         }
 
         /**
-         * Whether there may be room for the fits of a model.
+         * Whether there may be room for the results for a model.
          *
          * @private
          */
@@ -158,15 +147,14 @@ package starlogo.libraries
         }
 
         /**
-         * Stores the fits of a geometry.
+         * Stores the file of a geometry.
          *
          * @return whether they are stored
          *
          * @private
          */
-        engine function keep(geometry:Fingerprint, settings:FitSettings, fits:ModelFits):Boolean
+        engine function keep(geometry:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
         {
-            var bytes:ByteArray = fits.toFile(settings, geometry);
             if (_isOff || bytes.length > _capacity)
             {
                 return false;
@@ -185,12 +173,13 @@ package starlogo.libraries
             return isKept;
         }
 
-        private static function check(model:Model, settings:FitSettings):void
+        private static function geometryOf(model:Model, settings:FitSettings):Fingerprint
         {
-            if (model == null || settings == null)
-            {
-                throw new ArgumentError("the model and the settings must not be null: " + model + ", " + settings);
-            }
+            requireGiven("the model", model);
+            requireGiven("the settings", settings);
+            var geometry:Fingerprint = new Fingerprint();
+            finish(geometry.addingGeometry(model.vertices, model.triangles));
+            return geometry;
         }
 
         // The list without one name. Damaged lines are left out.

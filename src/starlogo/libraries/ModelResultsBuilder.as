@@ -1,12 +1,19 @@
 package starlogo.libraries
 {
     import flash.utils.ByteArray;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.Fingerprint;
+    import starlogo.geometry.VertexBounds;
+    import starlogo.libraries.cooked.CookedStructures;
     import starlogo.libraries.cooked.TreeReader;
+    import starlogo.libraries.cooked.TreeWriter;
     import starlogo.models.Model;
+    import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedShape;
+    import starlogo.solid.SolidHierarchy;
     import starlogo.solid.SolidHierarchyBuilder;
+    import starlogo.solid.SurfaceTopology;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -27,8 +34,11 @@ package starlogo.libraries
         private var _structures:StructuresBuilder;
         private var _settings:FitSettings;
         private var _store:FitStore;
+
+        // Of the store: the fingerprint of the model, the file that it has for the model, and whether all results are taken from there.
         private var _geometry:Fingerprint = new Fingerprint();
-        private var _fits:ModelFits = new ModelFits();
+        private var _stored:CookedFile;
+        private var _isTaken:Boolean = false;
 
         /**
          * @param model the model
@@ -46,38 +56,28 @@ package starlogo.libraries
             this.hierarchy = hierarchy;
             if (model.data.cooked != null)
             {
-                _fits.readFrom(model.data.cooked, model, settings);
+                takeFrom(model.data.cooked);
             }
             _store = isComplete ? null : store;
             if (_store != null)
             {
-                add(store.reading(model, _geometry, settings, _fits));
+                add(_geometry.addingGeometry(model.vertices, model.triangles)).begin(readingStored).call(takeStored);
             }
-            call(useFits);
             if (structures != null)
             {
                 add(structures);
             }
             if (hierarchy != null)
             {
-                begin(divide);
+                begin(dividing);
             }
-            if (_store != null)
-            {
-                call(keep);
-            }
+            call(keep);
         }
 
         /** The structures, when no step is left; null if none were wanted. */
         public function get structures():ShapeStructures
         {
             return _structures == null ? null : _structures.structures;
-        }
-
-        /** Whether the structures were read and not computed. Read it when no step is left. */
-        public function get usesStoredStructures():Boolean
-        {
-            return _structures != null && hasAllStructures;
         }
 
         /**
@@ -91,49 +91,95 @@ package starlogo.libraries
             {
                 hierarchy.finished.prepare();
             }
-            return fits.toFile(_settings, wanted, CookedShape.of(_model));
+            return write(wanted, CookedShape.of(_model));
         }
 
+        // Whether all results that are wanted are there.
         private function get isComplete():Boolean
         {
-            return (_structures == null || hasAllStructures) && (hierarchy == null || _fits.hasHierarchy)
-                && (!_settings.wantsSurface || _model.triangles == null || _fits.hasSurface);
+            return (_structures == null || structures != null) && (hierarchy == null || hierarchy.isStored)
+                && (!_settings.wantsSurface || _model.triangles == null || hierarchy.hierarchy.surface != null);
         }
 
-        private function get hasAllStructures():Boolean
+        // Takes results that are missing from a file. Whether the geometry is the model's is not checked, because the file's checksum
+        // guarantees that.
+        private function takeFrom(file:CookedFile):void
         {
-            return _fits.hasStructures && (_fits.hasHull || !_structures.wantsHull);
+            var size:Number = VertexBounds.of(_model.vertices).largest;
+            if (size > VertexBounds.LARGEST_COORDINATE)
+            {
+                // no fitter accepts such a model, so the record is wrong
+                return;
+            }
+            if (_structures != null)
+            {
+                _structures.takeFrom(file, _settings, size);
+            }
+            var tree:ByteArray = hierarchy == null ? null : _settings.read(file, CookedFile.HIERARCHY);
+            if (tree != null)
+            {
+                var bytes:ByteArray = _settings.read(file, CookedFile.SURFACE);
+                var surface:SurfaceTopology = bytes == null || _model.triangles == null ? null : SurfaceTopology.read(bytes, _model.triangles.length / 3);
+                if (!hierarchy.isStored || surface != null && hierarchy.hierarchy.surface == null)
+                {
+                    hierarchy.useStored(new TreeReader(tree, hierarchy.hierarchy.tree, hierarchy.maxDepth), surface);
+                }
+            }
         }
 
-        private function useFits():void
+        private function readingStored():Steps
         {
-            if (usesStoredStructures)
+            _stored = _store.fileOf(_geometry, _settings);
+            return _stored;
+        }
+
+        private function takeStored():void
+        {
+            if (_stored.isFor(_geometry))
             {
-                _structures.useStored(_fits.structures, _fits.hull);
+                takeFrom(_stored);
             }
-            if (hierarchy != null && _fits.hasHierarchy)
-            {
-                hierarchy.useStored(new TreeReader(_fits.tree, hierarchy.hierarchy.tree, hierarchy.maxDepth), _fits.surface);
-            }
+            _stored = null;
+            _isTaken = isComplete;
         }
 
         // A hierarchy that was read is not built until it is needed, unless prepareExact is set.
-        private function divide():Steps
+        private function dividing():Steps
         {
             return hierarchy.isStored && !_settings.wantsSurface ? null : hierarchy;
         }
 
         private function keep():void
         {
-            if ((!isComplete || hierarchy != null && !hierarchy.isStored) && _store.mayHold(_model))
+            var isKept:Boolean = _isTaken && (hierarchy == null || hierarchy.isStored);
+            if (_store != null && !isKept && _store.mayHold(_model))
             {
-                _store.keep(_geometry, _settings, fits);
+                _store.keep(_geometry, _settings, write(_geometry, null));
             }
         }
 
-        private function get fits():ModelFits
+        // Makes a file of the results. The model's section is null if the model is read from elsewhere.
+        private function write(settingsOfModel:Fingerprint, modelSection:ByteArray):ByteArray
         {
-            return ModelFits.of(structures, hierarchy == null ? null : hierarchy.finished);
+            var contents:Vector.<ByteArray> = new Vector.<ByteArray>(CookedFile.SECTIONS, true);
+            contents[CookedFile.MODEL] = modelSection;
+            if (structures != null)
+            {
+                contents[CookedFile.STRUCTURES] = CookedStructures.write(structures.smallest);
+                contents[CookedFile.HULL] = structures.hull == null ? null : CookedStructures.write(new <BoundingStructure>[structures.hull]);
+            }
+            if (hierarchy != null)
+            {
+                var made:SolidHierarchy = hierarchy.finished;
+                contents[CookedFile.HIERARCHY] = CookedFile.newBytes();
+                TreeWriter.write(made.tree, contents[CookedFile.HIERARCHY]);
+                if (made.isPrepared)
+                {
+                    contents[CookedFile.SURFACE] = CookedFile.newBytes();
+                    made.surface.writeTo(contents[CookedFile.SURFACE]);
+                }
+            }
+            return _settings.write(settingsOfModel, contents);
         }
     }
 }

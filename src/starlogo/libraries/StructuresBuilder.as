@@ -9,6 +9,8 @@ package starlogo.libraries
     import starlogo.fitting.Fitter;
     import starlogo.fitting.HullFitter;
     import starlogo.geometry.Tolerances;
+    import starlogo.libraries.cooked.CookedStructures;
+    import starlogo.models.cooked.CookedFile;
     import starlogo.steps.StepSequence;
 
     use namespace engine;
@@ -70,21 +72,24 @@ package starlogo.libraries
             slices(fitters.length, 1, check).call(choose);
         }
 
-        /** Whether the hull is wanted too. */
-        public function get wantsHull():Boolean
-        {
-            return _hullFit != null;
-        }
-
         /**
-         * Uses structures that were read instead of running the fitters. Call it before the first step.
+         * Takes the structures of a cooked file instead of running the fitters, if the file has all that are wanted. Call it before the
+         * first step.
          *
-         * @param read the smallest structure of each kind that the fitters found before, or null; the index is the kind's number
-         * @param hull the hull found before, or the sphere in its place; null if none is wanted
+         * @param file all its steps must be done
+         * @param settings the settings that the file must have been made with
+         * @param size the largest coordinate of the vertices
          */
-        public function useStored(read:Vector.<BoundingStructure>, hull:BoundingStructure):void
+        public function takeFrom(file:CookedFile, settings:FitSettings, size:Number):void
         {
-            structures = new ShapeStructures(read, wantsHull ? hull : null, _keepsAll);
+            var read:Vector.<BoundingStructure> = CookedStructures.read(settings.read(file, CookedFile.STRUCTURES), BoundingStructure.BOX, size);
+            var hulls:Vector.<BoundingStructure> = _hullFit == null ? null
+                : CookedStructures.read(settings.read(file, CookedFile.HULL), BoundingStructure.HULL, size);
+            if (structures == null && read != null && (_hullFit == null || hulls != null))
+            {
+                // The smallest sphere may be in the hull's place.
+                structures = new ShapeStructures(read, hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE], _keepsAll);
+            }
         }
 
         /**

@@ -45,7 +45,7 @@ package starlogo.libraries
             var settings:FitSettings = settingsOf(newGame(null));
             assertNull(_store.read(BuiltInModel.cube(), settings));
             newGame(_store).addModel(BuiltInModel.cube());
-            var fits:ModelFits = _store.read(BuiltInModel.cube(), settings);
+            var fits:StoredResults = _store.read(BuiltInModel.cube(), settings);
             assertTrue(fits.hasStructures && fits.hasHierarchy);
             assertFalse(fits.hasSurface);
             var other:FitStore = new FitStore(1e6, new MemoryStorage());

@@ -19,15 +19,14 @@ package starlogo.libraries
     import starlogo.fitting.MinimalCapsuleFitter;
     import starlogo.geometry.Fingerprint;
     import starlogo.geometry.VertexData;
+    import starlogo.libraries.cooked.CookedStructures;
     import starlogo.models.BuiltInModel;
     import starlogo.models.CookedModel;
     import starlogo.models.Model;
     import starlogo.models.ModelError;
     import starlogo.models.cooked.CookedFile;
-    import starlogo.models.cooked.CookedShape;
     import starlogo.queries.AgentQueries;
     import starlogo.solid.SolidContents;
-    import starlogo.solid.SolidHierarchy;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
     import starlogo.steps.finish;
@@ -252,7 +251,7 @@ package starlogo.libraries
             {
                 sections.push(change(i, file.section(i, null) || CookedFile.newBytes()));
             }
-            return CookedFile.write(new <Fingerprint>[new Fingerprint(), settings.structures, settings.hierarchy, settings.hierarchy, settings.hull], sections);
+            return settings.write(new Fingerprint(), sections);
         }
 
         // Agents of a model that was forged much larger would be, or would be moved, beyond the largest coordinate, as those of any such model.
@@ -324,11 +323,11 @@ package starlogo.libraries
             {
                 var box:Box = Box(fit.clone());
                 box[wrong[0]] = wrong[1];
-                var fits:ModelFits = fitsOf(model);
-                fits.structures = new Vector.<BoundingStructure>(3);
-                fits.structures[BoundingStructure.BOX] = box;
                 var land:GreatLand = new GreatLand();
-                take(land, model, bytesOf(fits, model));
+                take(land, model, rewritten(model, function(index:int, section:ByteArray):ByteArray
+                        {
+                            return index == CookedFile.STRUCTURES ? CookedStructures.write(new <BoundingStructure>[box]) : section;
+                        }));
                 assertEquals(LibraryContents.of(_greatLand, "bear"), LibraryContents.of(land, "bear"));
             }
         }
@@ -390,32 +389,16 @@ package starlogo.libraries
             return LibraryContents.of(land, model.name) + "\n" + SolidContents.of(land, model.name);
         }
 
-        // Whether the structures, or the hierarchy, are taken from fits.
+        // Whether the structures, or the hierarchy, are taken from a cooked file.
         private function isTaken(model:Model, baked:ByteArray, structures:Boolean):Boolean
         {
-            var build:ModelResultsBuilder = newBuild(model, baked);
-            return structures ? build.usesStoredStructures : build.hierarchy.isStored;
-        }
-
-        private function newBuild(model:Model, baked:ByteArray):ModelResultsBuilder
-        {
-            var build:ModelResultsBuilder = _greatLand.newBuild(baked == null ? model : CookedModel.fromBytes(model.name, baked), null);
-            finish(build);
+            var build:ModelResultsBuilder = _greatLand.newBuild(CookedModel.fromBytes(model.name, baked), null);
+            if (structures)
+            {
+                return build.structures != null;
+            }
             build.hierarchy.finished;
-            return build;
-        }
-
-        private function fitsOf(model:Model):ModelFits
-        {
-            var build:ModelResultsBuilder = newBuild(model, null);
-            var hierarchy:SolidHierarchy = build.hierarchy.finished;
-            hierarchy.prepare();
-            return ModelFits.of(build.structures, hierarchy);
-        }
-
-        private function bytesOf(fits:ModelFits, model:Model):ByteArray
-        {
-            return fits.toFile(new FitSettings(_greatLand.boundingStructures, _greatLand.hierarchies), new Fingerprint(), CookedShape.of(model));
+            return build.hierarchy.isStored;
         }
 
         private static function damage(baked:Vector.<ByteArray>, index:int, random:SeededRandom):ByteArray

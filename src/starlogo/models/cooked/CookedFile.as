@@ -92,7 +92,7 @@ package starlogo.models.cooked
          * Makes the bytes of a file.
          *
          * @param settings the settings of each section; null for an empty section
-         * @param sections the bytes of each section
+         * @param sections the bytes of each section; null for an empty one
          */
         public static function write(settings:Vector.<Fingerprint>, sections:Vector.<ByteArray>):ByteArray
         {
@@ -104,12 +104,15 @@ package starlogo.models.cooked
             {
                 var wanted:Fingerprint = settings[i] || new Fingerprint();
                 wanted.writeTo(out);
-                out.writeInt(sections[i].length);
+                out.writeInt(sections[i] == null ? 0 : sections[i].length);
                 out.writeInt(0);
             }
             for each (var section:ByteArray in sections)
             {
-                out.writeBytes(section);
+                if (section != null)
+                {
+                    out.writeBytes(section);
+                }
             }
             out.length = out.length + 7 & ~7;
             out.position = LENGTH_AT;
@@ -146,6 +149,12 @@ package starlogo.models.cooked
             return isWhole && settings.isNextOf(_bytes);
         }
 
+        /** Whether a section has bytes. */
+        public function has(index:int):Boolean
+        {
+            return isWhole && lengthOf(index) > 0;
+        }
+
         /**
          * The bytes of a section. Their position is 0.
          *
@@ -155,7 +164,7 @@ package starlogo.models.cooked
          */
         public function section(index:int, wanted:Fingerprint):ByteArray
         {
-            if (!isWhole)
+            if (!has(index))
             {
                 return null;
             }
@@ -166,7 +175,7 @@ package starlogo.models.cooked
             }
             var length:int = lengthOf(index);
             _bytes.position = TABLE + ENTRY_LENGTH * index;
-            if (length == 0 || wanted != null && !wanted.isNextOf(_bytes))
+            if (wanted != null && !wanted.isNextOf(_bytes))
             {
                 return null;
             }

@@ -20,7 +20,7 @@ package starlogo.libraries
      * The volumes of every fit of the twelve models are the same on every machine that runs the engine, but for what their sines and
      * cosines differ by: the fixture has those of Ruffle.
      */
-    public class ModelFitsTest
+    public class FittersOfModelsTest
     {
         public static const FIXTURES:Array = SteppedModels.FIXTURES.concat("/fixtures/models/fits.json");
 

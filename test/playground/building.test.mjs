@@ -32,6 +32,9 @@ test('agents are moved, copied, turned, raised and deleted in the world, and Und
 		}
 		assert.fail(`${is}: ${JSON.stringify(await agentsOf(page))}`);
 	};
+	const size = () => page.locator('.screens').boundingBox();
+	const before_ = await size();
+	assert.equal(await page.locator('.drag-note').isVisible(), false, 'the line about the picture is gone');
 	const at = await pixelOf(page, 1);
 	await page.mouse.move(at.x, at.y);
 	await page.mouse.down();
@@ -41,6 +44,7 @@ test('agents are moved, copied, turned, raised and deleted in the world, and Und
 	const moved = (await agentsOf(page))[1];
 	assert.ok(moved[1] % 0.5 === 0 && moved[2] % 0.5 === 0 && moved[3] === 1, `on whole and half patches: ${moved}`);
 	assert.ok(await page.evaluate(() => globalThis.playground.scene.chosen === globalThis.playground.world.agents[1]), 'it is chosen');
+	assert.deepEqual(await size(), before_, 'the buttons for it move nothing');
 	for (const [name, what] of [['Turn', ([, [,,,, heading]]) => heading === 45], ['Higher', ([, [,,, z]]) => z === 1.5], ['Lower', ([, [,,, z]]) => z === 1]]) {
 		await bar.getByRole('button', { name, exact: true }).click();
 		await changed(what);
@@ -87,6 +91,13 @@ test('the ground is raised and lowered, and a maze is built, by mouse: as blocks
 	await drag(page, [-3, -5], [3, -5]);
 	assert.deepEqual(await heights([-3, -5], [0, -5], [3, -5], [0, -3]), [1, 1, 1, 0]);
 	assert.equal(await blocks('starlogo_raise'), 7);
+	const slopes = await page.evaluate(() => {
+		const { geometry } = globalThis.playground.stage.land.field;
+		const [position, colour] = ['position', 'color'].map((name) => geometry.getAttribute(name));
+		const at = (x, y) => Array.from({ length: position.count }, (_, i) => i).find((i) => position.getX(i) === x && position.getY(i) === y);
+		return [[0, -6], [0, 3]].map(([x, y]) => colour.getZ(at(x, y)) / colour.getX(at(x, y)));
+	});
+	assert.ok(slopes[0] < 0.8 && slopes[1] === 1, `slopes have the colour of earth: ${slopes}`);
 	await drag(page, [0, -5], [1, -5]);
 	assert.deepEqual(await heights([0, -5], [1, -5], [2, -5]), [2, 2, 1]);
 	await brush('Lower the ground');

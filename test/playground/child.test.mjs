@@ -120,6 +120,29 @@ for (const [name, size, least] of [['on a small laptop', SMALL, 0.45], ['on a ph
 	});
 }
 
+test('in lessons on a small laptop, the world has a third of the window, the task is in sight, and an open drawer leaves room for a second script', async () => {
+	const { page, said, leave } = await open(site, 'play/lesson-blocks', SMALL);
+	for (const name of LESSONS) {
+		await choose(page, `lesson-${name}`);
+		const share = await shareOfWorld(page);
+		assert.ok(share > 0.32, `${name}: ${share}`);
+		assert.equal(await page.getByLabel('Collision system', { exact: true }).isVisible(), ['helmet', 'wing', 'main'].includes(name), name);
+	}
+	await choose(page, 'lesson-room');
+	await openDrawer(page, 'Events');
+	const { pane, drawer, tops } = await scripts(page);
+	assert.ok(pane.right - drawer > 280, `${pane.right - drawer} pixels beside the drawer`);
+	assert.ok(tops.every(({ left, right }) => left >= drawer && right <= pane.right), JSON.stringify(tops));
+	// nothing of the task and of the buttons is covered
+	const covered = await page.evaluate(() => [...document.querySelectorAll('.lesson :is(h2, .text, .challenge, button:not(.away)), .controls > button, .corner > *')].filter((each) => {
+		const { left, right, top, bottom } = each.getBoundingClientRect();
+		return [left + 2, right - 2].some((x) => !each.contains(document.elementFromPoint(x, (top + bottom) / 2)) && !document.elementFromPoint(x, (top + bottom) / 2).contains(each));
+	}).map(({ textContent }) => textContent));
+	assert.deepEqual(covered, []);
+	assert.deepEqual(said, []);
+	await leave();
+});
+
 test('on a phone, the menu of a block is gone when the world is shown', async () => {
 	const { page, leave } = await open(site, 'play/paintball', SIZES.phone);
 	await page.locator('[data-tab="program"]').filter({ hasText: 'Blocks' }).click();
@@ -131,6 +154,22 @@ test('on a phone, the menu of a block is gone when the world is shown', async ()
 	await menu.waitFor();
 	await page.locator('button[data-tab="game"]').click();
 	await menu.waitFor({ state: 'detached' });
+	await leave();
+});
+
+test('on a phone, scripts give way to the drawer above them, and come back', async () => {
+	const { page, said, leave } = await open(site, 'play/lesson-room', SIZES.phone);
+	await page.locator('[data-tab="program"]').click();
+	await rest(page, 200);
+	const tops = async () => (await scripts(page)).tops.map(({ top }) => Math.round(top));
+	const before_ = await tops();
+	await openDrawer(page, 'Collisions');
+	const end = await page.evaluate(() => document.querySelector('.blocklyToolboxFlyout .blocklyFlyoutBackground').getBoundingClientRect().bottom);
+	assert.ok((await tops()).every((top) => top >= end - 1), `the drawer ends at ${end}, scripts begin at ${await tops()}`);
+	await page.evaluate(() => globalThis.playground.editor.closeMenus());
+	await rest(page, 200);
+	assert.deepEqual(await tops(), before_);
+	assert.deepEqual(said, []);
 	await leave();
 });
 

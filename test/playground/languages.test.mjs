@@ -6,6 +6,7 @@ import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { isChromium } from '../headless/browsers.mjs';
 import { begin, newPage, open, ready, root } from './browser.mjs';
+import { parts } from './parts.mjs';
 
 const folder = path.join(root, 'js/playground/languages');
 const wordsIn = async (file) => (await import(pathToFileURL(path.join(folder, file)).href)).texts;
@@ -32,6 +33,18 @@ function flat(words, name = '') {
 	if (words === null || typeof words !== 'object') return [[name, words]];
 	return Object.entries(words).flatMap(([key, each]) => flat(each, name ? `${name}.${key}` : key));
 }
+
+test('each breed and each shape of the page\'s programs has a name in every language', () => {
+	const programs = [...Object.values(parts.GAMES), ...Object.values(parts.EXAMPLES), ...Object.values(parts.LESSONS).map(({ program }) => program)];
+	const found = { breeds: new Set(Object.keys(parts.SHAPE_OF)), shapes: new Set(Object.values(parts.SHAPE_OF)) };
+	JSON.stringify(programs, (key, value) => {
+		if (key === 'BREED' && !/^anyone$|^\*/.test(value)) found.breeds.add(value);
+		if (key === 'SHAPE') found.shapes.add(value);
+		return value;
+	});
+	assert.ok(found.breeds.size > 20 && found.shapes.size > 10);
+	for (const [code, words] of Object.entries(languages)) for (const [kind, names] of Object.entries(found)) assert.deepEqual([...names].filter((name) => !(name in words[kind])), [], `${code}: ${kind}`);
+});
 
 /** Names of keys, systems and the like, and words that languages share. */
 const SHARED = /^(numbers|traits\.[xyz]|inspect\.(ups|time)|blocks\.(traits\.[xyz]|mouse\.[xy]|comparisons|arithmetic|keys\.[wasd]|logic_|math_number|math_arithmetic|variables_get|starlogo_agent|starlogo_pick)|play\.keysOf|blockly\.|compare\.(system|ms)$|questions\.other|play\.(another|speeds|after|panel\.tests)|gallery\.name|page\.api|views\.level|handing\.name|colours\.orange)/;

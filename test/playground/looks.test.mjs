@@ -345,6 +345,25 @@ test('Measure: Rapier that comes late makes no world of a view that is closed', 
 	await leave();
 });
 
+test('Measure on a small laptop: its tools are in one row, and the chart fills its place with letters that can be read', async () => {
+	for (const locale of ['en', 'de']) {
+		const { page, said, leave } = await open(await site, 'measure', { viewport: { width: 1366, height: 625 }, locale });
+		const middles = await page.locator('.live .tools').evaluate(({ children }) => [...children].filter((each) => each.textContent !== '').map((each) => each.getBoundingClientRect()).map(({ top, bottom }) => (top + bottom) / 2));
+		assert.ok(middles.length >= 7 && Math.max(...middles) - Math.min(...middles) < 8, `${locale}: ${middles}`);
+		await page.locator('input[value=series]').check();
+		await page.waitForSelector('.chart text');
+		const { letters, used } = await page.evaluate(() => {
+			const picture = document.querySelector('.chart svg');
+			const { width, height } = picture.getBoundingClientRect();
+			const { a } = picture.querySelector('text').getScreenCTM();
+			return { letters: 12 * a, used: (picture.viewBox.baseVal.width * a * picture.viewBox.baseVal.height * a) / (width * height) };
+		});
+		assert.ok(letters >= 11.9 && used > 0.95, `${locale}: letters of ${letters} pixels in ${used} of the place`);
+		assert.deepEqual(said, []);
+		await leave();
+	}
+});
+
 test('Measure: the chart is whole on a phone, with the names of all systems', async () => {
 	const { page, said, leave } = await open(site, 'measure', SIZES.phone);
 	await page.getByRole('radio', { name: 'All systems in turn' }).check();

@@ -145,7 +145,7 @@ export const texts = {
 	breeds: {
 		bears: "Bären", turtles: "Schildkröten", seagulls: "Möwen", walls: "Wände", paintballs: "Farbkugeln", people: "Menschen", dragons: "Drachen", firemen: "Feuerwehrleute", trees: "Bäume", kelp: "Seetang",
 		fortresses: "Festungen", spaceships: "Raumschiffe", gems: "Goldkugeln", rocks: "Felsen", shots: "Schüsse", pearls: "Perlen", players: "Spieler", taggers: "Fänger", paddles: "Schläger", balls: "Bälle",
-		bumpers: "Prellböcke", platforms: "Plattformen", coins: "Münzen",
+		bumpers: "Prellböcke", platforms: "Plattformen", coins: "Münzen", lifts: "Aufzüge", houses: "Häuser",
 	},
 	colours: { red: "Rot", orange: "Orange", yellow: "Gelb", green: "Grün", blue: "Blau", purple: "Lila", brown: "Braun", grey: "Grau", white: "Weiß", own: "die eigenen Farben" },
 	lessons: {

@@ -150,7 +150,7 @@ export const texts = {
 	breeds: {
 		bears: "bears", turtles: "turtles", seagulls: "seagulls", walls: "walls", paintballs: "paintballs", people: "people", dragons: "dragons", firemen: "firemen", trees: "trees", kelp: "kelp",
 		fortresses: "fortresses", spaceships: "spaceships", gems: "gems", rocks: "rocks", shots: "shots", pearls: "pearls", players: "players", taggers: "taggers", paddles: "bats", balls: "balls",
-		bumpers: "bumpers", platforms: "platforms", coins: "coins",
+		bumpers: "bumpers", platforms: "platforms", coins: "coins", lifts: "lifts", houses: "houses",
 	},
 	colours: { red: "red", orange: "orange", yellow: "yellow", green: "green", blue: "blue", purple: "purple", brown: "brown", grey: "grey", white: "white", own: "its own colours" },
 	lessons: {

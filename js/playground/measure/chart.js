@@ -5,9 +5,10 @@
 import { plain } from "../shared/language.js";
 
 /** The sizes of the chart with the names at the ends of the lines, and those with the names below it, for narrow windows. */
-const WIDE = { width: 760, height: 440, left: 56, right: 150, top: 16, bottom: 44 };
+const WIDE = { left: 56, right: 150, top: 16, bottom: 44 };
 const NARROW = { width: 350, height: 440, left: 46, right: 20, top: 16, bottom: 150 };
 const NARROW_BELOW = 520;
+const LEAST_HIGH = 200;
 const MILLISECONDS = [0.001, 0.01, 0.1, 1, 10, 100, 1000];
 const SPACE = "http://www.w3.org/2000/svg";
 /** The systems' signs: paths around the middle. */
@@ -31,11 +32,14 @@ const between = (value, low, high, from, to) => from + ((Math.log(value) - Math.
  * @param {number[]} counts the numbers of agents
  * @param {{name: string, points: number[][]}[]} systems their names, and pairs of a number of agents and milliseconds
  * @param {{name: string, points: number[][]}[]|null} others the same for another machine
- * @param {number} room the width that there is, in pixels
+ * @param {number} width the width that there is, in pixels; 0 if there is no place for it yet
+ * @param {number} height the height that there is
  */
-export function chart(words, counts, systems, others, room = Infinity) {
-	const isNarrow = room > 0 && room < NARROW_BELOW;
-	const { width: WIDTH, height: HEIGHT, left: LEFT, right: RIGHT, top: TOP, bottom: BOTTOM } = isNarrow ? NARROW : WIDE;
+export function chart(words, counts, systems, others, width, height) {
+	const isNarrow = width > 0 && width < NARROW_BELOW;
+	const { left: LEFT, right: RIGHT, top: TOP, bottom: BOTTOM } = isNarrow ? NARROW : WIDE;
+	// letters keep their size: a wide one is as large as its place
+	const [WIDTH, HEIGHT] = isNarrow || width === 0 ? [NARROW.width, NARROW.height] : [width, Math.max(LEAST_HIGH, height)];
 	const values = [...systems, ...(others ?? [])].flatMap(({ points }) => points.map(([, ms]) => ms));
 	const low = Math.max(...MILLISECONDS.filter((each) => each <= Math.min(0.1, ...values)), MILLISECONDS[0]);
 	const high = Math.min(...MILLISECONDS.filter((each) => each >= Math.max(100, ...values)), MILLISECONDS.at(-1));

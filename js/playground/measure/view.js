@@ -60,14 +60,13 @@ class MeasureView {
 		main.replaceChildren(modes(words, "live", (mode) => this.#turnTo(mode)), this.live.element, this.series);
 		this.series.append(
 			h("section.measuring", { "aria-label": words.title },
-				h("div.tools", {}, this.startButton, field(words.most, most), field(words.machine, this.name), ...this.keepers),
-				h("div.tools", {}, field(words.beside, this.others), fileButton(words.open, ".json", (file) => this.openFile(file)), h("small.hint", {}, words.openHint)),
+				h("div.tools", {}, this.startButton, field(words.most, most), field(words.machine, this.name), ...this.keepers, field(words.beside, this.others), fileButton(words.open, ".json", (file) => this.openFile(file)), h("small.hint", {}, words.openHint)),
 				this.status, this.busy, this.picture),
 			h("section.facts", {}, h("div.card", {}, h("h2", {}, words.title), h("p.note", {}, words.how), this.table)));
 		this.live.open();
 		this.#listOthers();
 		this.#show();
-		this.forgetSize = onWidth(this.picture, () => this.#show());
+		this.forgetSize = onSize(this.picture, () => this.#show());
 	}
 
 	/** Shows either a game that runs or the series of all systems. */
@@ -112,7 +111,7 @@ class MeasureView {
 
 	#show() {
 		const listed = (result) => CollisionBlocks.systemNames.map((name) => ({ name: texts.systems[name], points: result?.points[name] ?? [] }));
-		this.picture.replaceChildren(chart(words, COUNTS, listed(this.result), this.other && listed(this.other), this.picture.clientWidth));
+		this.picture.replaceChildren(chart(words, COUNTS, listed(this.result), this.other && listed(this.other), ...roomIn(this.picture)));
 		for (const each of this.keepers) each.disabled = this.#isRunning || this.result === null;
 		const at = (result, name, count) => result?.points[name]?.find(([each]) => each === count)?.[1];
 		const cell = (name, count) => [this.result, this.other].map((result) => at(result, name, count)).map((ms) => (ms === undefined ? "–" : short(ms)));
@@ -168,12 +167,19 @@ class MeasureView {
 	}
 }
 
-/** Calls a function when an element becomes wider or narrower. Returns what ends that. */
-function onWidth(element, listener) {
-	let width = element.clientWidth;
+/** The width and the height within an element's padding. */
+function roomIn(element) {
+	const { paddingLeft, paddingTop } = getComputedStyle(element);
+	return [element.clientWidth - 2 * Number.parseFloat(paddingLeft), element.clientHeight - 2 * Number.parseFloat(paddingTop)].map((room) => Math.max(0, room));
+}
+
+/** Calls a function when an element gets another size. Returns what ends that. */
+function onSize(element, listener) {
+	let size = "";
 	const observer = new ResizeObserver(() => {
-		if (element.clientWidth === width) return;
-		width = element.clientWidth;
+		const now = roomIn(element).join(" ");
+		if (now === size) return;
+		size = now;
 		listener();
 	});
 	observer.observe(element);

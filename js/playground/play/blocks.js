@@ -10,7 +10,7 @@ const dropdown = (name, list) => ({ type: "field_dropdown", name, options: list 
 /** The first shape of a breed's agents. */
 export const SHAPE_OF = {
 	bears: "bear", turtles: "turtle", seagulls: "seagull", walls: "wall", paintballs: "sphere", people: "person", dragons: "dragon", firemen: "fireman", trees: "tree", kelp: "kelp",
-	fortresses: "fortress", spaceships: "spaceship", platforms: "platform", coins: "coin",
+	fortresses: "fortress", spaceships: "spaceship", platforms: "platform", coins: "coin", houses: "house", rocks: "rock", lifts: "platform",
 };
 /** The breeds in menus, also the user's own. Programs add theirs. */
 export const breeds = ["bears", "turtles", "seagulls", "walls", "paintballs"];

@@ -24,19 +24,21 @@ export class BuildBar {
 		this.tick = tick(words.build, false, (on) => {
 			this.isOn = on;
 			if (on && (view.isRunning || view.world.frame > 0)) view.reset();
-			this.brushes.hidden = !on;
+			this.element.hidden = !on;
 			this.#take("agents");
 		});
 		/** What the pointer does in the world: it moves agents, raises or lowers the ground, or builds walls. */
-		this.brushes = h("div.brushes", { role: "group", "aria-label": words.brush, hidden: true },
+		this.brushes = h("div.brushes", { role: "group", "aria-label": words.brush },
 			...Object.entries(words.brushes).map(([name, text]) => button(text, () => this.#take(name), { "data-brush": name })));
 		const tool = (name, action) => button(words[name], () => this.#with(action), { "data-tool": name });
-		this.element = h("div.build-bar", { role: "group", "aria-label": words.build, hidden: true },
+		/** What changes the agent that was clicked. Its place is kept free, so that the world stays as high when one is clicked. */
+		this.changes = h("div.build-bar", { role: "group", "aria-label": words.build },
 			tool("copy", (building, id, { x, y, z }) => building.copy(id, snapped(x + (x > 0 ? -ASIDE : ASIDE)), snapped(y), z)),
 			tool("turn", (building, id, { heading }) => building.turn(id, (heading + TURN) % 360)),
 			tool("up", (building, id, { x, y, z }) => building.move(id, x, y, z + STEP)),
 			tool("down", (building, id, { x, y, z }) => building.move(id, x, y, Math.max(0, z - STEP))),
 			tool("remove", (building, id) => building.remove(id)));
+		this.element = h("div.builders", { hidden: true }, this.brushes, this.changes);
 	}
 
 	/** Listens to the world's stage, before all others do. */
@@ -54,7 +56,10 @@ export class BuildBar {
 		view.scene.chosen = isPainting ? null : view.scene.chosen;
 		if (view.stage.canvas) view.stage.canvas.style.touchAction = isPainting ? "none" : "pan-y";
 		if (isPainting) view.showGround();
-		if (this.isOn) view.say(words.how[brush]);
+		if (this.isOn) {
+			view.dragNote.hidden = true;
+			view.say(words.how[brush]);
+		}
 		view.draw();
 	}
 
@@ -87,6 +92,6 @@ export class BuildBar {
 	/** Shows the buttons while an agent is chosen that they can change. */
 	show() {
 		const { chosen } = this.view.scene;
-		this.element.hidden = !(chosen && this.has(chosen));
+		this.changes.classList.toggle("away", !(chosen && this.has(chosen)));
 	}
 }

@@ -5,6 +5,8 @@ import { recallList, rememberValue } from "../shared/memory.js";
 
 const words = texts.lessons;
 const KEY = "starlogo-playground.lessons";
+/** Those whose text or mistakes are about the collision system: its menu is always in sight there. */
+const NEED_SYSTEM = ["helmet", "wing", "main"];
 export const LESSON_NAMES = ["blocks", "helmet", "wing", "main", "fast", "starts", "room", "near", "see", "hunt", "jump"];
 
 /** Remembers, in the browser, the lessons that were done and the games that were won. */
@@ -94,6 +96,7 @@ export class LessonCard {
 	show(name, isOwn = false) {
 		this.#name = name;
 		this.element.hidden = name === null;
+		this.element.dataset.needs = NEED_SYSTEM.includes(name) ? "system" : "";
 		this.element.replaceChildren();
 		if (name === null) return;
 		if (!this.#lessons) import("./library.js").then(({ LESSONS }) => {

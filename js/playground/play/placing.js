@@ -15,9 +15,9 @@ Blockly.BlockSvg.prototype.bumpNeighbours = () => {};
 Blockly.config.snapRadius = Blockly.config.connectingSnapRadius = SNAP;
 
 export class Placing {
-	/** The pixels by which the scripts have given way to the drawer, and where they are since then. */
-	#given = 0;
-	#at = 0;
+	/** The pixels by which the scripts have given way to the drawer, to the right or downwards, and where they are since then. */
+	#given = { x: 0, y: 0 };
+	#at = { x: 0, y: 0 };
 	/** Whether the user has scrolled since then. */
 	#isScrolled = false;
 	#wanted = null;
@@ -28,12 +28,12 @@ export class Placing {
 		workspace.getInjectionDiv().addEventListener("wheel", () => {
 			this.#isScrolled = true;
 		}, { passive: true });
-		// further to the right than Blockly lets scripts go
+		// further to the right and downwards than Blockly lets scripts go
 		const metrics = workspace.getMetricsManager();
 		const padded = metrics.getPaddedContent_;
 		metrics.getPaddedContent_ = (view, content) => {
 			const bounds = padded.call(metrics, view, content);
-			return { ...bounds, left: Math.min(bounds.left, content.left - view.width) };
+			return { ...bounds, left: Math.min(bounds.left, content.left - view.width), top: Math.min(bounds.top, content.top - view.height) };
 		};
 	}
 
@@ -61,28 +61,33 @@ export class Placing {
 		Blockly.svgResize(workspace);
 	}
 
-	/** Moves the scripts to the right of an open drawer. */
+	/** Moves the scripts to the right of an open drawer. In a narrow window the drawer is above them, and they move downwards. */
 	#makeRoom() {
 		const { workspace } = this;
 		const flyout = workspace.getFlyout();
-		if (!flyout.isVisible() || workspace.horizontalLayout) return;
+		if (!flyout.isVisible()) return;
+		const toolbox = workspace.getToolbox();
 		const pane = workspace.getInjectionDiv().getBoundingClientRect();
-		const drawer = pane.left + workspace.getToolbox().getWidth() + flyout.getWidth();
 		const shown = workspace.getTopBlocks(false).map((block) => block.getSvgRoot().getBoundingClientRect()).filter(({ top, bottom, right }) => bottom > pane.top && top < pane.bottom && right > pane.left);
-		const by = drawer + GAP / 2 - Math.min(...shown.map(({ left }) => left));
-		if (!(by > 0 && by < pane.width)) return;
-		workspace.scroll(workspace.scrollX + by, workspace.scrollY);
-		this.#given += by;
-		this.#at = workspace.scrollX;
+		const isBelow = workspace.horizontalLayout;
+		const end = isBelow ? pane.top + toolbox.getHeight() + flyout.getHeight() : pane.left + toolbox.getWidth() + flyout.getWidth();
+		const by = end + GAP / 2 - Math.min(...shown.map(({ left, top }) => (isBelow ? top : left)));
+		if (!(by > 0 && by < (isBelow ? pane.height : pane.width))) return;
+		const given = isBelow ? { x: 0, y: by } : { x: by, y: 0 };
+		workspace.scroll(workspace.scrollX + given.x, workspace.scrollY + given.y);
+		this.#given = { x: this.#given.x + given.x, y: this.#given.y + given.y };
+		this.#at = { x: workspace.scrollX, y: workspace.scrollY };
 		this.#isScrolled = false;
 	}
 
 	/** Moves them back to where they were, unless the user has moved them meanwhile. Keys that leave the drawer scroll to the block that they reach. */
 	#takeRoom() {
 		const { workspace } = this;
-		const by = this.#given;
-		this.#given = 0;
-		if (by > 0 && !this.#isScrolled) workspace.scroll(this.#at - by, workspace.scrollY);
+		const { x, y } = this.#given;
+		this.#given = { x: 0, y: 0 };
+		if (this.#isScrolled) return;
+		if (x > 0) workspace.scroll(this.#at.x - x, workspace.scrollY);
+		if (y > 0) workspace.scroll(workspace.scrollX, this.#at.y - y);
 	}
 
 	/** Joins a dropped block to the connection that it lies on, if a fast pointer has left it loose there. */

@@ -7,7 +7,7 @@ const KEY = "starlogo-playground.blocks-width";
 /** A window that is lower than this, in pixels, gives the world more of its width. */
 export const LOW = 700;
 /** The least, the largest and the first width of the blocks, in percent of the window, and the first one in a low window: as in style.css. */
-const [LEAST, MOST, FIRST, FIRST_IN_LOW] = [25, 72, 54, 40];
+const [LEAST, MOST, FIRST, FIRST_IN_LOW] = [25, 72, 48, 40];
 const STEP = 2;
 
 /**
@@ -26,7 +26,6 @@ export function splitter(main) {
 	};
 	const keep = () => remember(KEY, String(width));
 	if (Number(recall(KEY))) set(Number(recall(KEY)));
-	main.classList.toggle("low", innerHeight < LOW);
 	line.addEventListener("pointerdown", (event) => {
 		line.setPointerCapture(event.pointerId);
 		event.preventDefault();

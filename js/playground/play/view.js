@@ -33,6 +33,8 @@ const PICTURE = [240, 150];
 const FEW = 4;
 /** Where the browser remembers whether the settings are open. */
 const OPEN = "starlogo-playground.settings";
+/** The milliseconds for which words that do not fit beside the buttons are over the world, if they are no problem. */
+const TOLD = 6000;
 /** The number of pieces of confetti, and the milliseconds that they fall. */
 const [PIECES, CELEBRATED] = [36, 3000];
 
@@ -70,6 +72,8 @@ class PlayView {
 	/** The game beside this one, or null; and the last one that was requested. */
 	#beside = null;
 	#asked = "";
+	/** What hides words over the world that are no problem. */
+	#told = 0;
 
 	constructor(main, models, world) {
 		this.models = models;
@@ -83,7 +87,7 @@ class PlayView {
 		this.#build(main);
 		this.stage = new Stage(this.worldHost, { ...STAGE, label: words.world });
 		this.scene = new Scene(this.stage, world, models, this.screen);
-		this.theatre.append(h("div.foot", {}, this.scene.legend, this.keys.pad, h("div.corner", {}, this.settings, this.buildBar.tick, this.sound.button, this.fullscreen)));
+		this.#placeCorner();
 		this.worldHost.addEventListener("pointerdown", () => this.editor?.closeMenus());
 		this.keys.listen(this.stage, (agent) => {
 			world.click(agent);
@@ -125,7 +129,7 @@ class PlayView {
 		this.speed.input.addEventListener("pointerup", () => this.#playOn());
 		this.rewind = slider(words.rewind, { min: 0, max: 0, step: 1, value: 0, format: (at) => (at < 0 ? words.rewindBack(fixed(-at / FRAMES_A_SECOND, 1)) : words.rewindNow) }, (at) => this.#goBack(-at));
 		this.fullscreen = button(h("span.icon"), () => this.theatre.requestFullscreen?.(), { class: "fullscreen", "aria-label": words.fullscreen, title: words.fullscreen });
-		// the words of a problem that are more than fit beside the buttons; readers have them there
+		// words that are more than fit beside the buttons; readers have them there
 		this.whole = h("p.whole", { hidden: true, "aria-hidden": "true" });
 		this.settings = button(words.settings, () => {
 			const isOpen = this.main.classList.contains("folded");
@@ -168,11 +172,22 @@ class PlayView {
 			h("div.show", {}, this.controls, h("section.game", { "aria-label": words.world },
 				h("div.tools", {}, field(words.system, this.system), field(words.beside, besides), field(words.camera, this.camera), sees),
 				this.theatre,
-				this.buildBar.brushes, this.buildBar.element,
+				this.buildBar.element,
 				h("div.time", {}, this.speed.element, this.rewind.element),
 				this.panel.element)));
 		const kept = recall(OPEN);
 		this.#openSettings(kept === null ? innerHeight >= LOW : kept === "true");
+	}
+
+	/** Puts the keys below the world, and what belongs to the world beside them. In a low and wide window, it is beside “Run”, so that the world is higher. */
+	#placeCorner() {
+		const corner = h("div.corner", {}, this.settings, this.buildBar.tick, this.sound.button, this.fullscreen);
+		const foot = h("div.foot", {}, this.scene.legend, this.keys.pad);
+		const place = () => (this.room.matches ? this.controls : foot).append(corner);
+		this.room = matchMedia(`(min-width: 75rem) and (max-height: ${LOW - 1}px)`);
+		this.room.onchange = place;
+		this.theatre.append(foot);
+		place();
 	}
 
 	/** Opens or folds the systems, the camera, speed and numbers. Folded, the world has their room. */
@@ -238,7 +253,7 @@ class PlayView {
 	lookAt(program, camera = null) {
 		this.camera.value = this.scene.lookAt(program, camera);
 		// it matters where a few agents are looked at closely
-		this.dragNote.hidden = this.isDragKnown || this.scene.camera !== "all" || this.world.agents.length > FEW || !this.stage.renderer;
+		this.dragNote.hidden = this.isDragKnown || this.buildBar.isOn || this.scene.camera !== "all" || this.world.agents.length > FEW || !this.stage.renderer;
 		this.draw();
 	}
 
@@ -319,7 +334,7 @@ class PlayView {
 	/** Shows a message with a button. */
 	offer(text, action, onclick) {
 		this.say(text);
-		this.status.append(" ", button(action, onclick));
+		this.status.append(" ", button(action, onclick, { title: action }));
 	}
 
 	/** Goes to the beginning of a newly opened program. */
@@ -511,7 +526,12 @@ class PlayView {
 		this.status.textContent = text;
 		this.status.classList.toggle("problem", isProblem);
 		this.whole.textContent = text;
-		this.whole.hidden = !isProblem || this.status.scrollHeight <= this.status.clientHeight + 1;
+		this.whole.classList.toggle("problem", isProblem);
+		this.whole.hidden = this.status.scrollHeight <= this.status.clientHeight + 1;
+		clearTimeout(this.#told);
+		if (!isProblem) this.#told = setTimeout(() => {
+			this.whole.hidden = true;
+		}, TOLD);
 	}
 
 	draw(now = 0) {
@@ -528,8 +548,10 @@ class PlayView {
 
 	close() {
 		this.#halt();
+		clearTimeout(this.#told);
 		this.#asked = null;
 		this.#beside?.close();
+		this.room.onchange = null;
 		this.sound.close();
 		this.programs.close();
 		this.editor?.close();

@@ -6,6 +6,8 @@ import {
 import { TerrainSurface } from "starlogo-collision";
 
 const FAR = 360;
+/** The upward part of the normal down to which a slope is as green as the plain, and that from which it is all earth; and what earth makes of red, green and blue. */
+const [GRASSY, BARE, EARTH] = [0.985, 0.75, [1, 0.6, 0.42]];
 
 export class Land {
 	#shadows = null;
@@ -178,14 +180,15 @@ function shade(geometry) {
 	geometry.getAttribute("position").needsUpdate = true;
 }
 
-/** Gives a geometry with normals the brightness of its vertices. */
+/** Gives a geometry with normals the brightness of its vertices, and steep slopes the colour of earth. */
 function light(geometry) {
 	const normal = geometry.getAttribute("normal");
-	const brightness = Float32Array.from({ length: 3 * normal.count }, (_, i) => {
+	const colours = Float32Array.from({ length: 3 * normal.count }, (_, i) => {
 		const at = Math.floor(i / 3);
-		return Math.min(1.15, Math.max(0.4, normal.getZ(at) - 0.35 * normal.getX(at) - 0.2 * normal.getY(at)));
+		const bare = Math.min(1, Math.max(0, (GRASSY - normal.getZ(at)) / (GRASSY - BARE)));
+		return Math.min(1.15, Math.max(0.4, normal.getZ(at) - 0.35 * normal.getX(at) - 0.2 * normal.getY(at))) * (1 + bare * (EARTH[i % 3] - 1));
 	});
-	geometry.setAttribute("color", new BufferAttribute(brightness, 3));
+	geometry.setAttribute("color", new BufferAttribute(colours, 3));
 }
 
 /** Stars all over the sky, placed by the golden angle. */

@@ -89,12 +89,15 @@ export function writeDeclarations(types) {
 	return [HEAD, ...[...types.values()].map((type) => writer.text(type)), BY_HAND, "export {};\n"].join("\n");
 }
 
-/** Whether a class has a type parameter for a client's own class of agents: its update takes them, it asks about them, or it has one for its user. */
-function isGeneric(type) {
+/**
+ * Whether a class has a type parameter for a client's own class of agents: its update takes them, it asks about them, it has one for its user,
+ * or its base class has a type parameter.
+ */
+function isGeneric(type, types) {
 	const hasAgents = (member) => member.name === "update" && member.parameters[0]?.type === "Vector.<Agent>";
 	const hasAgent = (member) => member.kind === "var" && member.isPublic && !member.isPrivate && member.result === "Agent";
 	const isAboutThem = (member) => member.kind === "constructor" && member.parameters[0]?.type === "SeenAgents";
-	return type?.kind === "class" && type.members.some((member) => hasAgents(member) || hasAgent(member) || isAboutThem(member));
+	return type?.kind === "class" && (type.bases.some((name) => isGeneric(types.get(name), types)) || type.members.some((member) => hasAgents(member) || hasAgent(member) || isAboutThem(member)));
 }
 
 class Writer {
@@ -105,15 +108,19 @@ class Writer {
 		this.#exported = exported;
 	}
 
+	#isGeneric(type) {
+		return isGeneric(type, this.#exported);
+	}
+
 	text(type) {
 		if (type.kind === "function") {
 			return `${doc(type.doc, "")}export function ${type.name}(${this.#parameters(type)}): ${this.#type(type.result)};\n`;
 		}
 		const members = this.#membersOf(type).map((member) => this.#memberText(type, member));
-		const bases = type.bases.filter((name) => this.#exported.has(name) || name === "Error");
+		const bases = type.bases.filter((name) => this.#exported.has(name) || name === "Error").map((name) => (this.#isGeneric(this.#exported.get(name)) ? `${name}<A>` : name));
 		const interfaces = type.interfaces.filter((name) => this.#exported.has(name));
 		const heritage = (bases.length > 0 ? ` extends ${bases.join(", ")}` : "") + (interfaces.length > 0 ? ` implements ${interfaces.join(", ")}` : "");
-		const parameters = isGeneric(type) ? "<A extends Agent = Agent>" : "";
+		const parameters = this.#isGeneric(type) ? "<A extends Agent = Agent>" : "";
 		if (type.events.length > 0) members.unshift(...this.#listening(type));
 		if (ADDED[type.qname]) members.push(ADDED[type.qname].declaration);
 		return `${this.#eventsText(type)}${doc(type.doc, "")}${PLATFORM_NAMES.has(type.name) ? "declare" : "export"} ${type.kind} ${type.name}${parameters}${heritage} {\n${members.join("\n")}\n}\n`;
@@ -144,7 +151,7 @@ class Writer {
 	#memberText(type, member) {
 		const isStatic = member.isStatic ? "static " : "";
 		const visible = member.isProtected ? "protected " : "";
-		this.#agent = isGeneric(type) && !member.isStatic ? "A" : "Agent";
+		this.#agent = this.#isGeneric(type) && !member.isStatic ? "A" : "Agent";
 		const said = this.#docOf(type, member);
 		const text = doc(said, "\t");
 		if (/^(add|remove)EventListener$/.test(member.name)) {
@@ -231,7 +238,7 @@ class Writer {
 	#parameterType(parameter, said = "") {
 		// it may have been made for any class of agents before
 		const agent = this.#agent;
-		if (parameter.type !== "SeenAgents" && isGeneric(this.#exported.get(/^(?:Vector\.<)?(\w+)>?$/.exec(parameter.type)?.[1]))) this.#agent = "Agent";
+		if (parameter.type !== "SeenAgents" && this.#isGeneric(this.#exported.get(/^(?:Vector\.<)?(\w+)>?$/.exec(parameter.type)?.[1]))) this.#agent = "Agent";
 		const text = this.#parameterText(parameter, said);
 		this.#agent = agent;
 		return text;
@@ -269,7 +276,7 @@ class Writer {
 		const element = /^Vector\.<(.*)>$/.exec(type)?.[1];
 		if (element) return `${this.#type(element)}[]`;
 		if (type === "Agent") return this.#agent;
-		const isOfAgents = this.#agent === "A" && isGeneric(this.#exported.get(type));
+		const isOfAgents = this.#agent === "A" && this.#isGeneric(this.#exported.get(type));
 		return PRIMITIVES[type] ?? (this.#exported.has(type) || type === "ByteArray" ? `${type}${isOfAgents ? "<A>" : ""}` : "unknown");
 	}
 }

@@ -23,6 +23,7 @@ import {
 	capsuleBox,
 	capsuleCapsule,
 	CapsuleFitter,
+	CastHit,
 	CentredRitterSphereFitter,
 	ColladaModel,
 	Collider,
@@ -222,6 +223,8 @@ function ask(greatLand: GreatLand, agents: Agent[]): void {
 	log.push(`${hit?.agent} at ${hit?.distance}, ${hits.length} hits, ${queries.canSee(agents[0], agents[1])}`);
 	const bump: ShapeHit | null = queries.castShape(new Sphere(eye, 0.5), 20, 0, 0, filter, new ShapeHit());
 	const bumps: ShapeHit[] = queries.castAgentAll(agents[0], 0, 0, 9, null, []);
+	const met: CastHit | null = hit ?? bump;
+	if (met !== hit) log.push("another hit");
 	log.push(`${bump?.agent} at ${bump?.time}, ${bumps.length} bumps, ${queries.castAgent(agents[0], 0, 0, 9)}, ${queries.castShapeAll(new Sphere(eye, 1), 9, 0, 0).length}`);
 	const [above, below]: [Point, PointTaker] = [{ x: 0, y: 0, z: 9 }, { x: 0, y: 0, z: 0 }];
 	log.push(`${queries.overlapsAgent(agents[0], 0, 0, 9)}, ${queries.distanceToPoint(agents[0], above, below)} to ${below.z}`);

@@ -6,10 +6,6 @@ package starlogo.queries
     import starlogo.bounding.BoundingStructure;
     import starlogo.collision.Contact;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
-    import starlogo.geometry.requireGiven;
-    import starlogo.geometry.requireInWorld;
-    import starlogo.search.Body;
     import starlogo.search.StructurePairTests;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
@@ -46,10 +42,12 @@ package starlogo.queries
      */
     public class AgentQueries
     {
-        private var _seen:QueryWorld;
-
-        // By the number of questions under way that call accepts.
-        private var _sets:Vector.<AllQueries> = new Vector.<AllQueries>();
+        private var _seen:SeenAgents;
+        private var _places:PlaceQueries;
+        private var _touches:TouchQueries;
+        private var _distances:DistanceQueries;
+        private var _rays:RayQueries;
+        private var _motions:MotionQueries;
 
         /**
          * Begins without agents. Call <code>update()</code> before you ask: before the first one, questions that search the list throw an
@@ -65,10 +63,14 @@ package starlogo.queries
             {
                 throw new ArgumentError("the shapes of a level are for AgentRays and AgentWalks: an AgentQueries needs a Collision or a collision system");
             }
-            _seen = new QueryWorld(collisionOrSystem);
+            _seen = new SeenAgents(collisionOrSystem);
             // questions may be about any structure
             _seen.need(StructurePairTests.bringTo);
-            _sets.push(new AllQueries(_seen));
+            _places = new PlaceQueries(_seen);
+            _touches = new TouchQueries(_seen);
+            _distances = new DistanceQueries(_seen);
+            _rays = new RayQueries(_seen);
+            _motions = new MotionQueries(_seen);
         }
 
         /**
@@ -112,7 +114,7 @@ package starlogo.queries
          */
         public function refresh(agent:Agent):void
         {
-            _seen.moved(agent);
+            _seen.refresh(agent);
         }
 
         /** An older name of <code>refresh()</code>. */
@@ -134,8 +136,7 @@ package starlogo.queries
          */
         public function near(agent:Agent, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            var at:Placement = _seen.placeOf(agent);
-            return ask.places.near(agent, at.x, at.y, at.z, radius, Collector.ALL, filter).list(out);
+            return _places.idle.near(agent, radius, filter, out);
         }
 
         /**
@@ -147,8 +148,7 @@ package starlogo.queries
          */
         public function countNear(agent:Agent, radius:Number, filter:AgentFilter = null):int
         {
-            var at:Placement = _seen.placeOf(agent);
-            return ask.places.countNear(agent, at.x, at.y, at.z, radius, filter);
+            return _places.idle.countNear(agent, radius, filter);
         }
 
         /**
@@ -162,8 +162,7 @@ package starlogo.queries
          */
         public function nearest(agent:Agent, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
-            var at:Placement = _seen.placeOf(agent);
-            return ask.places.near(agent, at.x, at.y, at.z, radius, 1, filter).firstAgent();
+            return _places.idle.nearest(agent, radius, filter);
         }
 
         /**
@@ -181,9 +180,7 @@ package starlogo.queries
          */
         public function nearestFew(agent:Agent, count:int, radius:Number = Infinity, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            QuerySet.requireNotNegative("count", count);
-            var at:Placement = _seen.placeOf(agent);
-            return ask.places.near(agent, at.x, at.y, at.z, radius, count, filter).list(out);
+            return _places.idle.nearestFew(agent, count, radius, filter, out);
         }
 
         /** An older name of <code>nearestFew()</code>. */
@@ -203,8 +200,7 @@ package starlogo.queries
          */
         public function nearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            requirePoint(point);
-            return ask.places.near(null, point.x, point.y, point.z, radius, Collector.ALL, filter).list(out);
+            return _places.idle.nearPoint(point, radius, filter, out);
         }
 
         /**
@@ -216,8 +212,7 @@ package starlogo.queries
          */
         public function countNearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null):int
         {
-            requirePoint(point);
-            return ask.places.countNear(null, point.x, point.y, point.z, radius, filter);
+            return _places.idle.countNearPoint(point, radius, filter);
         }
 
         /**
@@ -230,8 +225,7 @@ package starlogo.queries
          */
         public function nearestToPoint(point:Vector3D, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
-            requirePoint(point);
-            return ask.places.near(null, point.x, point.y, point.z, radius, 1, filter).firstAgent();
+            return _places.idle.nearestToPoint(point, radius, filter);
         }
 
         /**
@@ -250,9 +244,7 @@ package starlogo.queries
          */
         public function inCone(agent:Agent, radius:Number, degrees:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            QuerySet.requireNotNegative("degrees", degrees);
-            var at:Placement = _seen.placeOf(agent);
-            return ask.places.near(agent, at.x, at.y, at.z, radius, Collector.ALL, filter, degrees).list(out);
+            return _places.idle.inCone(agent, radius, degrees, filter, out);
         }
 
         /**
@@ -267,7 +259,7 @@ package starlogo.queries
          */
         public function touching(agent:Agent, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return ask.touches.touching(agent, ask.room.bodyOf(agent), Collector.ALL, filter).list(out);
+            return _touches.idle.touching(agent, filter, out);
         }
 
         /**
@@ -281,7 +273,7 @@ package starlogo.queries
          */
         public function touchesAny(agent:Agent, filter:AgentFilter = null):Boolean
         {
-            return ask.touches.touching(agent, ask.room.bodyOf(agent), 1, filter).end() > 0;
+            return _touches.idle.touchesAny(agent, filter);
         }
 
         /**
@@ -294,9 +286,7 @@ package starlogo.queries
          */
         public function touchesEdge(agent:Agent, bounds:WorldBounds):Boolean
         {
-            requireGiven("bounds", bounds);
-            var body:Body = ask.room.bodyOf(agent);
-            return body.shape != null && _seen.narrowPhase.areTouching(body, ask.room.bodyOf(bounds.agent, ask.room.second));
+            return _touches.idle.touchesEdge(agent, bounds);
         }
 
         /**
@@ -314,8 +304,7 @@ package starlogo.queries
          */
         public function wouldTouchAt(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter = null):Boolean
         {
-            requireInWorld("a place", x, y, z);
-            return ask.touches.touching(agent, ask.room.bodyAt(agent, x, y, z), 1, filter).end() > 0;
+            return _touches.idle.wouldTouchAt(agent, x, y, z, filter);
         }
 
         /** An older name of <code>wouldTouchAt()</code>. */
@@ -338,7 +327,7 @@ package starlogo.queries
          */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return ask.touches.touching(null, ask.room.bodyOfStructure(structure), Collector.ALL, filter).list(out);
+            return _touches.idle.overlapping(structure, filter, out);
         }
 
         /**
@@ -367,7 +356,7 @@ package starlogo.queries
          */
         public function distance(a:Agent, b:Agent, pointA:Vector3D = null, pointB:Vector3D = null):Number
         {
-            return ask.distances.find(a, b, pointA, pointB);
+            return _distances.find(a, b, pointA, pointB);
         }
 
         /**
@@ -384,8 +373,7 @@ package starlogo.queries
          */
         public function distanceToPoint(agent:Agent, point:Vector3D, out:Vector3D = null):Number
         {
-            requirePoint(point);
-            return ask.distances.findToPoint(agent, point, out);
+            return _distances.findToPoint(agent, point, out);
         }
 
         /**
@@ -416,7 +404,7 @@ package starlogo.queries
          */
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null, hit:RayHit = null):RayHit
         {
-            return ask.rays.cast(origin, direction, maxDistance, filter, hit);
+            return _rays.idle.cast(origin, direction, maxDistance, filter, hit);
         }
 
         /**
@@ -445,7 +433,7 @@ package starlogo.queries
         public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null,
                 out:Vector.<RayHit> = null, allSurfaces:Boolean = false):Vector.<RayHit>
         {
-            return ask.rays.castAll(origin, direction, maxDistance, filter, out, allSurfaces);
+            return _rays.idle.castAll(origin, direction, maxDistance, filter, out, allSurfaces);
         }
 
         /**
@@ -459,7 +447,7 @@ package starlogo.queries
          */
         public function canSee(a:Agent, b:Agent, filter:AgentFilter = null):Boolean
         {
-            return ask.rays.canSee(a, b, filter);
+            return _rays.idle.canSee(a, b, filter);
         }
 
         /**
@@ -483,7 +471,7 @@ package starlogo.queries
          */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return ask.moves.cast(null, ask.room.bodyOfStructure(structure), dx, dy, dz, filter, hit);
+            return _motions.idle.moves.castShape(structure, dx, dy, dz, filter, hit);
         }
 
         /**
@@ -504,7 +492,7 @@ package starlogo.queries
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return ask.moves.castAll(null, ask.room.bodyOfStructure(structure), dx, dy, dz, filter, out);
+            return _motions.idle.moves.castShapeAll(structure, dx, dy, dz, filter, out);
         }
 
         /**
@@ -524,7 +512,7 @@ package starlogo.queries
          */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return ask.moves.cast(agent, ask.room.bodyOfCast(agent), dx, dy, dz, filter, hit);
+            return _motions.idle.moves.castAgent(agent, dx, dy, dz, filter, hit);
         }
 
         /**
@@ -545,7 +533,7 @@ package starlogo.queries
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return ask.moves.castAll(agent, ask.room.bodyOfCast(agent), dx, dy, dz, filter, out);
+            return _motions.idle.moves.castAgentAll(agent, dx, dy, dz, filter, out);
         }
 
         /**
@@ -574,8 +562,7 @@ package starlogo.queries
          */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
         {
-            _seen.requireMovable(agent, "moveUntilTouch");
-            return ask.moves.moveUntilTouch(agent, dx, dy, dz, filter, contact);
+            return _motions.idle.moves.moveUntilTouch(agent, dx, dy, dz, filter, contact);
         }
 
         /**
@@ -596,8 +583,7 @@ package starlogo.queries
          */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null):Number
         {
-            _seen.requireMovable(agent, "slide");
-            return ask.moves.slide(agent, dx, dy, dz, filter);
+            return _motions.idle.moves.slide(agent, dx, dy, dz, filter);
         }
 
         /**
@@ -627,17 +613,7 @@ package starlogo.queries
          */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions = null, out:Footing = null):Footing
         {
-            _seen.requireMovable(agent, "walk");
-            return ask.walks.walk(agent, dx, dy, options, out);
-        }
-
-        private function get ask():AllQueries
-        {
-            if (_seen.asking == _sets.length)
-            {
-                _sets.push(new AllQueries(_seen));
-            }
-            return _sets[_seen.asking];
+            return _motions.idle.walks.walk(agent, dx, dy, options, out);
         }
     }
 }

@@ -16,10 +16,7 @@ package starlogo.queries
      */
     public final class AgentWalks
     {
-        private var _world:QueryWorld;
-
-        // By the number of questions under way that call accepts.
-        private var _sets:Vector.<MotionQueries> = new Vector.<MotionQueries>();
+        private var _questions:MotionQueries;
 
         /**
          * Asks about the agents of a SeenAgents. Others may ask about the same.
@@ -30,66 +27,53 @@ package starlogo.queries
         public function AgentWalks(seen:SeenAgents)
         {
             requireGiven("seen", seen);
-            _world = seen.world;
-            _world.need(StructurePairTests.bringTo);
-            _world.need(TreePairTests.bringTo);
+            seen.need(StructurePairTests.bringTo);
+            seen.need(TreePairTests.bringTo);
+            _questions = new MotionQueries(seen);
         }
 
         /** See AgentQueries.castShape. It has the same arguments and the same answer. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return ask.moves.cast(null, ask.room.bodyOfStructure(structure), dx, dy, dz, filter, hit);
+            return _questions.idle.moves.castShape(structure, dx, dy, dz, filter, hit);
         }
 
         /** See AgentQueries.castShapeAll. It has the same arguments and the same answer. */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return ask.moves.castAll(null, ask.room.bodyOfStructure(structure), dx, dy, dz, filter, out);
+            return _questions.idle.moves.castShapeAll(structure, dx, dy, dz, filter, out);
         }
 
         /** See AgentQueries.castAgent. It has the same arguments and the same answer. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return ask.moves.cast(agent, ask.room.bodyOfCast(agent), dx, dy, dz, filter, hit);
+            return _questions.idle.moves.castAgent(agent, dx, dy, dz, filter, hit);
         }
 
         /** See AgentQueries.castAgentAll. It has the same arguments and the same answer. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return ask.moves.castAll(agent, ask.room.bodyOfCast(agent), dx, dy, dz, filter, out);
+            return _questions.idle.moves.castAgentAll(agent, dx, dy, dz, filter, out);
         }
 
         /** See AgentQueries.moveUntilTouch. It has the same arguments and the same answer. */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
         {
-            _world.requireMovable(agent, "moveUntilTouch");
-            return ask.moves.moveUntilTouch(agent, dx, dy, dz, filter, contact);
+            return _questions.idle.moves.moveUntilTouch(agent, dx, dy, dz, filter, contact);
         }
 
         /** See AgentQueries.slide. It has the same arguments and the same answer. */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null):Number
         {
-            _world.requireMovable(agent, "slide");
-            return ask.moves.slide(agent, dx, dy, dz, filter);
+            return _questions.idle.moves.slide(agent, dx, dy, dz, filter);
         }
 
         /** See AgentQueries.walk. It has the same arguments and the same answer. */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions = null, out:Footing = null):Footing
         {
-            _world.requireMovable(agent, "walk");
-            return ask.walks.walk(agent, dx, dy, options, out);
-        }
-
-        private function get ask():MotionQueries
-        {
-            // other questions may be under way
-            while (_world.asking >= _sets.length)
-            {
-                _sets.push(new MotionQueries(_world));
-            }
-            return _sets[_world.asking];
+            return _questions.idle.walks.walk(agent, dx, dy, options, out);
         }
     }
 }

@@ -14,7 +14,7 @@ package starlogo.queries
      * <p>A search leaves out the rows that a filter excludes before it tests them. A filter's own function, <code>accepts</code>, is called
      * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs; but motions and casts of shapes call it for all
      * rows near the way. It may ask questions itself. These have
-     * another Collector (QuerySet).</p>
+     * another Collector (PlaceQueries.idle).</p>
      *
      * @private
      */
@@ -41,7 +41,7 @@ package starlogo.queries
         /** The number of rows that are wanted, or ALL. */
         public var wanted:int = ALL;
 
-        private var _seen:QueryWorld;
+        private var _seen:SeenAgents;
         private var _order:KeySort = new KeySort();
 
         // When this number of rows is found, the rows that are not wanted are dropped. If 1 row is wanted, it is 1: each row that is found replaces
@@ -51,8 +51,10 @@ package starlogo.queries
         // The number of rows that accepts has admitted. They come first, in order.
         private var _admitted:int = 0;
 
+        private var _isAsking:Boolean = false;
+
         /** @param seen the agents that questions are about */
-        public function Collector(seen:QueryWorld)
+        public function Collector(seen:SeenAgents)
         {
             _seen = seen;
             filter = new RowFilter(seen);
@@ -79,6 +81,12 @@ package starlogo.queries
             count = _admitted = 0;
         }
 
+        /** Whether a filter's <code>accepts</code> is being called. Then this must not begin another search. */
+        public function get isAsking():Boolean
+        {
+            return _isAsking;
+        }
+
         /** Whether the search can end, because one row is wanted, which may be any, and is found. */
         public function get hasAny():Boolean
         {
@@ -99,7 +107,7 @@ package starlogo.queries
         /** The next row of a search that counts and has a shape, or -1. Without a ground, the ground's row has none. */
         public function nextOf(search:SweptBoxSearch):int
         {
-            var row:int = search.next(filter.breeds);
+            var row:int = search.next(filter.breeds, limit);
             while (row >= 0)
             {
                 if (row != filter.askerRow && _seen.table.shapes[row] != null)
@@ -110,7 +118,7 @@ package starlogo.queries
                     }
                     search.passOver();
                 }
-                row = search.next(filter.breeds);
+                row = search.next(filter.breeds, limit);
             }
             return -1;
         }
@@ -174,7 +182,8 @@ package starlogo.queries
             }
             _order.sort(rows, keys, end, _seen.table.list.ranks);
             var decide:Function = filter.accepts;
-            _seen.asking++;
+            _seen.lock();
+            _isAsking = true;
             try
             {
                 for (var i:int = _admitted; i < end && _admitted < wanted; i++)
@@ -188,7 +197,8 @@ package starlogo.queries
             }
             finally
             {
-                _seen.asking--;
+                _isAsking = false;
+                _seen.unlock();
             }
             if (_admitted == wanted)
             {

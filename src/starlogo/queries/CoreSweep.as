@@ -25,7 +25,7 @@ package starlogo.queries
         // A core meets something soon after the body if it moves at most this many slops on. Then the angle to the surface is more than 4 degrees.
         private static const SOON:Number = 16;
 
-        private var _seen:QueryWorld;
+        private var _seen:SeenAgents;
         private var _body:MovingBody;
 
         // The motion, the body's place at its end, the motion's length, and the contact that was found last.
@@ -38,7 +38,7 @@ package starlogo.queries
          * @param seen has the rows
          * @param body the body that moves
          */
-        public function CoreSweep(seen:QueryWorld, body:MovingBody)
+        public function CoreSweep(seen:SeenAgents, body:MovingBody)
         {
             _seen = seen;
             _body = body;

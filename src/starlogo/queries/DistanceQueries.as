@@ -23,14 +23,18 @@ package starlogo.queries
      */
     public final class DistanceQueries
     {
+        private var _seen:SeenAgents;
         private var _closest:ClosestPoints = new ClosestPoints();
-        private var _set:QuerySet;
+
+        // The two bodies, and the structure of a point.
+        private var _bodyA:Body = new Body();
+        private var _bodyB:Body = new Body();
         private var _point:Sphere = new Sphere(new Vector3D(), 0);
 
-        /** @param questions what questions work with */
-        public function DistanceQueries(questions:QuerySet)
+        /** @param seen the agents that the questions are about */
+        public function DistanceQueries(seen:SeenAgents)
         {
-            _set = questions;
+            _seen = seen;
         }
 
         /**
@@ -46,20 +50,21 @@ package starlogo.queries
             {
                 throw new ArgumentError("the ground and the edges of the world have no distance from each other");
             }
-            var rowB:int = _set.seen.rowOf(b);
-            if (rowB >= 0 && _set.seen.table.shapes[rowB] == null)
+            var rowB:int = _seen.rowOf(b);
+            if (rowB >= 0 && _seen.table.shapes[rowB] == null)
             {
                 return Infinity;
             }
-            return answer(_set.bodyOf(a), rowB < 0 ? _set.bodyOf(b, _set.second) : _set.seen.table.bodyOf(rowB), pointA, pointB);
+            return answer(_seen.bodyOf(a, _bodyA), rowB < 0 ? _seen.bodyOf(b, _bodyB) : _seen.table.bodyOf(rowB), pointA, pointB);
         }
 
         /** The distance between an agent and a point. See AgentQueries.distanceToPoint. */
         public function findToPoint(agent:Agent, point:Vector3D, out:Vector3D):Number
         {
+            requirePoint(point);
             _point.center.setTo(point.x, point.y, point.z);
-            _set.second.readStructure(_point);
-            var distance:Number = answer(_set.bodyOf(agent), _set.second, out, null);
+            _bodyB.readStructure(_point);
+            var distance:Number = answer(_seen.bodyOf(agent, _bodyA), _bodyB, out, null);
             if (distance == 0)
             {
                 // without the rounding of the point that was found
@@ -105,7 +110,7 @@ package starlogo.queries
             {
                 return Infinity;
             }
-            measure(_set.seen.narrowPhase, a, b, pointA != null || pointB != null, _closest);
+            measure(_seen.narrowPhase, a, b, pointA != null || pointB != null, _closest);
             if (_closest.distance == Infinity)
             {
                 // the edges of a world without edges have no points

@@ -1,7 +1,11 @@
 package starlogo.queries
 {
-    import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
+    import starlogo.engine;
+    import starlogo.intersection.ray.Ray;
+    import starlogo.search.KeySort;
+
+    use namespace engine;
 
     /**
      * Keeps how a ray or a moving body meets rows, until the answer of the question is known. It also keeps the RayHits or ShapeHits that no
@@ -11,56 +15,147 @@ package starlogo.queries
      */
     public final class Hits
     {
+        private var _seen:SeenAgents;
         private var _found:Collector;
         private var _type:Class;
         private var _spare:Array = [];
+
+        // By hit: its row and the row's rank, its distance or time, its triangle or -1, and its contact. The hits of a row stand side by side.
+        private var _count:int = 0;
+        private var _rows:Vector.<int> = new Vector.<int>();
+        private var _ranks:Vector.<int> = new Vector.<int>();
+        private var _keys:Vector.<Number> = new Vector.<Number>();
+        private var _triangles:Vector.<int> = new Vector.<int>();
         private var _contacts:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
-        private var _triangles:Vector.<int> = new Vector.<int>();
+        // By row: its first hit.
+        private var _firsts:Vector.<int> = new Vector.<int>();
 
-        // By row: the index of its contact.
-        private var _indices:Vector.<int> = new Vector.<int>();
+        // The hits of the answer in their order, and their keys.
+        private var _order:Vector.<int> = new Vector.<int>();
+        private var _orderKeys:Vector.<Number> = new Vector.<Number>();
+        private var _sort:KeySort = new KeySort();
 
         /**
+         * @param seen has the rows
          * @param found collects the rows that are met
          * @param type RayHit or ShapeHit
          */
-        public function Hits(found:Collector, type:Class)
+        public function Hits(seen:SeenAgents, found:Collector, type:Class)
         {
+            _seen = seen;
             _found = found;
             _type = type;
         }
 
-        /** Returns a contact for the row that was collected last. The caller writes to it. */
-        public function newContact(row:int, triangle:int = -1):ContactPoint
+        /** Begins without hits. */
+        public function begin():void
         {
-            if (_indices.length <= row)
+            _count = 0;
+        }
+
+        /**
+         * Adds a hit of a row, after the row's other ones.
+         *
+         * @param key the distance or time
+         * @param triangle the number of the triangle that is met; -1 if no triangle decides
+         * @return the contact. The caller writes to it
+         */
+        public function add(row:int, key:Number, triangle:int):ContactPoint
+        {
+            var index:int = _count;
+            if (_firsts.length <= row)
             {
-                _indices.length = row + 1;
+                _firsts.length = row + 1;
             }
-            var index:int = _found.count - 1;
-            _indices[row] = index;
+            if (index == 0 || _rows[int(index - 1)] != row)
+            {
+                _firsts[row] = index;
+            }
             if (index == _contacts.length)
             {
                 _contacts.push(new ContactPoint());
             }
+            _rows[index] = row;
+            _ranks[index] = _seen.table.list.ranks[row];
+            _keys[index] = key;
             _triangles[index] = triangle;
+            _count++;
             return _contacts[index];
         }
 
-        /** The number of the triangle that is met in a row of the answer; -1 if no triangle decides. */
-        public function triangleOf(index:int):int
+        /** Adds the hit where a ray begins at a row's surface, with the normal and the triangle there. */
+        public function addRay(row:int, ray:Ray):void
         {
-            return _triangles[_indices[_found.rows[index]]];
+            var contact:ContactPoint = add(row, ray.from, ray.triangle);
+            contact.x = ray.x + ray.from * ray.directionX;
+            contact.y = ray.y + ray.from * ray.directionY;
+            contact.z = ray.z + ray.from * ray.directionZ;
+            contact.setNormal(ray.normalX, ray.normalY, ray.normalZ);
         }
 
-        /** Copies the point and the normal of a row of the answer. Returns its contact. */
-        public function write(index:int, point:Vector3D, normal:Vector3D):ContactPoint
+        /** The distance or time of the first hit of a row that has one. */
+        public function firstKeyOf(row:int):Number
         {
-            var from:ContactPoint = _contacts[_indices[_found.rows[index]]];
-            point.setTo(from.x, from.y, from.z);
-            normal.setTo(from.normalX, from.normalY, from.normalZ);
-            return from;
+            return _keys[_firsts[row]];
+        }
+
+        /** Ends the search. The answer has the first hit of each row. Returns how many they are. */
+        public function endWithFirsts():int
+        {
+            var count:int = _found.endSorted();
+            for (var i:int = 0; i < count; i++)
+            {
+                _order[i] = _firsts[_found.rows[i]];
+            }
+            return count;
+        }
+
+        /** Ends the search. The answer has all hits of each row, sorted by their keys. Returns how many they are. */
+        public function endWithAll():int
+        {
+            var rows:int = _found.end();
+            var count:int = 0;
+            for (var i:int = 0; i < rows; i++)
+            {
+                var row:int = _found.rows[i];
+                for (var hit:int = _firsts[row]; hit < _count && _rows[hit] == row; hit++)
+                {
+                    _order[count] = hit;
+                    _orderKeys[count] = _keys[hit];
+                    count++;
+                }
+            }
+            _sort.sort(_order, _orderKeys, count, _ranks);
+            return count;
+        }
+
+        /** The row of a hit of the answer. */
+        public function rowOf(index:int):int
+        {
+            return _rows[_order[index]];
+        }
+
+        /** The distance or time of a hit of the answer. */
+        public function keyOf(index:int):Number
+        {
+            return _keys[_order[index]];
+        }
+
+        /** The contact of a hit of the answer. */
+        public function contactOf(index:int):ContactPoint
+        {
+            return _contacts[_order[index]];
+        }
+
+        /** Writes the agent, the point, the normal and the triangle of a hit of the answer. */
+        public function write(index:int, hit:CastHit):void
+        {
+            var from:ContactPoint = contactOf(index);
+            hit.agent = _seen.table.list.agents[rowOf(index)];
+            hit.point.setTo(from.x, from.y, from.z);
+            hit.normal.setTo(from.normalX, from.normalY, from.normalZ);
+            hit.triangle = _triangles[_order[index]];
         }
 
         /**

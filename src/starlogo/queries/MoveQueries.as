@@ -2,8 +2,10 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
     import starlogo.collision.Contact;
+    import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.geometry.requireInWorld;
     import starlogo.search.Body;
@@ -13,53 +15,95 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Answers how far an agent or a structure can go. Some questions move the agent there. The casts move nothing.
+     * Answers how far an agent or a structure can go. Some questions move the agent there. The casts move nothing. AgentQueries says what each
+     * question means.
      *
      * @private
      */
     public final class MoveQueries
     {
-        /** Computes where moving bodies end. */
-        public var mover:Mover;
-
-        private var _set:QuerySet;
+        private var _seen:SeenAgents;
+        private var _mover:Mover;
+        private var _found:Collector;
+        private var _search:SweptBoxSearch = new SweptBoxSearch();
         private var _hits:Hits;
         private var _triangle:TriangleOfHit = new TriangleOfHit();
 
-        // The way of the question, a motion on it, and the place where the row that is met first stops the body.
+        // The way of the question, how motions on it end, and where the row that is met first stops the body.
         private var _way:Way = new Way();
-        private var _motion:Motion = new Motion();
+        private var _motion:MotionResult = new MotionResult();
+        private var _slide:SlideResult = new SlideResult();
         private var _end:Vector3D = new Vector3D();
 
         // The lift out of all rows near the way, with which the body begins.
         private var _lift:StartLift = new StartLift();
 
-        // The point of a hit, as a structure and as a body.
+        // An agent's body; the point of a hit, as a structure and as a body.
+        private var _body:Body = new Body();
         private var _place:Sphere = new Sphere(new Vector3D(), 0);
         private var _point:Body = new Body();
 
-        /** @param questions what questions work with */
-        public function MoveQueries(questions:QuerySet)
+        /**
+         * @param seen the agents that the questions are about
+         * @param mover computes where moving bodies end
+         */
+        public function MoveQueries(seen:SeenAgents, mover:Mover)
         {
-            _set = questions;
-            _hits = new Hits(questions.found, ShapeHit);
-            mover = new Mover(questions.seen);
+            _seen = seen;
+            _mover = mover;
+            _found = new Collector(seen);
+            _hits = new Hits(seen, _found, ShapeHit);
         }
 
-        /** See AgentQueries.moveUntilTouch. */
+        /** Whether a filter's <code>accepts</code> is being called. Then no other question may begin. */
+        public function get isAsking():Boolean
+        {
+            return _found.isAsking;
+        }
+
+        public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
+        {
+            _way.body.readStructure(structure);
+            return cast(null, dx, dy, dz, filter, hit);
+        }
+
+        public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
+                out:Vector.<ShapeHit>):Vector.<ShapeHit>
+        {
+            _way.body.readStructure(structure);
+            return castAll(null, dx, dy, dz, filter, out);
+        }
+
+        public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
+        {
+            readCast(agent, _way.body);
+            return cast(agent, dx, dy, dz, filter, hit);
+        }
+
+        public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
+        {
+            readCast(agent, _way.body);
+            return castAll(agent, dx, dy, dz, filter, out);
+        }
+
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
-            findWay(agent, _set.bodyOfMover(agent), dx, dy, dz, filter, _way);
+            _seen.requireMovable(agent, "moveUntilTouch");
+            readMover(agent, 0, _way.body);
+            findWay(agent, dx, dy, dz, filter, _way);
             collect(1, _end);
-            var isMet:Boolean = _set.found.count > 0;
-            var part:Number = isMet ? _set.found.keys[0] : 1;
+            var isMet:Boolean = _hits.endWithFirsts() > 0;
+            var part:Number = isMet ? _hits.keyOf(0) : 1;
             if (contact != null)
             {
                 contact.time = part;
                 if (isMet)
                 {
-                    contact.depth = _hits.write(0, contact.point, contact.normal).depth;
-                    contact.approachSpeed = Math.max(0, -(contact.normal.x * dx + contact.normal.y * dy + contact.normal.z * dz));
+                    var from:ContactPoint = _hits.contactOf(0);
+                    contact.point.setTo(from.x, from.y, from.z);
+                    contact.normal.setTo(from.normalX, from.normalY, from.normalZ);
+                    contact.depth = from.depth;
+                    contact.approachSpeed = Math.max(0, -from.along(_way.motion));
                 }
             }
             if (dx != 0 || dy != 0 || dz != 0)
@@ -69,19 +113,54 @@ package starlogo.queries
             return part;
         }
 
-        /** See AgentQueries.slide. */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
+            _seen.requireMovable(agent, "slide");
+            readMover(agent, 0, _way.body);
             // the agent may go anywhere within the length of its way
-            findWayWithin(agent, _set.bodyOfMover(agent), dx, dy, dz, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, 0, filter, _way);
-            mover.begin(_way.body, _way.rows);
-            mover.slide(_way.from, _way.motion, SlideLimits.NONE, _motion);
-            mover.restoreClearance(_motion.place, _motion.clearRow);
+            findWayWithin(agent, dx, dy, dz, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, filter, _way);
+            _mover.begin(_way.body, _way.rows);
+            _mover.slide(_way.from, _way.motion, SlideLimits.NONE, _slide);
+            _mover.restoreClearance(_slide.place, _slide.clearRow);
             if (dx != 0 || dy != 0 || dz != 0)
             {
-                moveAgent(agent, _motion.place);
+                moveAgent(agent, _slide.place);
             }
-            return _motion.fraction;
+            return _slide.fraction;
+        }
+
+        /**
+         * Reads the body of an agent that moves, as it is now, turned by some degrees.
+         *
+         * @throws ArgumentError if the agent is null, has no place, or its model is unknown or lacks data that is needed
+         */
+        public function readMover(agent:Agent, turn:Number, out:Body):void
+        {
+            _seen.placeOf(agent);
+            out.copyFrom(_seen.bodyOf(agent, _body));
+            if (turn != 0 && out.shape != null)
+            {
+                out.turn(agent, turn);
+            }
+        }
+
+        /**
+         * Finds the rows near a way that may turn.
+         *
+         * @param asker the agent that moves
+         * @param range how far the body may go in any direction
+         * @param up how much farther it may go upwards
+         * @param down how much farther it may go downwards
+         * @param out has the body, and receives the rest
+         */
+        public function findWayWithin(asker:Agent, dx:Number, dy:Number, dz:Number, range:Number, up:Number, down:Number, filter:AgentFilter,
+                out:Way):void
+        {
+            if (beginWay(dx, dy, dz, out))
+            {
+                _search.widen(range, up, down);
+                collectRows(asker, filter, out.rows);
+            }
         }
 
         /**
@@ -91,40 +170,37 @@ package starlogo.queries
          */
         public function moveAgent(agent:Agent, at:Vector3D, turn:Number = 0):void
         {
-            _set.bodyOf(agent);
+            _seen.bodyOf(agent, _body);
             agent.moveTo(at.x, at.y, at.z);
             if (turn != 0)
             {
                 agent.heading += turn;
             }
-            if (_set.seen.rowOf(agent) >= 0)
+            if (_seen.rowOf(agent) >= 0)
             {
-                _set.seen.moved(agent);
+                _seen.refresh(agent);
             }
         }
 
-        /**
-         * Casts an agent or a structure. See AgentQueries.castAgent and AgentQueries.castShape.
-         *
-         * @param agent the agent that is cast; null for a structure
-         * @param body the body of the agent or of the structure
-         * @param hit receives the answer; null for a new ShapeHit
-         * @return hit, or the new ShapeHit; null if the way is free
-         */
-        public function cast(agent:Agent, body:Body, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
+        /** Whether a row counts. This is a search of its own. */
+        public function admits(row:int, asker:Agent, filter:AgentFilter):Boolean
         {
-            findWay(agent, body, dx, dy, dz, filter, _way);
-            collect(1, null);
-            return _set.found.count == 0 ? null : write(0, hit || new ShapeHit());
+            return _found.admits(row, asker, filter);
         }
 
-        /** See AgentQueries.castAgentAll and AgentQueries.castShapeAll. The parameters are those of <code>cast()</code>. */
-        public function castAll(agent:Agent, body:Body, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
+        private function cast(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            findWay(agent, body, dx, dy, dz, filter, _way);
-            collect(Collector.ALL, null);
+            findWay(asker, dx, dy, dz, filter, _way);
+            collect(1, null);
+            return _hits.endWithFirsts() == 0 ? null : write(0, hit || new ShapeHit());
+        }
+
+        private function castAll(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
+        {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
-            _hits.fit(hits, _set.found.endSorted());
+            findWay(asker, dx, dy, dz, filter, _way);
+            collect(Collector.ALL, null);
+            _hits.fit(hits, _hits.endWithFirsts());
             for (var i:int = 0; i < hits.length; i++)
             {
                 write(i, hits[i]);
@@ -132,78 +208,58 @@ package starlogo.queries
             return hits;
         }
 
-        /**
-         * Finds the rows on a straight way.
-         *
-         * @param asker the agent that moves; null for a structure
-         * @param asking the body that moves. It is copied, because the filter's accepts may move the agent
-         * @param out receives the way
-         */
-        public function findWay(asker:Agent, asking:Body, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Way):void
+        // Reads the body of an agent that is cast. A sphere, box or capsule becomes the body of a structure, so that an agent and the same structure
+        // meet the same, to the last bit.
+        private function readCast(agent:Agent, out:Body):void
         {
-            if (beginWay(asking, dx, dy, dz, out))
+            _seen.placeOf(agent);
+            var body:Body = _seen.bodyOf(agent, _body);
+            if (body.shape == null || body.form >= ModelShape.TREE)
             {
-                _set.seen.beginWay(_set.boxSearch, out.body);
-                _set.boxSearch.moveAlong(dx, dy, dz, 1);
-                collectRows(asker, filter, out);
+                out.copyFrom(body);
+            }
+            else
+            {
+                out.readPlaced(body);
             }
         }
 
-        /**
-         * Finds the rows near a way that may turn.
-         *
-         * @param asker the agent that moves
-         * @param asking the body that moves. It is copied, because the filter's accepts may move the agent
-         * @param range how far the body may go in any direction
-         * @param up how much farther it may go upwards
-         * @param down how much farther it may go downwards
-         * @param turn how much greater the agent's heading will be, in degrees
-         * @param out receives the way
-         */
-        public function findWayWithin(asker:Agent, asking:Body, dx:Number, dy:Number, dz:Number, range:Number, up:Number, down:Number, turn:Number,
-                filter:AgentFilter, out:Way):void
+        // Finds the rows on a straight way, whose body is known.
+        private function findWay(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Way):void
         {
-            if (beginWay(asking, dx, dy, dz, out))
+            if (beginWay(dx, dy, dz, out))
             {
-                if (turn != 0)
-                {
-                    out.body.turn(asker, turn);
-                }
-                _set.seen.beginWay(_set.boxSearch, out.body);
-                _set.boxSearch.widen(range, up, down);
-                collectRows(asker, filter, out);
+                _search.moveAlong(dx, dy, dz, 1);
+                collectRows(asker, filter, out.rows);
             }
         }
 
         // Begins a way without rows. Returns false if the model of the body is loading.
-        private function beginWay(asking:Body, dx:Number, dy:Number, dz:Number, out:Way):Boolean
+        private function beginWay(dx:Number, dy:Number, dz:Number, out:Way):Boolean
         {
             requireInWorld("a motion", dx, dy, dz);
             out.motion.setTo(dx, dy, dz);
-            out.from.setTo(asking.placement.x, asking.placement.y, asking.placement.z);
-            out.body = asking;
+            out.from.setTo(out.body.placement.x, out.body.placement.y, out.body.placement.z);
             out.rows.count = 0;
-            if (asking.shape == null)
+            if (out.body.shape == null)
             {
                 return false;
             }
-            out.body = _set.second;
-            out.body.readShrunk(asking, null, 0);
+            _search.beginAround(_seen.findExtents(), out.body);
             return true;
         }
 
-        private function collectRows(asker:Agent, filter:AgentFilter, out:Way):void
+        private function collectRows(asker:Agent, filter:AgentFilter, out:NumberList):void
         {
-            var found:Collector = _set.found;
-            found.begin(Collector.ALL, Infinity, asker, filter);
-            for (var row:int = found.nextOf(_set.boxSearch); row >= 0; row = found.nextOf(_set.boxSearch))
+            _found.begin(Collector.ALL, 1, asker, filter);
+            for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
             {
-                found.add(row, 0);
+                _found.add(row, 0);
             }
-            var count:int = found.endSorted();
+            var count:int = _found.endSorted();
             for (var i:int = 0; i < count; i++)
             {
-                out.rows.add(found.rows[i]);
+                out.add(_found.rows[i]);
             }
         }
 
@@ -215,8 +271,8 @@ package starlogo.queries
             if (collectLifted(wanted, end))
             {
                 // a floor may be many rows: what is lifted out of one of them does not run into the next
-                mover.begin(_way.body, _way.rows);
-                if (mover.findLift(_way.from, _way.motion, _motion, _lift))
+                _mover.begin(_way.body, _way.rows);
+                if (_mover.findLift(_way.from, _way.motion, _lift))
                 {
                     collectLifted(wanted, end);
                 }
@@ -228,64 +284,53 @@ package starlogo.queries
         {
             var rows:NumberList = _way.rows;
             var mayLift:Boolean = false;
-            _set.found.begin(wanted, Infinity, null, null);
+            _found.begin(wanted, Infinity, null, null);
+            _hits.begin();
             if (end != null)
             {
                 end.copyFrom(_way.from);
                 end.incrementBy(_way.motion);
-                _lift.keepDepth(end, _way.from.x, _way.from.y, _way.from.z);
+                _lift.keepDepth(end, _way.from);
             }
-            for (var i:int = 0; i < rows.count && _set.found.limit > 0; i++)
+            for (var i:int = 0; i < rows.count && _found.limit > 0; i++)
             {
                 var row:int = rows.numbers[i];
-                mover.beginAgainst(_way.body, row);
-                mover.findTouch(_way.from, _way.motion, _lift, _motion);
+                _mover.beginAgainst(_way.body, row);
+                _mover.findTouch(_way.from, _way.motion, _lift, _motion);
                 mayLift ||= _motion.isLifted || (_motion.fraction == 0 && !_motion.isDeep);
-                if (_motion.row < 0 || !_set.found.add(row, _motion.fraction))
+                if (_motion.row >= 0 && _found.add(row, _motion.fraction))
                 {
-                    continue;
-                }
-                _hits.newContact(row).copyFrom(_motion.contact);
-                if (end != null)
-                {
-                    mover.goIntoTouch(_motion);
-                    end.copyFrom(_motion.place);
+                    _hits.add(row, _motion.fraction, -1).copyFrom(_motion.contact);
+                    if (end != null)
+                    {
+                        _mover.goIntoTouch(_motion);
+                        end.copyFrom(_motion.place);
+                    }
                 }
             }
             return mayLift;
         }
 
-        private function writeTriangle(row:int, hit:ShapeHit):void
+        // Writes how the body touches a row of the answer.
+        private function write(index:int, hit:ShapeHit):ShapeHit
         {
-            var body:Body = _set.seen.table.bodyOf(row);
-            hit.triangle = -1;
+            var body:Body = _seen.table.bodyOf(_hits.rowOf(index));
+            _hits.write(index, hit);
+            hit.time = _hits.keyOf(index);
             if (body.form == ModelShape.TREE)
             {
                 // agents at the edges of the largest world may be touched outside of it
                 _place.center.setTo(inWorld(hit.point.x), inWorld(hit.point.y), inWorld(hit.point.z));
                 _point.readStructure(_place);
-                hit.triangle = _set.seen.narrowPhase.trees.nearestTriangle(body, _point);
+                hit.triangle = _seen.narrowPhase.trees.nearestTriangle(body, _point);
             }
-            var from:TriangleOfHit = _triangle;
-            from.read(body, hit.triangle, hit.point, hit.weights);
-            hit.mesh = from.mesh;
-            hit.material = from.material;
-            hit.materialName = from.materialName;
+            _triangle.write(body, hit);
+            return hit;
         }
 
         private static function inWorld(coordinate:Number):Number
         {
             return Math.max(-Agent.LARGEST_COORDINATE, Math.min(Agent.LARGEST_COORDINATE, coordinate));
-        }
-
-        // Writes how the body touches a row of the answer.
-        private function write(index:int, hit:ShapeHit):ShapeHit
-        {
-            _hits.write(index, hit.point, hit.normal);
-            hit.agent = _set.found.agentAt(index);
-            hit.time = _set.found.keys[index];
-            writeTriangle(_set.found.rows[index], hit);
-            return hit;
         }
     }
 }

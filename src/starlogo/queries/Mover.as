@@ -42,19 +42,18 @@ package starlogo.queries
         private var _rows:NumberList = new NumberList();
         private var _obstacles:NumberList = new NumberList();
 
-        // The motion: where it begins, what is left of it, how the body is lifted, and what is met first on the rest and on another way.
+        // The motion: where it begins, and where when it is lifted; how it is lifted; what is left of it; what is met first on the rest and on
+        // another way.
         private var _from:Vector3D = new Vector3D();
-        private var _rest:SlidePlanes = new SlidePlanes();
+        private var _start:Vector3D = new Vector3D();
         private var _lift:StartLift = new StartLift();
+        private var _rest:SlidePlanes = new SlidePlanes();
         private var _impact:Impact = new Impact();
         private var _tried:Impact = new Impact();
         private var _contact:ContactPoint = new ContactPoint();
 
-        // Where the core touches what the last motion touches.
-        private var _corePlace:Vector3D = new Vector3D();
-
         /** @param seen has the rows, and tests which of them touch */
-        public function Mover(seen:QueryWorld)
+        public function Mover(seen:SeenAgents)
         {
             _body = new MovingBody(seen);
             _sweep = new CoreSweep(seen, _body);
@@ -95,123 +94,136 @@ package starlogo.queries
          * @param out receives the lift: 0 if the body overlaps nothing, or does not get free
          * @return whether there is a lift
          */
-        public function findLift(from:Vector3D, motion:Vector3D, end:Motion, out:StartLift):Boolean
+        public function findLift(from:Vector3D, motion:Vector3D, out:StartLift):Boolean
         {
-            start(from, motion, null, SlideLimits.NONE, end);
+            start(from, motion, null, SlideLimits.NONE, _start);
             out.copyFrom(_lift);
-            out.way.copyFrom(end.place);
+            out.way.copyFrom(_start);
             out.way.decrementBy(_from);
-            return end.isLifted;
+            return out.way.x != 0 || out.way.y != 0 || out.way.z != 0;
         }
 
         /**
-         * Finds when a motion first touches a row, and how.
+         * Computes a motion that ends when it first touches a row.
          *
          * @param from where it begins
          * @param motion the whole motion
          * @param lift the lift of <code>findLift()</code>; null for none
-         * @param out receives the answer. Its place is the end if no row is touched, else the beginning; then <code>goIntoTouch()</code> gives
-         *     the end
+         * @param out receives the answer. Rounding may hide the touch at its place: see <code>goIntoTouch()</code>
          */
-        public function findTouch(from:Vector3D, motion:Vector3D, lift:StartLift, out:Motion):void
+        public function findTouch(from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
         {
-            if (!start(from, motion, lift, SlideLimits.NONE, out))
-            {
-                return;
-            }
-            var crossed:int = _rest.findCrossed();
+            var isMotion:Boolean = start(from, motion, lift, SlideLimits.NONE, _start);
+            var crossed:int = isMotion ? _rest.findCrossed() : -1;
+            out.row = -1;
+            out.fraction = 1;
+            out.contact.setNormal(0, 0, 0);
+            out.isDeep = _rest.count > 0;
+            out.isLifted = _start.x != _from.x || _start.y != _from.y || _start.z != _from.z;
             if (crossed >= 0)
             {
                 out.contact.copyFrom(_rest.planes[crossed]);
                 out.row = _rest.rows[crossed];
                 out.fraction = 0;
             }
-            else if (findFirst(out.place, _impact))
+            else if (isMotion && findFirst(_start, _impact))
             {
-                _sweep.findTouch(out.place, motion, _impact);
-                out.row = _impact.row;
-                out.contact.copyFrom(_impact.contact);
-                out.contact.depth = 0;
-                _corePlace.setTo(out.place.x + _impact.time * motion.x, out.place.y + _impact.time * motion.y, out.place.z + _impact.time * motion.z);
-                // without the lift the body would have touched earlier
-                out.place.decrementBy(_from);
-                var time:Number = _impact.touchTime + out.contact.along(out.place) / _impact.along;
-                out.fraction = time > 0 ? (time < 1 ? time : 1) : 0;
-                if (-out.fraction * _impact.along < _body.slop && _body.touches(out.row, _from))
-                {
-                    out.fraction = 0;
-                }
+                takeImpact(motion, out);
             }
-            out.place.copyFrom(_from);
-            if (out.row < 0)
+            goAlong(motion, out.fraction, out.place);
+        }
+
+        // Finds the touch of the motion whose core meets the impact.
+        private function takeImpact(motion:Vector3D, out:MotionResult):void
+        {
+            _sweep.findTouch(_start, motion, _impact);
+            out.row = _impact.row;
+            out.contact.copyFrom(_impact.contact);
+            out.contact.depth = 0;
+            out.corePlace.setTo(_start.x + _impact.time * motion.x, _start.y + _impact.time * motion.y, _start.z + _impact.time * motion.z);
+            // without the lift the body would have touched earlier
+            _start.decrementBy(_from);
+            var time:Number = _impact.touchTime + out.contact.along(_start) / _impact.along;
+            out.fraction = time > 0 ? (time < 1 ? time : 1) : 0;
+            if (-out.fraction * _impact.along < _body.slop && _body.touches(out.row, _from))
             {
-                advance(1, out.place);
+                out.fraction = 0;
             }
         }
 
         /**
-         * Moves the body of the last motion into the touch, on the side that it comes from. If it went beyond a row without thickness, the two
-         * would not touch, and it could not come back. On a long way rounding may hide the touch. Then the body ends where its core touches the row.
+         * Moves the end of a motion into the touch, on the side that it comes from. If it went beyond a row without thickness, the two would not
+         * touch, and it could not come back. It tries several places, from half a margin before the contact on. The margin is the gap across which
+         * the two still touch. On a long way rounding may hide the touch. Then the body ends where its core touches the row.
          *
          * @param motion the answer of <code>findTouch()</code>, whose place changes
          */
-        public function goIntoTouch(motion:Motion):void
+        public function goIntoTouch(motion:MotionResult):void
         {
-            if (motion.row >= 0 && motion.fraction > 0)
+            if (motion.row < 0 || motion.fraction == 0)
             {
-                advance(motion.fraction, motion.place);
-                if (!stepIntoTouch(motion))
-                {
-                    motion.place.copyFrom(_corePlace);
-                }
+                return;
             }
+            var half:Number = _body.halfToleranceAt(motion.row, motion.place);
+            motion.contact.push(motion.place, half);
+            for (var i:int = 0; i < STEPS_INTO_TOUCH; i++)
+            {
+                if (_body.touches(motion.row, motion.place))
+                {
+                    return;
+                }
+                motion.contact.push(motion.place, -half);
+            }
+            motion.place.copyFrom(motion.corePlace);
         }
 
-        /**
-         * Computes where a motion ends that goes until the clearance before a touch.
-         *
-         * @param from where it begins
-         * @param motion the whole motion
-         * @param out receives the answer
-         */
-        public function goBeforeTouch(from:Vector3D, motion:Vector3D, out:Motion):void
+        /** Computes a motion that ends the clearance before it touches a row. The parameters are those of <code>findTouch()</code>. */
+        public function goBeforeTouch(from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
             findTouch(from, motion, null, out);
             if (out.row >= 0 && out.fraction > 0)
             {
-                advance(Math.max(0, out.fraction + _body.clearance / _impact.along), out.place);
+                goAlong(motion, Math.max(0, out.fraction + _body.clearance / _impact.along), out.place);
             }
         }
 
         /**
-         * Computes where a motion ends that slides along what it meets.
+         * Computes a motion that slides along what it meets.
          *
          * @param from where it begins
          * @param motion the whole motion
          * @param limits how it may go
          * @param out receives the answer
          */
-        public function slide(from:Vector3D, motion:Vector3D, limits:SlideLimits, out:Motion):void
+        public function slide(from:Vector3D, motion:Vector3D, limits:SlideLimits, out:SlideResult):void
         {
-            if (!start(from, motion, null, limits, out))
+            var place:Vector3D = out.place;
+            out.fraction = 1;
+            out.metWall = false;
+            out.floor.setNormal(0, 0, -1);
+            out.floorRow = out.clearRow = -1;
+            if (!start(from, motion, null, limits, place))
             {
+                place.incrementBy(motion);
                 return;
             }
             var whole:Number = _rest.length;
             for (var iterations:int = 0; iterations < MOST_ITERATIONS && _rest.project(); iterations++)
             {
-                if (!findFirst(out.place, _impact))
+                var isMet:Boolean = findFirst(place, _impact);
+                out.clearRow = _impact.clearRow;
+                if (!isMet)
                 {
-                    _rest.advance(out.place, 1);
+                    _rest.advance(place, 1);
                     break;
                 }
                 if (!isSoon(_impact))
                 {
                     _rest.beginCorner();
                 }
-                _sweep.findTouch(out.place, _rest.motion, _impact);
-                _rest.advance(out.place, Math.max(_impact.touchTime + _body.clearance / _impact.along, 0));
-                if (!_impact.isNormalFallback && _impact.contact.normalZ > out.floor.normalZ)
+                _sweep.findTouch(place, _rest.motion, _impact);
+                _rest.advance(place, Math.max(_impact.touchTime + _body.clearance / _impact.along, 0));
+                if (!_impact.isNormalFallback && (out.floorRow < 0 || _impact.contact.normalZ > out.floor.normalZ))
                 {
                     out.floor.copyFrom(_impact.contact);
                     out.floorRow = _impact.row;
@@ -222,9 +234,8 @@ package starlogo.queries
                     standUp(_impact.contact);
                 }
                 _rest.add(_impact.contact, _impact.row);
-                dropNeedless(out.place);
+                dropNeedless(place);
             }
-            out.clearRow = _impact.clearRow;
             out.fraction = _rest.gone < whole ? _rest.gone / whole : 1;
         }
 
@@ -252,40 +263,35 @@ package starlogo.queries
             _recovery.restoreClearance(_obstacles, place, clearRow);
         }
 
-        // Begins a motion at a place that is lifted out of what the body overlaps there. Returns whether there is any motion.
-        private function start(from:Vector3D, motion:Vector3D, lift:StartLift, limits:SlideLimits, out:Motion):Boolean
+        // Begins a motion. The place receives where the body begins: lifted out of what it overlaps. Returns whether there is any motion.
+        private function start(from:Vector3D, motion:Vector3D, lift:StartLift, limits:SlideLimits, place:Vector3D):Boolean
         {
-            out.beginAt(from);
             _from.copyFrom(from);
-            _impact.clearRow = -1;
+            place.copyFrom(from);
             _rest.begin(motion, limits);
             _lift.clear();
             _obstacles.copyFrom(_rows);
             _body.setMotion(from, motion);
             if (!(_rest.length * _rest.length > Tolerances.VANISHING))
             {
-                _rest.advance(out.place, 1);
                 return false;
             }
             if (lift != null)
             {
                 _lift.copyFrom(lift);
-                out.place.incrementBy(lift.way);
+                place.incrementBy(lift.way);
             }
             _lift.most = MOST_SLOPS * _body.slop;
-            var lifted:int = _lift.count;
-            if (takeDeep(out.place, false) && !_recovery.liftOut(_obstacles, out.place, _lift))
+            if (takeDeep(place, false) && !_recovery.liftOut(_obstacles, place, _lift))
             {
-                out.place.copyFrom(_from);
+                place.copyFrom(_from);
                 _lift.clear();
-                takeDeep(out.place, true);
+                takeDeep(place, true);
             }
-            out.isLifted = _lift.count > lifted;
-            out.isDeep = _rest.count > 0;
-            if (_body.isFlat && !out.isDeep)
+            if (_body.isFlat && _rest.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                out.isLifted = _recovery.restoreClearance(_obstacles, out.place, -1) || out.isLifted;
+                _recovery.restoreClearance(_obstacles, place, -1);
             }
             _rest.beginCorner();
             return true;
@@ -328,29 +334,11 @@ package starlogo.queries
             return (isOfAll || !isShallow) && !_body.narrow(row, place) && _body.overlaps(row, place);
         }
 
-        // Moves a place by a part of the motion from its beginning before the lift, but no deeper into what it was lifted out of.
-        private function advance(part:Number, place:Vector3D):void
+        // Finds the place at a part of the motion from its beginning before the lift, but no deeper in what it was lifted out of.
+        private function goAlong(motion:Vector3D, part:Number, out:Vector3D):void
         {
-            place.copyFrom(_from);
-            _rest.advance(place, part);
-            _lift.keepDepth(place, _from.x, _from.y, _from.z);
-        }
-
-        // Tries several places, from half a margin before the contact on. The margin is the gap across which the two still touch. Returns whether
-        // they touch at one of the places.
-        private function stepIntoTouch(out:Motion):Boolean
-        {
-            var half:Number = _body.halfToleranceAt(out.row, out.place);
-            out.contact.push(out.place, half);
-            for (var i:int = 1; i < STEPS_INTO_TOUCH; i++)
-            {
-                if (_body.touches(out.row, out.place))
-                {
-                    return true;
-                }
-                out.contact.push(out.place, -half);
-            }
-            return _body.touches(out.row, out.place);
+            out.setTo(_from.x + part * motion.x, _from.y + part * motion.y, _from.z + part * motion.z);
+            _lift.keepDepth(out, _from);
         }
 
         // Turns a contact that is too steep into an upright wall. The rest of the motion becomes level, because the slope would stop a motion up

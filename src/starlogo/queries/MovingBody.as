@@ -61,7 +61,7 @@ package starlogo.queries
         /** Half of the largest extent of the body. */
         public var largestHalf:Number = 0;
 
-        private var _seen:QueryWorld;
+        private var _seen:SeenAgents;
 
         // The body where it begins; the body and its core at the places of the last tests; the place of the core, NaN if its size has changed;
         // and a smaller copy of another row.
@@ -80,7 +80,7 @@ package starlogo.queries
         private var _inset:Number = 0;
 
         /** @param seen has the rows, and decides which of them touch */
-        public function MovingBody(seen:QueryWorld)
+        public function MovingBody(seen:SeenAgents)
         {
             _seen = seen;
         }
@@ -97,7 +97,7 @@ package starlogo.queries
             _coreAt.x = NaN;
             if (body.shape != null)
             {
-                _whole.readShrunk(body, null, 0);
+                _whole.copyFrom(body);
             }
             largestHalf = body.largestHalf;
             _largest = 2 * largestHalf;

@@ -63,12 +63,10 @@ package starlogo.queries
          * @param rows the rows
          * @param place the place of the body, which changes
          * @param clearRow one of them that the body is known not to touch at its place; -1 for none
-         * @return whether the place has changed
          */
-        public function restoreClearance(rows:NumberList, place:Vector3D, clearRow:int):Boolean
+        public function restoreClearance(rows:NumberList, place:Vector3D, clearRow:int):void
         {
             leave(rows, place, clearRow, null);
-            return place.x != _before.x || place.y != _before.y || place.z != _before.z;
         }
 
         /**

@@ -1,60 +1,122 @@
 package starlogo.queries
 {
+    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
 
     use namespace engine;
 
     /**
-     * Answers which agents have their places near a point.
+     * Answers which agents have their places near a point. AgentQueries says what each question means.
      *
      * @private
      */
     public final class PlaceQueries
     {
-        private var _set:QuerySet;
+        private var _seen:SeenAgents;
+        private var _found:Collector;
         private var _near:NearSearch = new NearSearch();
         private var _count:CountSearch = new CountSearch();
         private var _cone:Cone = new Cone();
 
-        /** @param questions what questions work with */
-        public function PlaceQueries(questions:QuerySet)
+        // For the questions of an accepts that these call.
+        private var _nested:PlaceQueries = null;
+
+        /** @param seen the agents that the questions are about */
+        public function PlaceQueries(seen:SeenAgents)
         {
-            _set = questions;
+            _seen = seen;
+            _found = new Collector(seen);
         }
 
-        /**
-         * Finds the agents near a place.
-         *
-         * @param asker the agent that asks, which is left out; or null
-         * @param x the place
-         * @param y the place
-         * @param z the place
-         * @param radius the largest distance
-         * @param wanted how many of the nearest agents are wanted, or Collector.ALL
-         * @param filter the agents that count; null for all
-         * @param degrees the angle of a cone in front of the asker; from 360 on there is no cone
-         * @return has the answer
-         */
-        public function near(asker:Agent, x:Number, y:Number, z:Number, radius:Number, wanted:int, filter:AgentFilter, degrees:Number = 360):Collector
+        /** These questions; others while these call a filter's <code>accepts</code>, which may ask questions itself. */
+        public function get idle():PlaceQueries
         {
-            QuerySet.requireNotNegative("radius", radius);
-            _set.found.begin(wanted, radius * radius, asker, filter);
+            if (!_found.isAsking)
+            {
+                return this;
+            }
+            _nested ||= new PlaceQueries(_seen);
+            return _nested.idle;
+        }
+
+        public function near(agent:Agent, radius:Number, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
+        {
+            return findNear(agent, radius, Collector.ALL, filter).list(out);
+        }
+
+        public function countNear(agent:Agent, radius:Number, filter:AgentFilter):int
+        {
+            var at:Placement = _seen.placeOf(agent);
+            return count(agent, at.x, at.y, at.z, radius, filter);
+        }
+
+        public function nearest(agent:Agent, radius:Number, filter:AgentFilter):Agent
+        {
+            return findNear(agent, radius, 1, filter).firstAgent();
+        }
+
+        public function nearestFew(agent:Agent, count:int, radius:Number, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
+        {
+            requireNotNegative("count", count);
+            return findNear(agent, radius, count, filter).list(out);
+        }
+
+        public function inCone(agent:Agent, radius:Number, degrees:Number, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
+        {
+            requireNotNegative("degrees", degrees);
+            return findNear(agent, radius, Collector.ALL, filter, degrees).list(out);
+        }
+
+        public function nearPoint(point:Vector3D, radius:Number, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
+        {
+            return findNearPoint(point, radius, Collector.ALL, filter).list(out);
+        }
+
+        public function countNearPoint(point:Vector3D, radius:Number, filter:AgentFilter):int
+        {
+            requirePoint(point);
+            return count(null, point.x, point.y, point.z, radius, filter);
+        }
+
+        public function nearestToPoint(point:Vector3D, radius:Number, filter:AgentFilter):Agent
+        {
+            return findNearPoint(point, radius, 1, filter).firstAgent();
+        }
+
+        private function findNear(agent:Agent, radius:Number, wanted:int, filter:AgentFilter, degrees:Number = 360):Collector
+        {
+            var at:Placement = _seen.placeOf(agent);
+            return find(agent, at.x, at.y, at.z, radius, wanted, filter, degrees);
+        }
+
+        private function findNearPoint(point:Vector3D, radius:Number, wanted:int, filter:AgentFilter):Collector
+        {
+            requirePoint(point);
+            return find(null, point.x, point.y, point.z, radius, wanted, filter, 360);
+        }
+
+        // Finds the agents near a place, without the one that asks, which may be null. From 360 degrees on there is no cone in front of it. Returns what
+        // has the answer.
+        private function find(asker:Agent, x:Number, y:Number, z:Number, radius:Number, wanted:int, filter:AgentFilter, degrees:Number):Collector
+        {
+            requireNotNegative("radius", radius);
+            _found.begin(wanted, radius * radius, asker, filter);
             var cone:Cone = degrees < 360 ? _cone.setTo(asker.worldPlacement(), degrees / 2) : null;
-            _near.find(_set.seen.findPlaces(), x, y, z, _set.found, cone);
-            return _set.found;
+            _near.find(_seen.findPlaces(), x, y, z, _found, cone);
+            return _found;
         }
 
-        /** Counts the agents near a place. The parameters are those of <code>near()</code>. */
-        public function countNear(asker:Agent, x:Number, y:Number, z:Number, radius:Number, filter:AgentFilter):int
+        private function count(asker:Agent, x:Number, y:Number, z:Number, radius:Number, filter:AgentFilter):int
         {
             if (filter != null && filter.accepts != null)
             {
-                return near(asker, x, y, z, radius, Collector.ALL, filter).end();
+                return find(asker, x, y, z, radius, Collector.ALL, filter, 360).end();
             }
-            QuerySet.requireNotNegative("radius", radius);
-            _set.found.filter.begin(asker, filter);
-            return _count.count(_set.seen.findPlaces(), x, y, z, radius * radius, _set.found.filter);
+            requireNotNegative("radius", radius);
+            _found.filter.begin(asker, filter);
+            return _count.count(_seen.findPlaces(), x, y, z, radius * radius, _found.filter);
         }
     }
 }

@@ -2,7 +2,6 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
-    import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireInWorld;
@@ -13,40 +12,55 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Answers which agents a ray meets, and where.
+     * Answers which agents a ray meets, and where. AgentQueries says what each question means.
      *
      * @private
      */
     public final class RayQueries
     {
-        private var _set:QuerySet;
+        private var _seen:SeenAgents;
+        private var _found:Collector;
+        private var _search:SweptBoxSearch = new SweptBoxSearch();
         private var _rowRays:RowRays;
         private var _ray:Ray = new Ray();
-
         private var _hits:Hits;
         private var _triangle:TriangleOfHit = new TriangleOfHit();
-        private var _surfaces:RaySurfaces;
+
+        // For the line between two agents.
+        private var _body:Body = new Body();
         private var _middleA:Vector3D = new Vector3D();
         private var _middleB:Vector3D = new Vector3D();
 
-        /** @param questions what questions work with */
-        public function RayQueries(questions:QuerySet)
+        // For the questions of an accepts that these call.
+        private var _nested:RayQueries = null;
+
+        /** @param seen the agents that the questions are about */
+        public function RayQueries(seen:SeenAgents)
         {
-            _set = questions;
-            _rowRays = new RowRays(questions.seen);
-            _hits = new Hits(questions.found, RayHit);
-            _surfaces = new RaySurfaces(questions.seen);
+            _seen = seen;
+            _found = new Collector(seen);
+            _rowRays = new RowRays(seen);
+            _hits = new Hits(seen, _found, RayHit);
         }
 
-        /** See AgentQueries.cast. */
+        /** These questions; others while these call a filter's <code>accepts</code>, which may ask questions itself. */
+        public function get idle():RayQueries
+        {
+            if (!_found.isAsking)
+            {
+                return this;
+            }
+            _nested ||= new RayQueries(_seen);
+            return _nested.idle;
+        }
+
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, hit:RayHit):RayHit
         {
             begin(1, checked(origin), direction, maxDistance, filter);
             collect();
-            return _set.found.end() == 0 ? null : write(0, hit || new RayHit());
+            return _hits.endWithFirsts() == 0 ? null : write(0, hit || new RayHit());
         }
 
-        /** See AgentQueries.castAll. */
         public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, out:Vector.<RayHit>,
                 allSurfaces:Boolean):Vector.<RayHit>
         {
@@ -55,30 +69,20 @@ package starlogo.queries
             if (allSurfaces)
             {
                 collectSurfaces();
-                _set.found.end();
-                _surfaces.arrange(_set.found);
-                _hits.fit(hits, _surfaces.count);
+                _hits.fit(hits, _hits.endWithAll());
             }
             else
             {
                 collect();
-                _hits.fit(hits, _set.found.endSorted());
+                _hits.fit(hits, _hits.endWithFirsts());
             }
             for (var i:int = 0; i < hits.length; i++)
             {
-                if (allSurfaces)
-                {
-                    writeTriangle(_surfaces.write(i, hits[i]), hits[i]);
-                }
-                else
-                {
-                    write(i, hits[i]);
-                }
+                write(i, hits[i]);
             }
             return hits;
         }
 
-        /** See AgentQueries.canSee. */
         public function canSee(a:Agent, b:Agent, filter:AgentFilter):Boolean
         {
             findMiddle(a, _middleA);
@@ -94,30 +98,29 @@ package starlogo.queries
                 // any direction will do
                 towards.z = 1;
             }
-            var rowA:int = _set.seen.rowOf(a);
-            var rowB:int = _set.seen.rowOf(b);
-            var found:Collector = begin(1, from, towards, distance, filter);
-            var way:SweptBoxSearch = _set.boxSearch;
-            for (var row:int = found.nextOf(way); row >= 0; row = found.nextOf(way))
+            var rowA:int = _seen.rowOf(a);
+            var rowB:int = _seen.rowOf(b);
+            begin(1, from, towards, distance, filter);
+            for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
             {
                 if (row != rowA && row != rowB && _rowRays.findHit(row, _ray))
                 {
-                    if (found.filter.accepts == null)
+                    if (_found.filter.accepts == null)
                     {
                         // any row will do
                         return false;
                     }
-                    found.add(row, _ray.from);
+                    _found.add(row, _ray.from);
                 }
             }
-            return found.end() == 0;
+            return _found.end() == 0;
         }
 
         // Finds the middle of an agent's extents as it is now. While the model is loading it is the agent's place.
         private function findMiddle(agent:Agent, out:Vector3D):void
         {
-            var at:Placement = _set.seen.placeOf(agent);
-            var body:Body = _set.bodyOf(agent);
+            var at:Placement = _seen.placeOf(agent);
+            var body:Body = _seen.bodyOf(agent, _body);
             if (body.shape == null)
             {
                 out.setTo(at.x, at.y, at.z);
@@ -138,34 +141,28 @@ package starlogo.queries
             return origin;
         }
 
-        private function begin(wanted:int, origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter):Collector
+        private function begin(wanted:int, origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter):void
         {
             var ray:Ray = _ray;
             ray.aim(origin, direction);
-            QuerySet.requireNotNegative("maxDistance", maxDistance);
+            requireNotNegative("maxDistance", maxDistance);
             ray.to = maxDistance;
-            _set.found.begin(wanted, maxDistance, null, filter);
-            _set.boxSearch.begin(_set.seen.findExtents(), ray.x, ray.y, ray.z, 0, 0, 0);
-            _set.boxSearch.moveAlong(ray.directionX, ray.directionY, ray.directionZ, maxDistance);
-            return _set.found;
+            _found.begin(wanted, maxDistance, null, filter);
+            _hits.begin();
+            _search.begin(_seen.findExtents(), ray.x, ray.y, ray.z, 0, 0, 0);
+            _search.moveAlong(ray.directionX, ray.directionY, ray.directionZ, maxDistance);
         }
 
         // Finds the rows that the ray meets, and keeps how it meets them.
         private function collect():void
         {
-            var found:Collector = _set.found;
-            var way:SweptBoxSearch = _set.boxSearch;
             var ray:Ray = _ray;
-            for (var row:int = found.nextOf(way); row >= 0; row = found.nextOf(way))
+            for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
             {
-                if (_rowRays.findHit(row, _ray) && found.add(row, ray.from))
+                if (_rowRays.findHit(row, ray) && _found.add(row, ray.from))
                 {
-                    var contact:ContactPoint = _hits.newContact(row, ray.triangle);
-                    contact.x = ray.x + ray.from * ray.directionX;
-                    contact.y = ray.y + ray.from * ray.directionY;
-                    contact.z = ray.z + ray.from * ray.directionZ;
-                    contact.setNormal(ray.normalX, ray.normalY, ray.normalZ);
-                    way.limit = ray.to = found.limit;
+                    _hits.addRay(row, ray);
+                    ray.to = _found.limit;
                 }
             }
         }
@@ -173,35 +170,21 @@ package starlogo.queries
         // Finds the rows that the ray meets, and keeps all surfaces that it crosses.
         private function collectSurfaces():void
         {
-            var found:Collector = _set.found;
-            var way:SweptBoxSearch = _set.boxSearch;
-            _surfaces.begin();
-            for (var row:int = found.nextOf(way); row >= 0; row = found.nextOf(way))
+            for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
             {
-                if (_rowRays.findSurfaces(row, _ray, _surfaces))
+                if (_rowRays.findSurfaces(row, _ray, _hits))
                 {
-                    found.add(row, _surfaces.firstDistanceOf(row));
+                    _found.add(row, _hits.firstKeyOf(row));
                 }
             }
-        }
-
-        private function writeTriangle(row:int, hit:RayHit):void
-        {
-            var from:TriangleOfHit = _triangle;
-            from.read(_set.seen.table.bodyOf(row), hit.triangle, hit.point, hit.weights);
-            hit.mesh = from.mesh;
-            hit.material = from.material;
-            hit.materialName = from.materialName;
         }
 
         // Writes how the ray meets a row of the answer.
         private function write(index:int, hit:RayHit):RayHit
         {
-            _hits.write(index, hit.point, hit.normal);
-            hit.triangle = _hits.triangleOf(index);
-            hit.agent = _set.found.agentAt(index);
-            hit.distance = _set.found.keys[index];
-            writeTriangle(_set.found.rows[index], hit);
+            _hits.write(index, hit);
+            hit.distance = _hits.keyOf(index);
+            _triangle.write(_seen.table.bodyOf(_hits.rowOf(index)), hit);
             return hit;
         }
     }

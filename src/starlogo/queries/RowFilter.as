@@ -26,7 +26,7 @@ package starlogo.queries
         /** The row of the agent that asks, which does not count; or -1. */
         public var askerRow:int = -1;
 
-        private var _seen:QueryWorld;
+        private var _seen:SeenAgents;
         private var _filter:AgentFilter;
 
         // The number of the question, from 1 on. By row: the last question that excepted it. By the number of a breed: the last question that met
@@ -36,7 +36,7 @@ package starlogo.queries
         private var _breedMarks:Vector.<int> = new Vector.<int>();
 
         /** @param seen the agents that questions are about */
-        public function RowFilter(seen:QueryWorld)
+        public function RowFilter(seen:SeenAgents)
         {
             _seen = seen;
         }

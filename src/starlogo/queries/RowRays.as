@@ -29,7 +29,7 @@ package starlogo.queries
      */
     public final class RowRays
     {
-        private var _seen:QueryWorld;
+        private var _seen:SeenAgents;
         private var _inModel:Ray = new Ray();
         private var _solid:ModelRayQuery = new ModelRayQuery();
 
@@ -42,7 +42,7 @@ package starlogo.queries
         private var _part:Ray = new Ray();
 
         /** @param seen has the rows */
-        public function RowRays(seen:QueryWorld)
+        public function RowRays(seen:SeenAgents)
         {
             _seen = seen;
         }
@@ -88,15 +88,15 @@ package starlogo.queries
          * Finds all surfaces of a row that a ray crosses.
          *
          * @param ray the ray in the world. A surface at exactly <code>to</code> is crossed. Its beginning and its normal are overwritten
-         * @param out receives the surfaces, in the order of the ray
+         * @param out receives a hit for each surface, in the order of the ray
          * @return whether it crosses any
          */
-        public function findSurfaces(row:int, ray:Ray, out:RaySurfaces):Boolean
+        public function findSurfaces(row:int, ray:Ray, out:Hits):Boolean
         {
             var body:Body = _seen.table.bodyOf(row);
             var placement:Placement = body.placement;
             var crossings:RayCrossings = _crossings;
-            var before:int = out.count;
+            var isMet:Boolean = false;
             var isOfTheWorld:Boolean = body.form == ModelShape.GROUND;
             var start:Number = ray.from = 0;
             var areTriangles:Boolean = true;
@@ -133,11 +133,12 @@ package starlogo.queries
                 }
                 if (ray.from <= ray.to)
                 {
-                    out.add(row, ray);
+                    out.addRay(row, ray);
+                    isMet = true;
                 }
             }
             ray.from = 0;
-            return out.count > before;
+            return isMet;
         }
 
         // Adds the crossings of a ray in the model's space with a body's shape. Returns whether they are those of triangles.

@@ -6,8 +6,7 @@ package starlogo.queries
 
     /**
      * A balanced tree of boxes around rows of a table. NearSearch, CountSearch and SweptBoxSearch find rows in it without a test of
-     * every row
-     * (Bentley, "Multidimensional Binary Search Trees", 1975). In addition, each node has a box around its rows. A place is a box without size.
+     * every row (Bentley, "Multidimensional Binary Search Trees", 1975). In addition, each node has a box around its rows. A place is a box without size.
      *
      * <p>The nodes are numbered as in a heap: the root is node 1, and the children of node i are nodes 2 i and 2 i + 1. All leaves are on one
      * level, and the nodes of each level have equal parts of the rows. So the tree has to store nothing but the boxes. The rows stand in slots,
@@ -25,9 +24,6 @@ package starlogo.queries
 
         // After this many moves per row the tree has to be built again, because its boxes have grown too much.
         private static const MOVES:Number = 0.5;
-
-        /** How many rows may still move. If it is less than 0, the tree must be built again before the next search. */
-        public var movesLeft:int = -1;
 
         /** The number of rows. */
         public var count:int = 0;
@@ -53,6 +49,9 @@ package starlogo.queries
         /** Which breeds the nodes have. */
         public var breeds:NodeBreeds = new NodeBreeds();
 
+        // How many rows may still move. If it is less than 0, the tree is stale.
+        private var _movesLeft:int = -1;
+
         // By row: its slot.
         private var _slots:Vector.<int> = new Vector.<int>();
 
@@ -69,7 +68,7 @@ package starlogo.queries
          */
         public function build(rows:Vector.<int>, count:int, points:Points):void
         {
-            movesLeft = MOVES * count;
+            _movesLeft = MOVES * count;
             breeds.forget();
             this.count = count;
             _points = points;
@@ -92,6 +91,18 @@ package starlogo.queries
             }
             divideAll();
             boundAll();
+        }
+
+        /** Whether the tree must be built again before the next search. */
+        public function get isStale():Boolean
+        {
+            return _movesLeft < 0;
+        }
+
+        /** Makes the tree stale, because the rows have changed. */
+        public function clear():void
+        {
+            _movesLeft = -1;
         }
 
         /** The node number of the leaf that has a row. */
@@ -128,8 +139,8 @@ package starlogo.queries
          */
         public function move(row:int):void
         {
-            movesLeft--;
-            if (movesLeft < 0)
+            _movesLeft--;
+            if (_movesLeft < 0)
             {
                 return;
             }

@@ -1,7 +1,22 @@
+// This room answers questions about agents in space: what is near, what touches, what a ray meets, how far something can go. A class for each
+// kind of questions (PlaceQueries, TouchQueries, DistanceQueries, RayQueries, MotionQueries) searches the trees of a SeenAgents, tests what it
+// finds, and gives it to a Collector; AgentQueries, AgentPlaces, AgentRays and AgentWalks pass the questions on to them. Read this file first,
+// then RayQueries for a ray, or Mover for a motion.
 package starlogo.queries
 {
+    import flash.errors.IllegalOperationError;
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
+    import starlogo.broadphase.Points;
+    import starlogo.collision.QuerySource;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.requireGiven;
+    import starlogo.search.AgentTable;
+    import starlogo.search.Body;
+    import starlogo.search.ListedAgents;
+    import starlogo.search.ModelShapes;
+    import starlogo.search.NarrowPhase;
     import starlogo.terrain.Terrain;
 
     use namespace engine;
@@ -21,7 +36,24 @@ package starlogo.queries
      */
     public final class SeenAgents
     {
-        private var _world:QueryWorld;
+        // The agents as rows, and the tests of the collision system, which has their settings.
+        private var _table:AgentTable;
+        private var _narrowPhase:NarrowPhase;
+
+        private var _source:QuerySource;
+
+        // Functions that bring the tests which some questions need.
+        private var _needs:Vector.<Function> = new Vector.<Function>();
+
+        private var _terrain:Terrain = null;
+
+        // Trees of the places and of the extents. Each is built when a question first needs it.
+        private var _places:RowTree = new RowTree();
+        private var _extents:RowTree = new RowTree();
+        private var _isRead:Boolean = false;
+
+        // The number of questions under way that are calling a filter's accepts.
+        private var _locks:int = 0;
 
         /**
          * Begins without agents, as an AgentQueries does.
@@ -31,18 +63,25 @@ package starlogo.queries
          */
         public function SeenAgents(collisionOrShapes:Object)
         {
-            _world = new QueryWorld(collisionOrShapes);
+            _source = collisionOrShapes as QuerySource;
+            if (_source == null)
+            {
+                throw QuerySource.errorAbout(collisionOrShapes);
+            }
+            _narrowPhase = _source.findTests();
+            _table = newTable(_narrowPhase);
         }
 
         /** The ground that rays, walks and the like meet. See AgentQueries. It may be null. */
         public function get terrain():Terrain
         {
-            return _world.terrain;
+            return _source.groundFor(_terrain);
         }
 
         public function set terrain(value:Terrain):void
         {
-            _world.terrain = value;
+            _source.takeGround(value);
+            _terrain = value;
         }
 
         /**
@@ -54,7 +93,24 @@ package starlogo.queries
          */
         public function update(agents:Vector.<Agent>):void
         {
-            _world.update(agents);
+            requireGiven("agents", agents);
+            requireUnlocked("update");
+            var tests:NarrowPhase = _source.findTests();
+            var next:AgentTable = tests === _narrowPhase ? _table : newTable(tests);
+            next.read(agents);
+            next.readWorldAgent(ListedAgents.GROUND, terrain == null ? null : terrain.agent);
+            _table = next;
+            if (tests !== _narrowPhase)
+            {
+                _narrowPhase = tests;
+                for (var i:int = 0; i < _needs.length; i++)
+                {
+                    _needs[i](tests);
+                }
+            }
+            _places.clear();
+            _extents.clear();
+            _isRead = true;
         }
 
         /**
@@ -66,13 +122,136 @@ package starlogo.queries
          */
         public function refresh(agent:Agent):void
         {
-            _world.moved(agent);
+            requireUnlocked("refresh");
+            var row:int = rowOf(agent);
+            if (row < ListedAgents.LISTED)
+            {
+                throw new ArgumentError(agent + " is not in the list of the last update");
+            }
+            _table.readRow(row);
+            _places.move(row);
+            _extents.move(row);
         }
 
-        /** @private */
-        engine function get world():QueryWorld
+        /** @private The agents as rows. Questions only read them. */
+        engine function get table():AgentTable
         {
-            return _world;
+            return _table;
+        }
+
+        /** @private Tests which rows touch. It belongs to the collision system and has its settings. */
+        engine function get narrowPhase():NarrowPhase
+        {
+            return _narrowPhase;
+        }
+
+        /**
+         * @private Questions need tests that their collision system may lack. It has them from now on.
+         *
+         * @param bringTo <code>function(narrowPhase:NarrowPhase):void</code>
+         */
+        engine function need(bringTo:Function):void
+        {
+            _needs.push(bringTo);
+            bringTo(_narrowPhase);
+        }
+
+        /** @private While a filter's <code>accepts</code> is called, the agents must not change. */
+        engine function lock():void
+        {
+            _locks++;
+        }
+
+        /** @private Call this once for each <code>lock()</code>. */
+        engine function unlock():void
+        {
+            _locks--;
+        }
+
+        /** @private Throws an error if a filter's <code>accepts</code> is being called and the agent is in the list. */
+        engine function requireMovable(agent:Agent, what:String):void
+        {
+            if (agent != null && _table.list.rowOf(agent) >= 0)
+            {
+                requireUnlocked(what);
+            }
+        }
+
+        /** @private The row of an agent; -1 if it is not in the list. */
+        engine function rowOf(agent:Agent):int
+        {
+            requireAgent(agent);
+            return _table.list.rowOf(agent);
+        }
+
+        /** @private Where an agent is now. Throws an ArgumentError if it is null, or has no place because it is the ground's or the edges'. */
+        engine function placeOf(agent:Agent):Placement
+        {
+            requireAgent(agent);
+            if (Breeds.isReserved(agent.breedNumber))
+            {
+                throw new ArgumentError(agent + " has no place, and does not move: it stands for the ground or the edges of the world");
+            }
+            return agent.placement;
+        }
+
+        /**
+         * @private The body of an agent as it is now. Its shape is null while the agent's model is loading. Do not change it.
+         *
+         * @param made becomes this body if the agent has changed since the last update
+         * @throws ArgumentError if the agent is null, or its model is unknown or lacks data that is needed
+         */
+        engine function bodyOf(agent:Agent, made:Body):Body
+        {
+            requireAgent(agent);
+            return _table.bodyOfNow(agent, made);
+        }
+
+        /** @private Returns the tree of the places, and builds it first if it is stale. Throws an error before the first update. */
+        engine function findPlaces():RowTree
+        {
+            return build(_places, _table.places.now);
+        }
+
+        /** @private Returns the tree of the extents, and builds it first if it is stale. Throws an error before the first update. While a model is loading, its extents mean nothing. */
+        engine function findExtents():RowTree
+        {
+            return build(_extents, _table.extents);
+        }
+
+        private function build(tree:RowTree, points:Points):RowTree
+        {
+            if (!_isRead)
+            {
+                throw new IllegalOperationError("update(agents) must be called before the first question, and then once a frame");
+            }
+            if (tree.isStale)
+            {
+                tree.build(_table.list.rows, _table.list.count, points);
+            }
+            tree.breeds.learn(tree, _table.list.agents);
+            return tree;
+        }
+
+        private function requireUnlocked(what:String):void
+        {
+            if (_locks > 0)
+            {
+                throw new IllegalOperationError(what + " must not be called from a filter's accepts");
+            }
+        }
+
+        private static function requireAgent(agent:Agent):void
+        {
+            if (agent == null)
+            {
+                throw new ArgumentError("an agent is needed, not null");
+            }
+        }
+
+        private static function newTable(tests:NarrowPhase):AgentTable
+        {
+            return new AgentTable(new ModelShapes(tests.choice), null);
         }
     }
 }

@@ -61,14 +61,14 @@ package starlogo.queries
          * shorter than the lift's clearance would lead deeper each time.
          *
          * @param at the place at the end of the motion, which changes
-         * @param fromX the place at its beginning
+         * @param from the place at its beginning
          */
-        public function keepDepth(at:Vector3D, fromX:Number, fromY:Number, fromZ:Number):void
+        public function keepDepth(at:Vector3D, from:Vector3D):void
         {
             for (var i:int = 0; i < _count; i++)
             {
                 var contact:ContactPoint = _contacts[i];
-                var deeper:Number = contact.normalX * (fromX - at.x) + contact.normalY * (fromY - at.y) + contact.normalZ * (fromZ - at.z);
+                var deeper:Number = contact.normalX * (from.x - at.x) + contact.normalY * (from.y - at.y) + contact.normalZ * (from.z - at.z);
                 if (deeper > 0 && deeper < most)
                 {
                     contact.push(at, deeper);

@@ -1,6 +1,12 @@
 package starlogo.queries
 {
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+    import starlogo.search.Body;
     import starlogo.search.ListedAgents;
+    import starlogo.search.ModelShape;
+
+    use namespace engine;
 
     /**
      * Finds the rows of a tree whose boxes a moving box meets. It returns one row at a time, roughly the nearest first. A ray is a moving box
@@ -10,10 +16,10 @@ package starlogo.queries
      */
     public final class SweptBoxSearch
     {
-        /** How much of the motion is searched, as a multiple of its vector; 1 is all of it. You may make it smaller during the search. */
-        public var limit:Number = 1;
-
         private var _tree:RowTree;
+
+        // How much of the motion is searched, as a multiple of its vector.
+        private var _limit:Number = 1;
 
         private var _moves:Boolean = false;
 
@@ -48,7 +54,6 @@ package starlogo.queries
             var slack:Number = RowTree.slackOf(x, y, z, halfX, halfY, halfZ);
             _tree = tree;
             _moves = false;
-            limit = 1;
             _around[0] = x - halfX - slack;
             _around[1] = y - halfY - slack;
             _around[2] = z - halfZ - slack;
@@ -61,6 +66,20 @@ package starlogo.queries
             _entries[0] = 0;
             _entries[1] = 0;
             _waiting = tree.count > 0 ? 2 : 1;
+        }
+
+        /**
+         * Begins with the extents of a body. The ground and the edges of the world are near all rows.
+         *
+         * @param extents a tree of extents
+         */
+        public function beginAround(extents:RowTree, body:Body):void
+        {
+            begin(extents, body.x, body.y, body.z, body.halfX, body.halfY, body.halfZ);
+            if (body.form >= ModelShape.GROUND)
+            {
+                widen(4 * Agent.LARGEST_COORDINATE);
+            }
         }
 
         /**
@@ -90,7 +109,6 @@ package starlogo.queries
          */
         public function moveAlong(dx:Number, dy:Number, dz:Number, limit:Number):void
         {
-            this.limit = limit;
             _moves = true;
             _along[0] = dx;
             _along[1] = dy;
@@ -115,9 +133,11 @@ package starlogo.queries
          * The next row, or -1 if there are no more. The last one is the row of the ground, also if there is none.
          *
          * @param breeds the breeds that count, a set of NodeBreeds. Nodes without them are skipped, but single rows may have others
+         * @param limit if the box moves: how much of the motion is still searched, as a multiple of its vector. It may become less during the search
          */
-        public function next(breeds:int):int
+        public function next(breeds:int, limit:Number):int
         {
+            _limit = limit;
             while (true)
             {
                 while (_next < _end)
@@ -247,7 +267,7 @@ package starlogo.queries
         private function findEntry(boxes:Vector.<Number>, box:int, index:int):Boolean
         {
             var enters:Number = 0;
-            var leaves:Number = limit;
+            var leaves:Number = _limit;
             for (var axis:int = 0; axis < 3; axis++)
             {
                 var along:Number = _along[axis];

@@ -1,61 +1,111 @@
 package starlogo.queries
 {
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
+    import starlogo.geometry.requireGiven;
+    import starlogo.geometry.requireInWorld;
     import starlogo.search.AgentTable;
     import starlogo.search.Body;
     import starlogo.search.ListedAgents;
+    import starlogo.terrain.WorldBounds;
 
     use namespace engine;
 
     /**
-     * Answers which agents a body touches.
+     * Answers which agents touch an agent or a structure. AgentQueries says what each question means.
      *
      * @private
      */
     public final class TouchQueries
     {
-        private var _set:QuerySet;
+        private var _seen:SeenAgents;
+        private var _found:Collector;
+        private var _search:SweptBoxSearch = new SweptBoxSearch();
 
-        /** @param questions what questions work with */
-        public function TouchQueries(questions:QuerySet)
+        // The body that asks, as it is or at another place, and the body of the edges of the world.
+        private var _body:Body = new Body();
+        private var _displaced:Body = new Body();
+        private var _edges:Body = new Body();
+
+        // For the questions of an accepts that these call.
+        private var _nested:TouchQueries = null;
+
+        /** @param seen the agents that the questions are about */
+        public function TouchQueries(seen:SeenAgents)
         {
-            _set = questions;
+            _seen = seen;
+            _found = new Collector(seen);
         }
 
-        /**
-         * Finds the agents that touch a body. They are sorted by the distances of their places from the body's place.
-         *
-         * @param asker the agent that asks, which is left out; or null
-         * @param body the body that asks. While its model is loading it touches nothing
-         * @param wanted Collector.ALL; or 1 for any agent that touches
-         * @param filter the agents that count; null for all
-         * @return has the answer
-         */
-        public function touching(asker:Agent, body:Body, wanted:int, filter:AgentFilter):Collector
+        /** These questions; others while these call a filter's <code>accepts</code>, which may ask questions itself. */
+        public function get idle():TouchQueries
         {
-            var table:AgentTable = _set.seen.table;
-            var answer:Collector = _set.found;
-            var search:SweptBoxSearch = _set.boxSearch;
-            answer.begin(wanted, Infinity, asker, filter);
+            if (!_found.isAsking)
+            {
+                return this;
+            }
+            _nested ||= new TouchQueries(_seen);
+            return _nested.idle;
+        }
+
+        public function touching(agent:Agent, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
+        {
+            return find(agent, _seen.bodyOf(agent, _body), Collector.ALL, filter).list(out);
+        }
+
+        public function touchesAny(agent:Agent, filter:AgentFilter):Boolean
+        {
+            return find(agent, _seen.bodyOf(agent, _body), 1, filter).end() > 0;
+        }
+
+        public function touchesEdge(agent:Agent, bounds:WorldBounds):Boolean
+        {
+            requireGiven("bounds", bounds);
+            var body:Body = _seen.bodyOf(agent, _body);
+            return body.shape != null && _seen.narrowPhase.areTouching(body, _seen.bodyOf(bounds.agent, _edges));
+        }
+
+        public function wouldTouchAt(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter):Boolean
+        {
+            requireInWorld("a place", x, y, z);
+            _seen.placeOf(agent);
+            _displaced.copyFrom(_seen.bodyOf(agent, _body));
+            _displaced.placement.x = x;
+            _displaced.placement.y = y;
+            _displaced.placement.z = z;
+            return find(agent, _displaced, 1, filter).end() > 0;
+        }
+
+        public function overlapping(structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
+        {
+            _body.readStructure(structure);
+            return find(null, _body, Collector.ALL, filter).list(out);
+        }
+
+        // Finds the agents that touch a body, sorted by the distances of their places from the body's place. If one is wanted, it may be any that
+        // touches. The agent that asks is left out; it may be null. While the body's model is loading it touches nothing.
+        private function find(asker:Agent, body:Body, wanted:int, filter:AgentFilter):Collector
+        {
+            var table:AgentTable = _seen.table;
+            _found.begin(wanted, Infinity, asker, filter);
             if (body.shape == null)
             {
-                return answer;
+                return _found;
             }
-            _set.seen.beginWay(search, body);
-            // if one row is wanted, it may be any that touches
-            for (var other:int = answer.nextOf(search); other >= 0 && !answer.hasAny; other = answer.nextOf(search))
+            _search.beginAround(_seen.findExtents(), body);
+            for (var row:int = _found.nextOf(_search); row >= 0 && !_found.hasAny; row = _found.nextOf(_search))
             {
-                if (_set.seen.narrowPhase.areTouching(body, table.bodyOf(other)))
+                if (_seen.narrowPhase.areTouching(body, table.bodyOf(row)))
                 {
-                    var toX:Number = table.places.now.x[other] - body.placement.x;
-                    var toY:Number = table.places.now.y[other] - body.placement.y;
-                    var toZ:Number = table.places.now.z[other] - body.placement.z;
+                    var toX:Number = table.places.now.x[row] - body.placement.x;
+                    var toY:Number = table.places.now.y[row] - body.placement.y;
+                    var toZ:Number = table.places.now.z[row] - body.placement.z;
                     // the ground has no place, so it comes last
-                    answer.add(other, other == ListedAgents.GROUND ? Infinity : toX * toX + toY * toY + toZ * toZ);
+                    _found.add(row, row == ListedAgents.GROUND ? Infinity : toX * toX + toY * toY + toZ * toZ);
                 }
             }
-            return answer;
+            return _found;
         }
     }
 }

@@ -10,59 +10,42 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Says what a hit tells of the triangle that is met: its mesh, its material, and where on it the point is.
+     * Writes what a hit tells of the triangle that is met: its mesh, its material, and where on it the point is.
      *
      * @private
      */
     public final class TriangleOfHit
     {
-        /** The number of the mesh, or -1. */
-        public var mesh:int = -1;
-
-        /** The number of the material, or -1. */
-        public var material:int = -1;
-
-        /** The name of the material, or null. */
-        public var materialName:String = null;
-
-        // From the point to each corner, in the model's space.
+        // From the point to each corner, in the model's space, and the triangle's normal. Before it is known, the last has the point.
         private var _a:Vector3D = new Vector3D();
         private var _b:Vector3D = new Vector3D();
         private var _c:Vector3D = new Vector3D();
-
-        // Vectors across the parts between the point and two corners, as long as twice their areas; and their sum. Before it is known, the last has
-        // the point.
-        private var _acrossA:Vector3D = new Vector3D();
-        private var _acrossB:Vector3D = new Vector3D();
-        private var _acrossC:Vector3D = new Vector3D();
         private var _normal:Vector3D = new Vector3D();
 
         /**
-         * Reads a triangle.
+         * Writes the mesh, the material and the weights.
          *
          * @param body the body that is met
-         * @param triangle its number; -1 for none
-         * @param point where it is met, in the world
-         * @param weights receives the barycentric coordinates of the point; 0 if there is no triangle
+         * @param hit has the number of the triangle and the point
          */
-        public function read(body:Body, triangle:int, point:Vector3D, weights:Vector3D):void
+        public function write(body:Body, hit:CastHit):void
         {
-            mesh = material = -1;
-            materialName = null;
-            weights.setTo(0, 0, 0);
-            if (triangle < 0)
+            hit.mesh = hit.material = -1;
+            hit.materialName = null;
+            hit.weights.setTo(0, 0, 0);
+            if (hit.triangle < 0)
             {
                 return;
             }
             if (body.shape.source != null)
             {
                 var materials:TriangleLabels = body.shape.source.data.materials;
-                mesh = TriangleLabels.numberOf(body.shape.source.data.meshes, triangle);
-                material = TriangleLabels.numberOf(materials, triangle);
-                materialName = TriangleLabels.nameOf(materials, material);
+                hit.mesh = TriangleLabels.numberOf(body.shape.source.data.meshes, hit.triangle);
+                hit.material = TriangleLabels.numberOf(materials, hit.triangle);
+                hit.materialName = TriangleLabels.nameOf(materials, hit.material);
             }
-            readCorners(body.shape.hierarchy.tree, 3 * triangle, body.placement, point);
-            weigh(weights);
+            readCorners(body.shape.hierarchy.tree, 3 * hit.triangle, body.placement, hit.point);
+            weigh(hit.weights);
         }
 
         private function readCorners(tree:BoxTree, corner:int, placement:Placement, point:Vector3D):void
@@ -90,51 +73,35 @@ package starlogo.queries
         // no area, the nearest corner has all the weight.
         private function weigh(weights:Vector3D):void
         {
-            cross(_b, _c, _acrossA);
-            cross(_c, _a, _acrossB);
-            cross(_a, _b, _acrossC);
-            _normal.x = _acrossA.x + _acrossB.x + _acrossC.x;
-            _normal.y = _acrossA.y + _acrossB.y + _acrossC.y;
-            _normal.z = _acrossA.z + _acrossB.z + _acrossC.z;
-            weights.x = Math.max(0, _normal.dotProduct(_acrossA));
-            weights.y = Math.max(0, _normal.dotProduct(_acrossB));
-            weights.z = Math.max(0, _normal.dotProduct(_acrossC));
+            _normal.setTo(0, 0, 0);
+            addCross(_b, _c, _normal);
+            addCross(_c, _a, _normal);
+            addCross(_a, _b, _normal);
+            weights.setTo(areaBetween(_b, _c), areaBetween(_c, _a), areaBetween(_a, _b));
             var sum:Number = weights.x + weights.y + weights.z;
-            if (!(sum > 0))
+            if (sum > 0)
             {
-                takeNearest(weights);
+                weights.setTo(weights.x / sum, weights.y / sum, weights.z / sum);
                 return;
             }
-            weights.x /= sum;
-            weights.y /= sum;
-            weights.z /= sum;
-        }
-
-        private function takeNearest(weights:Vector3D):void
-        {
             var a:Number = _a.lengthSquared;
             var b:Number = _b.lengthSquared;
             var c:Number = _c.lengthSquared;
-            weights.x = weights.y = weights.z = 0;
-            if (a <= b && a <= c)
-            {
-                weights.x = 1;
-            }
-            else if (b <= c)
-            {
-                weights.y = 1;
-            }
-            else
-            {
-                weights.z = 1;
-            }
+            var nearest:int = a <= b && a <= c ? 0 : (b <= c ? 1 : 2);
+            weights.setTo(nearest == 0 ? 1 : 0, nearest == 1 ? 1 : 0, nearest == 2 ? 1 : 0);
         }
 
-        private static function cross(u:Vector3D, v:Vector3D, out:Vector3D):void
+        // The area between the point and two corners, in a unit of its own; 0 if it is beyond the edge.
+        private function areaBetween(u:Vector3D, v:Vector3D):Number
         {
-            out.x = u.y * v.z - u.z * v.y;
-            out.y = u.z * v.x - u.x * v.z;
-            out.z = u.x * v.y - u.y * v.x;
+            return Math.max(0, _normal.x * (u.y * v.z - u.z * v.y) + _normal.y * (u.z * v.x - u.x * v.z) + _normal.z * (u.x * v.y - u.y * v.x));
+        }
+
+        private static function addCross(u:Vector3D, v:Vector3D, sum:Vector3D):void
+        {
+            sum.x += u.y * v.z - u.z * v.y;
+            sum.y += u.z * v.x - u.x * v.z;
+            sum.z += u.x * v.y - u.y * v.x;
         }
     }
 }

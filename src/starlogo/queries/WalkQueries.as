@@ -42,7 +42,7 @@ package starlogo.queries
         private static const DEFAULTS:WalkOptions = new WalkOptions();
         private static const DOWN:Vector3D = new Vector3D(0, 0, -1);
 
-        private var _set:QuerySet;
+        private var _seen:SeenAgents;
         private var _moves:MoveQueries;
         private var _rowRays:RowRays;
         private var _mover:Mover;
@@ -51,30 +51,33 @@ package starlogo.queries
         private var _limits:SlideLimits = new SlideLimits();
         private var _ray:Ray = new Ray();
 
-        // A slide along the ground, a way down, and a motion that is tried in place of another.
-        private var _slide:Motion = new Motion();
-        private var _down:Motion = new Motion();
-        private var _tried:Motion = new Motion();
+        // How these end: a slide along the ground, a slide that is tried in its place or down a slope, a way down, and another straight way.
+        private var _slide:SlideResult = new SlideResult();
+        private var _tried:SlideResult = new SlideResult();
+        private var _down:MotionResult = new MotionResult();
+        private var _straight:MotionResult = new MotionResult();
 
         // The vector of a motion, and the beginning of a motion or of a ray.
         private var _vector:Vector3D = new Vector3D();
         private var _origin:Vector3D = new Vector3D();
 
         /**
-         * @param questions what questions work with
-         * @param moves moves the agents
+         * @param seen the agents that the questions are about
+         * @param moves finds what is near a walk, and moves the agents
+         * @param mover computes where moving bodies end
          */
-        public function WalkQueries(questions:QuerySet, moves:MoveQueries)
+        public function WalkQueries(seen:SeenAgents, moves:MoveQueries, mover:Mover)
         {
-            _set = questions;
+            _seen = seen;
             _moves = moves;
-            _mover = moves.mover;
-            _rowRays = new RowRays(questions.seen);
+            _mover = mover;
+            _rowRays = new RowRays(seen);
         }
 
         /** See AgentQueries.walk. */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
+            _seen.requireMovable(agent, "walk");
             var walk:Walk = _walk;
             var standing:PlatformLink = begin(agent, dx, dy, options || DEFAULTS, walk);
             var footing:Footing = out || new Footing();
@@ -85,7 +88,7 @@ package starlogo.queries
                 walk.row = -1;
                 walk.normal.setTo(0, 0, 1);
             }
-            var table:AgentTable = _set.seen.table;
+            var table:AgentTable = _seen.table;
             footing.on = walk.row < 0 ? null : table.list.agents[walk.row];
             footing.normal.copyFrom(walk.normal);
             standing.on = null;
@@ -100,7 +103,7 @@ package starlogo.queries
         // agent stands on.
         private function begin(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Walk):PlatformLink
         {
-            var size:Number = _set.seen.placeOf(agent).size;
+            var size:Number = _seen.placeOf(agent).size;
             var whole:Number = Math.sqrt(dx * dx + dy * dy);
             out.agent = agent;
             out.options = options;
@@ -129,11 +132,11 @@ package starlogo.queries
         // it. The walk receives how it carries the agent.
         private function findPlatform(walk:Walk, standing:PlatformLink):int
         {
-            var row:int = walk.options.carried && standing.isValid ? _set.seen.rowOf(standing.on) : -1;
-            if (row >= 0 && _set.seen.table.shapes[row] != null)
+            var row:int = walk.options.carried && standing.isValid ? _seen.rowOf(standing.on) : -1;
+            if (row >= 0 && _seen.table.shapes[row] != null)
             {
-                walk.turn = standing.carry(_set.seen.table.bodyOf(row).placement, walk.carry);
-                if ((walk.turn != 0 || walk.carry.length > 0) && _set.found.admits(row, walk.agent, walk.options.filter))
+                walk.turn = standing.carry(_seen.table.bodyOf(row).placement, walk.carry);
+                if ((walk.turn != 0 || walk.carry.length > 0) && _moves.admits(row, walk.agent, walk.options.filter))
                 {
                     return row;
                 }
@@ -151,10 +154,10 @@ package starlogo.queries
             _mover.slide(walk.start, walk.carry, SlideLimits.NONE, _slide);
             if (_slide.fraction < 1 && missesInto(platform, walk, _slide.place))
             {
-                _mover.goBeforeTouch(walk.start, walk.carry, _tried);
-                if (!missesInto(platform, walk, _tried.place))
+                _mover.goBeforeTouch(walk.start, walk.carry, _straight);
+                if (!missesInto(platform, walk, _straight.place))
                 {
-                    _slide.place.copyFrom(_tried.place);
+                    _slide.place.copyFrom(_straight.place);
                 }
             }
             walk.start.copyFrom(_slide.place);
@@ -174,8 +177,9 @@ package starlogo.queries
         private function findNear(walk:Walk, distance:Number):void
         {
             var options:WalkOptions = walk.options;
-            _moves.findWayWithin(walk.agent, _set.bodyOfMover(walk.agent), walk.piece.x, walk.piece.y, 0, walk.range + distance,
-                    walk.pieces * options.stepHeight, walk.pieces * options.snap + options.fall, walk.turn, options.filter, walk.way);
+            _moves.readMover(walk.agent, walk.turn, walk.way.body);
+            _moves.findWayWithin(walk.agent, walk.piece.x, walk.piece.y, 0, walk.range + distance, walk.pieces * options.stepHeight,
+                    walk.pieces * options.snap + options.fall, options.filter, walk.way);
         }
 
         // Pushes the agent out of what it overlaps, goes all pieces, and falls if the agent does not stand. Returns whether it stands at the end.
@@ -263,14 +267,14 @@ package starlogo.queries
         }
 
         // Slides along the way of a piece, and up or down.
-        private function slide(walk:Walk, from:Vector3D, rise:Number, walkableZ:Number, out:Motion):void
+        private function slide(walk:Walk, from:Vector3D, rise:Number, walkableZ:Number, out:SlideResult):void
         {
             _limits.setTo(walkableZ, walk.length, -1);
             _vector.setTo(walk.piece.x, walk.piece.y, rise);
             _mover.slide(from, _vector, _limits, out);
         }
 
-        private function goDown(from:Vector3D, depth:Number, out:Motion):void
+        private function goDown(from:Vector3D, depth:Number, out:MotionResult):void
         {
             _vector.setTo(0, 0, -depth);
             _mover.goBeforeTouch(from, _vector, out);
@@ -280,13 +284,13 @@ package starlogo.queries
         // Returns whether it does.
         private function climb(walk:Walk, plain:Vector3D):Boolean
         {
-            goDown(walk.start, -walk.options.stepHeight, _tried);
-            var height:Number = _tried.place.z - walk.start.z;
+            goDown(walk.start, -walk.options.stepHeight, _straight);
+            var height:Number = _straight.place.z - walk.start.z;
             if (height <= walk.close)
             {
                 return false;
             }
-            slide(walk, _tried.place, 0, walk.cosine, _tried);
+            slide(walk, _straight.place, 0, walk.cosine, _tried);
             var farther:Number = (_tried.place.x - plain.x) * walk.piece.x + (_tried.place.y - plain.y) * walk.piece.y;
             return farther > walk.close * walk.length && findGround(walk, _tried.place, height + walk.options.snap + walk.close);
         }
@@ -309,10 +313,10 @@ package starlogo.queries
         private function findOtherSupport(walk:Walk, place:Vector3D):Boolean
         {
             slideDown(walk, place, walk.close, walk.extent, _tried);
-            return _tried.floor.normalZ > -1 && findSupport(walk, _tried.floor, _tried.floorRow, place);
+            return _tried.floorRow >= 0 && _tried.floor.normalZ > -1 && findSupport(walk, _tried.floor, _tried.floorRow, place);
         }
 
-        private function slideDown(walk:Walk, from:Vector3D, depth:Number, widest:Number, out:Motion):void
+        private function slideDown(walk:Walk, from:Vector3D, depth:Number, widest:Number, out:SlideResult):void
         {
             _limits.setTo(-2, widest, Math.sqrt(1 - walk.cosine * walk.cosine) / walk.cosine);
             _vector.setTo(0, 0, -depth);
@@ -324,7 +328,8 @@ package starlogo.queries
         private function fall(walk:Walk):Boolean
         {
             var left:Number = walk.options.fall;
-            _down.beginAt(walk.place);
+            _down.place.copyFrom(walk.place);
+            _down.row = -1;
             for (var piece:Number = 1; left > 0 && _down.row < 0; piece *= 2)
             {
                 if (_down.place.z - Math.min(left, piece) < -Agent.LARGEST_COORDINATE)

@@ -5,14 +5,17 @@ package starlogo.queries
     import starlogo.search.NumberList;
 
     /**
-     * The way of a body: what moves, where to, and what may be in the way. MoveQueries.findWay() and findWayWithin() write it.
+     * The way of a body: what moves, where to, and what may be in the way. MoveQueries writes it.
      *
      * @private
      */
     public final class Way
     {
-        /** The body that moves, where it begins. It has no shape while its model is loading. */
-        public var body:Body;
+        /**
+         * The body that moves, where it begins: a copy, because a filter's <code>accepts</code> may move the agent. It has no shape while its model
+         * is loading.
+         */
+        public var body:Body = new Body();
 
         /** Where its place is then. */
         public var from:Vector3D = new Vector3D();

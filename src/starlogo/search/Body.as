@@ -202,6 +202,18 @@ package starlogo.search
             settle();
         }
 
+        /** Becomes the same as another body. While the other's model is loading, the shape is null, and only the place counts. */
+        public function copyFrom(other:Body):void
+        {
+            if (other.shape == null)
+            {
+                shape = null;
+                placement.copyFrom(other.placement);
+                return;
+            }
+            readShrunk(other, null, 0);
+        }
+
         /** Turns a body that a question has made of an agent, as if the agent's heading were greater by some degrees. */
         public function turn(agent:Agent, degrees:Number):void
         {

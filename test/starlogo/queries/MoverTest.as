@@ -18,19 +18,21 @@ package starlogo.queries
         [Test]
         public function aSlideWithoutAMotionHasMetNoFloorAndNoWall():void
         {
-            var seen:QueryWorld = new QueryWorld(new TightestFitCollider(landOf(BuiltInModel.cube())));
-            var asked:MotionQueries = new MotionQueries(seen);
+            var seen:SeenAgents = new SeenAgents(new TightestFitCollider(landOf(BuiltInModel.cube())));
+            var mover:Mover = new Mover(seen);
+            var moves:MoveQueries = new MoveQueries(seen, mover);
             var agent:Agent = agentAt("cube", 0, 0, 1.5);
             seen.update(new <Agent>[agent, agentAt("cube", 0.2, 0, 0)]);
             var way:Way = new Way();
-            var motion:Motion = new Motion();
-            asked.moves.findWay(agent, asked.room.bodyOfMover(agent), 0, 0, -1, null, way);
-            asked.moves.mover.begin(way.body, way.rows);
-            asked.moves.mover.slide(way.from, way.motion, SlideLimits.NONE, motion);
-            assertTrue("it met the cube below: " + motion.floor.normalZ, Math.abs(motion.floor.normalZ - 1) < 1e-9);
-            asked.moves.mover.slide(way.from, new Vector3D(), SlideLimits.NONE, motion);
-            assertEquals(-2, motion.floor.normalZ);
-            assertEquals(false, motion.metWall);
+            var result:SlideResult = new SlideResult();
+            moves.readMover(agent, 0, way.body);
+            moves.findWayWithin(agent, 0, 0, -1, 1, 0, 0, null, way);
+            mover.begin(way.body, way.rows);
+            mover.slide(way.from, way.motion, SlideLimits.NONE, result);
+            assertTrue("it met the cube below: " + result.floor.normalZ, Math.abs(result.floor.normalZ - 1) < 1e-9);
+            mover.slide(way.from, new Vector3D(), SlideLimits.NONE, result);
+            assertEquals(-1, result.floorRow);
+            assertEquals(false, result.metWall);
         }
     }
 }

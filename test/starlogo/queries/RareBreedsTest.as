@@ -21,8 +21,7 @@ package starlogo.queries
         private static const MOST_PASSED_OVER:int = 60;
 
         private var _agents:Vector.<Agent>;
-        private var _seen:QueryWorld;
-        private var _set:QuerySet;
+        private var _seen:SeenAgents;
         private var _places:PlaceQueries;
 
         [Before]
@@ -39,9 +38,8 @@ package starlogo.queries
             var wolf:Agent = new Agent("sphere", "wolves");
             wolf.moveTo(400, 300, 0);
             _agents.push(wolf);
-            _seen = new QueryWorld(new BinCollider());
-            _set = new QuerySet(_seen);
-            _places = new PlaceQueries(_set);
+            _seen = new SeenAgents(new BinCollider());
+            _places = new PlaceQueries(_seen);
             _seen.update(_agents);
         }
 
@@ -51,7 +49,7 @@ package starlogo.queries
             var wolves:AgentFilter = AgentFilter.ofBreeds("wolves", "nobody's");
             assertFew(_seen.findPlaces(), function(sheep:Agent):void
                 {
-                    assertStrictlyEquals(_agents[SHEEP], _places.near(sheep, sheep.x, sheep.y, 0, Infinity, 1, wolves).firstAgent());
+                    assertStrictlyEquals(_agents[SHEEP], _places.nearest(sheep, Infinity, wolves));
                 });
         }
 
@@ -61,11 +59,11 @@ package starlogo.queries
             var wolves:AgentFilter = AgentFilter.ofBreeds("wolves");
             assertFew(_seen.findPlaces(), function(sheep:Agent):void
                 {
-                    assertEquals(0, _places.countNear(sheep, sheep.x, sheep.y, 0, 200, wolves));
+                    assertEquals(0, _places.countNear(sheep, 200, wolves));
                 });
             assertFew(_seen.findPlaces(), function(sheep:Agent):void
                 {
-                    assertEquals(0, _places.near(sheep, sheep.x, sheep.y, 0, 200, Collector.ALL, wolves, 90).end());
+                    assertEquals(0, _places.inCone(sheep, 200, 90, wolves, null).length);
                 });
         }
 
@@ -76,7 +74,7 @@ package starlogo.queries
             var wolves:AgentFilter = AgentFilter.ofBreeds("wolves");
             assertFew(_seen.findExtents(), function(sheep:Agent):void
                 {
-                    assertStrictlyEquals(_agents[SHEEP], new TouchQueries(_set).touching(null, _set.bodyOfStructure(large), Collector.ALL, wolves).firstAgent());
+                    assertStrictlyEquals(_agents[SHEEP], new TouchQueries(_seen).overlapping(large, wolves, null)[0]);
                 });
         }
 
@@ -92,7 +90,7 @@ package starlogo.queries
                 {
                     bitten.breed = "wolves";
                 }
-                var nearest:Agent = _places.near(sheep, sheep.x, sheep.y, 0, Infinity, 1, wolves).firstAgent();
+                var nearest:Agent = _places.nearest(sheep, Infinity, wolves);
                 assertStrictlyEquals("question " + i, nearestOf("wolves", sheep), nearest);
                 if (i % 40 == 30)
                 {

@@ -104,10 +104,10 @@ package starlogo.queries
             _sizes.x[row] = coordinate(world);
             _sizes.y[row] = coordinate(world);
             _sizes.z[row] = coordinate(world);
-            var wasStale:Boolean = _tree.movesLeft < 0;
+            var wasStale:Boolean = _tree.isStale;
             _tree.move(row);
-            assertTrue(_rows.length + " rows are not worn by one move", _tree.movesLeft >= 0 || wasStale || _rows.length < 60);
-            if (_tree.movesLeft < 0)
+            assertTrue(_rows.length + " rows are not worn by one move", !_tree.isStale || wasStale || _rows.length < 60);
+            if (_tree.isStale)
             {
                 _tree.build(_rows, _rows.length, _sizes);
             }
@@ -126,7 +126,7 @@ package starlogo.queries
             }
             var times:Vector.<int> = new Vector.<int>(_sizes.x.length);
             var met:int = 0;
-            for (var row:int = _way.next(NodeBreeds.ALL); row != ListedAgents.GROUND; row = _way.next(NodeBreeds.ALL))
+            for (var row:int = _way.next(NodeBreeds.ALL, limit); row != ListedAgents.GROUND; row = _way.next(NodeBreeds.ALL, limit))
             {
                 times[row]++;
                 met++;

@@ -22,6 +22,7 @@ package starlogo.queries
         private var _found:Collector;
         private var _search:SweptBoxSearch = new SweptBoxSearch();
         private var _rowRays:RowRays;
+        private var _rowSurfaces:RowSurfaces;
         private var _ray:Ray = new Ray();
         private var _hits:Hits;
         private var _triangle:TriangleOfHit = new TriangleOfHit();
@@ -40,6 +41,7 @@ package starlogo.queries
             _seen = seen;
             _found = new Collector(seen);
             _rowRays = new RowRays(seen);
+            _rowSurfaces = new RowSurfaces(seen);
             _hits = new Hits(seen, _found, RayHit);
         }
 
@@ -172,7 +174,7 @@ package starlogo.queries
         {
             for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
             {
-                if (_rowRays.findSurfaces(row, _ray, _hits))
+                if (_rowSurfaces.find(row, _ray, _hits))
                 {
                     _found.add(row, _hits.firstKeyOf(row));
                 }

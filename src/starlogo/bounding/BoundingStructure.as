@@ -35,7 +35,7 @@ package starlogo.bounding
         public static const HULL:int = 3;
 
         /** The kind of a structure that no test of the engine takes: a Cylinder, or a structure of your own. */
-        public static const OTHER:int = 9;
+        public static const OTHER:int = 4;
 
         /**
          * The number of kinds that are collided. Their numbers are 0 and up.

@@ -23,6 +23,42 @@ package starlogo.convex
         public var bY:Number = 0;
         public var bZ:Number = 0;
 
+        /**
+         * Sets the distance and the points from the gap between two cores. If the shapes overlap, both points become one point. It lies on the line
+         * through the cores' closest points, in the middle of the part inside of both shapes.
+         */
+        public function setFromGap(gap:CoreGap):void
+        {
+            var x:Number = gap.x;
+            var y:Number = gap.y;
+            var z:Number = gap.z;
+            var length:Number = Math.sqrt(x * x + y * y + z * z);
+            // how far the two points are from the first core's closest point, towards the second core
+            var atA:Number = gap.radiusA;
+            var atB:Number = length - gap.radiusB;
+            distance = atB - atA;
+            if (!(distance > 0))
+            {
+                distance = 0;
+                var low:Number = atB > -atA ? atB : -atA;
+                var high:Number = length + gap.radiusB;
+                high = high < atA ? high : atA;
+                atA = atB = (low + high) / 2;
+            }
+            if (length > 0)
+            {
+                x /= length;
+                y /= length;
+                z /= length;
+            }
+            aX = gap.pointX - atA * x;
+            aY = gap.pointY - atA * y;
+            aZ = gap.pointZ - atA * z;
+            bX = gap.pointX - atB * x;
+            bY = gap.pointY - atB * y;
+            bZ = gap.pointZ - atB * z;
+        }
+
         /** Exchanges the two shapes. */
         public function swapShapes():void
         {

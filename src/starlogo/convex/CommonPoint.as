@@ -41,10 +41,6 @@ package starlogo.convex
                 out.y = cores.b.points[1];
                 out.z = cores.b.points[2];
             }
-            else if (_a.isPoint)
-            {
-                _a.writeMiddle(out);
-            }
             else
             {
                 _a.findCommonPoint(_b, out);

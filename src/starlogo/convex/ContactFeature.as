@@ -4,12 +4,10 @@ package starlogo.convex
     import starlogo.geometry.Tolerances;
 
     /**
-     * The feature of a shape that touches another shape: a point, a segment or a convex polygon. Finds a point that two touching features
+     * The feature of a core that touches another core: a point, a segment or a convex polygon. Finds a point that two touching features
      * have in common.
-     *
-     * @private
      */
-    public final class ContactFeature
+    internal final class ContactFeature
     {
         // The corners in order, and how many numbers they are; and the polygon that a clip makes.
         private var _points:Vector.<Number> = new Vector.<Number>();
@@ -17,12 +15,6 @@ package starlogo.convex
         private var _clipped:Vector.<Number> = new Vector.<Number>();
 
         private var _middle:Vector3D = new Vector3D();
-
-        /** Whether the feature is a point. */
-        public function get isPoint():Boolean
-        {
-            return _end == 3;
-        }
 
         /** Removes all points. */
         public function clear():void
@@ -50,33 +42,14 @@ package starlogo.convex
             }
         }
 
-        /** Extends the polygon by a vector to both sides: a point becomes a segment, and a segment becomes a parallelogram. */
-        public function widen(by:Vector3D):void
-        {
-            var points:Vector.<Number> = _points;
-            for (var at:int = _end - 3; at >= 0; at -= 3)
-            {
-                points[at] -= by.x;
-                points[int(at + 1)] -= by.y;
-                points[int(at + 2)] -= by.z;
-                points[_end] = points[at] + 2 * by.x;
-                points[int(_end + 1)] = points[int(at + 1)] + 2 * by.y;
-                points[int(_end + 2)] = points[int(at + 2)] + 2 * by.z;
-                _end += 3;
-            }
-        }
-
         /**
-         * Finds the middle of the area that two features share when seen along a normal. The point is halfway between the two.
+         * Finds the middle of the area that two features share when seen along a normal.
          *
          * @param other in the same plane, or in a parallel one
-         * @param out has the normal; receives the point
+         * @param out has the normal; receives the point, in the plane of either
          */
         public function findCommonPoint(other:ContactFeature, out:ContactPoint):void
         {
-            var a:Vector.<Number> = _points;
-            var b:Vector.<Number> = other._points;
-            var heights:Number = a[0] * out.normalX + a[1] * out.normalY + a[2] * out.normalZ + (b[0] * out.normalX + b[1] * out.normalY + b[2] * out.normalZ);
             if (_end == 3)
             {
                 writeMiddle(out);
@@ -95,16 +68,12 @@ package starlogo.convex
             }
             else
             {
-                writeCrossing(a, b, out);
+                writeCrossing(_points, other._points, out);
             }
-            var height:Number = heights / 2 - (out.normalX * out.x + out.normalY * out.y + out.normalZ * out.z);
-            out.x += height * out.normalX;
-            out.y += height * out.normalY;
-            out.z += height * out.normalZ;
         }
 
-        /** Writes the middle of the corners. */
-        public function writeMiddle(out:ContactPoint):void
+        // Writes the middle of the corners.
+        private function writeMiddle(out:ContactPoint):void
         {
             setMiddle();
             out.x = _middle.x;

@@ -52,6 +52,27 @@ package starlogo.convex
             normalZ = -normalZ;
         }
 
+        /**
+         * Sets the contact of two shapes whose cores are apart.
+         *
+         * @param gap the gap between the cores, longer than 0, and the radii
+         * @param displacement moves the first shape from its stored place
+         */
+        public function setFromGap(gap:CoreGap, displacement:RelativeMotion):void
+        {
+            var length:Number = Math.sqrt(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z);
+            normalX = gap.x / length;
+            normalY = gap.y / length;
+            normalZ = gap.z / length;
+            depth = gap.radiusA + gap.radiusB - length;
+            // rounding can make it negative
+            depth = depth > 0 ? depth : 0;
+            var back:Number = gap.radiusA - depth / 2;
+            x = displacement.startX + gap.pointX - back * normalX;
+            y = displacement.startY + gap.pointY - back * normalY;
+            z = displacement.startZ + gap.pointZ - back * normalZ;
+        }
+
         /** Sets the normal without normalising it. The function is short so that V8 inlines it and allocates no objects for the Numbers. */
         public function setNormal(x:Number, y:Number, z:Number):void
         {

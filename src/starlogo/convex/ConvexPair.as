@@ -24,6 +24,7 @@ package starlogo.convex
         private var _common:CommonPoint = new CommonPoint();
         private var _cores:CorePair = new CorePair();
         private var _witness:CoreWitness = new CoreWitness();
+        private var _gap:CoreGap = new CoreGap();
         private var _exact:ContactPoint = new ContactPoint();
 
         // Where the motion begins: the vector from b's origin to a's. The latest time at which the shapes touch within rounding.
@@ -63,7 +64,6 @@ package starlogo.convex
             {
                 return false;
             }
-            out.distance = distance;
             writePoints(out);
             return true;
         }
@@ -122,16 +122,7 @@ package starlogo.convex
          */
         public function findContact(a:ConvexShape, b:ConvexShape, motion:RelativeMotion, out:ContactPoint):void
         {
-            relate(a, b);
-            setWay(motion);
-            var time:Number = motion.time;
-            _cores.x += time * _cores.wayX;
-            _cores.y += time * _cores.wayY;
-            _cores.z += time * _cores.wayZ;
-            if (!(time > 0))
-            {
-                _cores.wayX = _cores.wayY = _cores.wayZ = 0;
-            }
+            beginContact(a, b, motion);
             _distance.find(_cores, _witness);
             if (_witness.distance > Tolerances.GAP * (a.size + b.size))
             {
@@ -148,7 +139,36 @@ package starlogo.convex
                     _overlap.tryGap(_cores, _witness, out);
                 }
             }
-            var depth:Number = out.depth + (a.radius + b.radius);
+            finishContact(motion, out);
+        }
+
+        /** Finds the contact of two shapes whose cores touch or overlap, as findContact() does. It is faster, because it does not find the distance. */
+        public function findOverlap(a:ConvexShape, b:ConvexShape, motion:RelativeMotion, out:ContactPoint):void
+        {
+            beginContact(a, b, motion);
+            _overlap.find(_cores, out);
+            finishContact(motion, out);
+        }
+
+        // Moves the first core to where it is at the motion's time.
+        private function beginContact(a:ConvexShape, b:ConvexShape, motion:RelativeMotion):void
+        {
+            relate(a, b);
+            setWay(motion);
+            var time:Number = motion.time;
+            _cores.x += time * _cores.wayX;
+            _cores.y += time * _cores.wayY;
+            _cores.z += time * _cores.wayZ;
+            if (!(time > 0))
+            {
+                _cores.wayX = _cores.wayY = _cores.wayZ = 0;
+            }
+        }
+
+        // Adds the radii to the depth of the cores, and finds the point.
+        private function finishContact(motion:RelativeMotion, out:ContactPoint):void
+        {
+            var depth:Number = out.depth + (_cores.a.radius + _cores.b.radius);
             out.depth = depth > 0 ? depth : 0;
             _common.find(_cores, out);
             out.x += _cores.b.x;
@@ -296,36 +316,26 @@ package starlogo.convex
             }
         }
 
-        // Writes the points of the surfaces from the gap between the cores. If the shapes overlap, both are in the middle of the part of the line
-        // through the cores' closest points that is inside of both.
+        // Writes the distance and the points of the surfaces.
         private function writePoints(out:ClosestPoints):void
         {
             var witness:CoreWitness = _witness;
             var a:ConvexShape = _cores.a;
-            var b:ConvexShape = _cores.b;
-            var length:Number = witness.distance;
-            // how far the two points are from a's core, along the gap
-            var atA:Number = a.radius;
-            var atB:Number = length - b.radius;
-            if (!(atB > atA))
+            var gap:CoreGap = _gap;
+            // the vector means nothing if the cores overlap
+            var side:int = witness.distance > 0 ? 1 : 0;
+            gap.x = side * witness.x;
+            gap.y = side * witness.y;
+            gap.z = side * witness.z;
+            gap.pointX = a.x + witness.pointX;
+            gap.pointY = a.y + witness.pointY;
+            gap.pointZ = a.z + witness.pointZ;
+            gap.radiusA = a.radius;
+            gap.radiusB = _cores.b.radius;
+            out.setFromGap(gap);
+            if (_cores.isSwapped)
             {
-                var low:Number = atB > -a.radius ? atB : -a.radius;
-                var high:Number = length + b.radius < a.radius ? length + b.radius : a.radius;
-                atA = atB = (low + high) / 2;
-            }
-            var first:Number = _cores.isSwapped ? atB : atA;
-            var second:Number = _cores.isSwapped ? atA : atB;
-            out.aX = out.bX = a.x + witness.pointX;
-            out.aY = out.bY = a.y + witness.pointY;
-            out.aZ = out.bZ = a.z + witness.pointZ;
-            if (length > 0)
-            {
-                out.aX -= first * (witness.x / length);
-                out.aY -= first * (witness.y / length);
-                out.aZ -= first * (witness.z / length);
-                out.bX -= second * (witness.x / length);
-                out.bY -= second * (witness.y / length);
-                out.bZ -= second * (witness.z / length);
+                out.swapShapes();
             }
         }
     }

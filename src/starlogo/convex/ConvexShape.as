@@ -132,9 +132,21 @@ package starlogo.convex
             begin(24, BOX_FACES, BOX_EDGES);
             isBox = true;
             size = 2 * (box.halfX + box.halfY + box.halfZ);
-            writeCorners(0, box.halfX * box.axisX.x, box.halfY * box.axisY.x, box.halfZ * box.axisZ.x);
-            writeCorners(1, box.halfX * box.axisX.y, box.halfY * box.axisY.y, box.halfZ * box.axisZ.y);
-            writeCorners(2, box.halfX * box.axisX.z, box.halfY * box.axisY.z, box.halfZ * box.axisZ.z);
+            // half of each edge first, in the place of the corner at its end
+            var p:Vector.<Number> = points;
+            p[3] = box.halfX * box.axisX.x;
+            p[4] = box.halfX * box.axisX.y;
+            p[5] = box.halfX * box.axisX.z;
+            p[6] = box.halfY * box.axisY.x;
+            p[7] = box.halfY * box.axisY.y;
+            p[8] = box.halfY * box.axisY.z;
+            p[12] = box.halfZ * box.axisZ.x;
+            p[13] = box.halfZ * box.axisZ.y;
+            p[14] = box.halfZ * box.axisZ.z;
+            for (var at:int = 0; at < 3; at++)
+            {
+                writeCorners(at);
+            }
         }
 
         /** Sets a triangle: nine numbers of a list, from an index on. */
@@ -229,9 +241,12 @@ package starlogo.convex
         }
 
         // Writes a coordinate of a box's corners, from that of half its edges.
-        private function writeCorners(at:int, alongX:Number, alongY:Number, alongZ:Number):void
+        private function writeCorners(at:int):void
         {
             var p:Vector.<Number> = points;
+            var alongX:Number = p[int(at + 3)];
+            var alongY:Number = p[int(at + 6)];
+            var alongZ:Number = p[int(at + 12)];
             p[int(at + 21)] = alongX + alongY + alongZ;
             p[int(at + 18)] = alongY + alongZ - alongX;
             p[int(at + 15)] = alongX + alongZ - alongY;

@@ -19,7 +19,7 @@ package starlogo.convex
         private var _edge:Vector.<Number> = new Vector.<Number>(PER_EDGE, true);
         private var _edges:Vector.<Number> = new Vector.<Number>();
 
-        // The direction to try, of any length. How far a core extends along it, and how long the displacements along it and against it are.
+        // The direction to try, of any length. How far a core extends along it. How long the displacements along it and against it are.
         private var _along:Vector3D = new Vector3D();
         private var _low:Number = 0;
         private var _high:Number = 0;
@@ -38,11 +38,6 @@ package starlogo.convex
             }
             if (out.depth == Infinity)
             {
-                // points and parallel segments
-                _along.x = _along.y = 0;
-                _along.z = 1;
-                setAcross(cores.b);
-                setAcross(cores.a);
                 tryUpwards(cores, out);
             }
         }
@@ -207,63 +202,63 @@ package starlogo.convex
             }
         }
 
-        // Sets the direction across a segment that points upwards as far as possible. Across an upright one it points along x.
-        private function setAcross(shape:ConvexShape):void
-        {
-            var p:Vector.<Number> = shape.points;
-            var x:Number = 0;
-            var y:Number = 0;
-            var z:Number = 0;
-            var squared:Number = 0;
-            for (var i:int = 0; i < shape.end; i += 3)
-            {
-                var toX:Number = p[i] - p[0];
-                var toY:Number = p[int(i + 1)] - p[1];
-                var toZ:Number = p[int(i + 2)] - p[2];
-                var length:Number = toX * toX + toY * toY + toZ * toZ;
-                if (length > squared)
-                {
-                    x = toX;
-                    y = toY;
-                    z = toZ;
-                    squared = length;
-                }
-            }
-            if (x * x + y * y > Tolerances.UPRIGHT * squared)
-            {
-                _along.x = -x * z / squared;
-                _along.y = -y * z / squared;
-                _along.z = 1 - z * z / squared;
-            }
-            else if (squared > 0)
-            {
-                _along.x = 1 - x * x / squared;
-                _along.y = -x * y / squared;
-                _along.z = -x * z / squared;
-            }
-        }
-
+        // Tries the direction across two points or parallel segments that points upwards as far as possible, for the shape that was asked about first.
         private function tryUpwards(cores:CorePair, out:ContactPoint):void
         {
-            // up for the shape that was asked about first
+            out.setNormal(0, 0, 0);
+            findSegment(cores.b, out);
+            findSegment(cores.a, out);
+            out.makePerpendicular();
             var up:int = cores.isSwapped ? -1 : 1;
-            _along.x *= up;
-            _along.y *= up;
-            _along.z *= up;
+            _along.x = up * out.normalX;
+            _along.y = up * out.normalY;
+            _along.z = up * out.normalZ;
             measure(cores);
             keep(_back < _forth - Tolerances.ROUNDING * (cores.a.size + cores.b.size) ? -1 : 1, cores, out);
         }
 
-        // Tries a displacement along the direction, and the one against it.
+        // Sets the normal to the vector from the first point of a core to the farthest other one, unless all are in one place.
+        private static function findSegment(shape:ConvexShape, out:ContactPoint):void
+        {
+            var p:Vector.<Number> = shape.points;
+            var most:Number = 0;
+            for (var i:int = 0; i < shape.end; i += 3)
+            {
+                var x:Number = p[i] - p[0];
+                var y:Number = p[int(i + 1)] - p[1];
+                var z:Number = p[int(i + 2)] - p[2];
+                var squared:Number = x * x + y * y + z * z;
+                if (squared > most)
+                {
+                    most = squared;
+                    out.setNormal(x, y, z);
+                }
+            }
+        }
+
+        // Tries a displacement along the direction, and the one against it. The direction gets a length of 1 unless both are too long.
         private function tryDirection(cores:CorePair, out:ContactPoint):void
         {
             measure(cores);
+            var along:Vector3D = _along;
+            var squared:Number = along.x * along.x + along.y * along.y + along.z * along.z;
+            var least:Number = _back < _forth ? _back : _forth;
+            if (least > 0 && least * least >= out.depth * out.depth * squared)
+            {
+                return;
+            }
+            var length:Number = Math.sqrt(squared);
+            along.x /= length;
+            along.y /= length;
+            along.z /= length;
+            _back /= length;
+            _forth /= length;
             var rounding:Number = Tolerances.ROUNDING * (cores.a.size + cores.b.size);
             var side:int = _back < _forth ? -1 : 1;
             if (_back - _forth <= rounding && _forth - _back <= rounding)
             {
                 // rounding hides on which side they are, but not where a comes from
-                var speed:Number = _along.x * cores.wayX + _along.y * cores.wayY + _along.z * cores.wayZ;
+                var speed:Number = along.x * cores.wayX + along.y * cores.wayY + along.z * cores.wayZ;
                 side = speed > 0 ? -1 : speed < 0 ? 1 : side;
             }
             keep(side, cores, out);
@@ -282,24 +277,19 @@ package starlogo.convex
             }
         }
 
-        // Finds how long the displacements along the direction and against it are. The direction gets a length of 1.
+        // Finds how long the displacements along the direction and against it are, times the direction's length.
         private function measure(cores:CorePair):void
         {
-            var along:Vector3D = _along;
-            var length:Number = Math.sqrt(along.x * along.x + along.y * along.y + along.z * along.z);
-            along.x /= length;
-            along.y /= length;
-            along.z /= length;
             project(cores.a);
             var lowA:Number = _low;
             var highA:Number = _high;
             project(cores.b);
-            var from:Number = along.x * cores.x + along.y * cores.y + along.z * cores.z;
+            var from:Number = _along.x * cores.x + _along.y * cores.y + _along.z * cores.z;
             _forth = _high - lowA - from;
             _back = highA - _low + from;
         }
 
-        // Finds how far a core extends along the direction, which has a length of 1.
+        // Finds how far a core extends along the direction.
         private function project(shape:ConvexShape):void
         {
             var p:Vector.<Number> = shape.points;
@@ -310,14 +300,14 @@ package starlogo.convex
             var high:Number = low;
             if (shape.isBox)
             {
-                // its origin is its middle
-                var alongX:Number = x * p[3] + y * p[4] + z * p[5] - low;
-                var alongY:Number = x * p[6] + y * p[7] + z * p[8] - low;
-                var alongZ:Number = x * p[12] + y * p[13] + z * p[14] - low;
-                alongX = alongX < 0 ? -alongX : alongX;
-                alongY = alongY < 0 ? -alongY : alongY;
-                alongZ = alongZ < 0 ? -alongZ : alongZ;
-                high = (alongX + alongY + alongZ) / 2;
+                // its origin is its middle, and each corner is opposite to one of these four
+                var along:Number = Math.abs(x * p[3] + y * p[4] + z * p[5]);
+                high = Math.abs(low);
+                high = along > high ? along : high;
+                along = Math.abs(x * p[6] + y * p[7] + z * p[8]);
+                high = along > high ? along : high;
+                along = Math.abs(x * p[12] + y * p[13] + z * p[14]);
+                high = along > high ? along : high;
                 low = -high;
             }
             else

@@ -10,15 +10,17 @@ package starlogo.intersection
 
     use namespace engine;
 
-    /** The kernel of any two structures of which one is a hull, or another convex structure: the convex core decides. */
-    internal final class ConvexKernel extends PairKernel
+    /**
+     * The kernel of any two convex structures, in any order: the convex core decides. It answers for hulls, and for the other kernels what they do not
+     * answer themselves.
+     *
+     * @private
+     */
+    public final class ConvexKernel extends PairKernel
     {
         private var _pair:ConvexPair = new ConvexPair();
         private var _a:ConvexShape = new ConvexShape();
         private var _b:ConvexShape = new ConvexShape();
-
-        // Where a stands for a contact.
-        private var _standing:RelativeMotion = new RelativeMotion(0);
 
         /** @inheritDoc */
         override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
@@ -44,10 +46,14 @@ package starlogo.intersection
         override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
             setShapes(a, b);
-            _standing.startX = displacement.startX;
-            _standing.startY = displacement.startY;
-            _standing.startZ = displacement.startZ;
-            _pair.findContact(_a, _b, _standing, out);
+            _pair.findContact(_a, _b, displacement, out);
+        }
+
+        /** Finds the contact of two structures whose cores touch or overlap. It is faster than <code>findContact()</code>. */
+        public function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        {
+            setShapes(a, b);
+            _pair.findOverlap(_a, _b, displacement, out);
         }
 
         /** @inheritDoc */

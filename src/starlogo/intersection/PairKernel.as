@@ -43,7 +43,7 @@ package starlogo.intersection
          *
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space
-         * @param displacement moves a from its stored place to the motion's start
+         * @param displacement moves a from its stored place to the motion's start; its other numbers are 0
          * @param out receives the contact
          * @throws ArgumentError if the pair has no such test
          */

@@ -6,13 +6,13 @@ package starlogo.intersection
     use namespace engine;
 
     /**
-     * Finds the kernel of a pair of structures by their two kinds. The convex core tests every pair
-     * with a hull.
+     * Finds the kernel of two structures by their kinds. The package intersection says how two structures meet: whether they touch
+     * (<code>intersects()</code>, a function for each pair), when they first do (<code>sweep</code>), how they overlap (<code>contact</code>), how far apart
+     * they are (<code>distance</code>), and where a ray meets one (<code>ray</code>); ConvexTriangle tests a shape against triangles. Read
+     * PairKernel next, which has the questions, then RoundKernel and SphereCapsuleGap.
      *
-     * <p>The package intersection says how two structures meet: whether they touch (<code>intersects()</code>), when they first do
-     * (<code>sweep</code>), how they overlap (<code>contact</code>), how far apart they are (<code>distance</code>), and where a ray meets one
-     * (<code>ray</code>). Whether they touch is a function for each pair; the rest is a kernel for each pair, and ConvexTriangle tests a
-     * shape against triangles. Read PairKernel first, then SphereCapsuleKernel and NewtonSteps.</p>
+     * <p>Spheres, capsules and boxes have kernels of their own, because the convex core takes two to eleven times as long. It decides about hulls,
+     * and in all other pairs where two cores overlap.</p>
      *
      * @private
      */
@@ -32,24 +32,22 @@ package starlogo.intersection
         private static function makeKernels():Vector.<PairKernel>
         {
             var kernels:Vector.<PairKernel> = new Vector.<PairKernel>(KINDS * KINDS, true);
-            var missing:PairKernel = new PairKernel();
-            for (var i:int = 0; i < kernels.length; i++)
+            var convex:ConvexKernel = new ConvexKernel();
+            for (var kind:int = 0; kind < KINDS; kind++)
             {
-                kernels[i] = missing;
+                kernels[KINDS * kind + BoundingStructure.HULL] = kernels[KINDS * BoundingStructure.HULL + kind] = convex;
+            }
+            var missing:PairKernel = new PairKernel();
+            for (kind = 0; kind < KINDS; kind++)
+            {
+                kernels[KINDS * kind + BoundingStructure.OTHER] = kernels[KINDS * BoundingStructure.OTHER + kind] = missing;
             }
             addPair(kernels, BoundingStructure.SPHERE, BoundingStructure.SPHERE, new SphereSphereKernel());
-            addPair(kernels, BoundingStructure.SPHERE, BoundingStructure.CAPSULE, new SphereCapsuleKernel());
-            addPair(kernels, BoundingStructure.SPHERE, BoundingStructure.BOX, new SphereBoxKernel());
-            addPair(kernels, BoundingStructure.CAPSULE, BoundingStructure.CAPSULE, new CapsuleCapsuleKernel());
-            addPair(kernels, BoundingStructure.CAPSULE, BoundingStructure.BOX, new CapsuleBoxKernel());
-            addPair(kernels, BoundingStructure.BOX, BoundingStructure.BOX, new BoxBoxKernel());
-            for (var b:int = BoundingStructure.HULL; b < BoundingStructure.KIND_COUNT; b++)
-            {
-                for (var a:int = 0; a <= b; a++)
-                {
-                    addPair(kernels, a, b, new ConvexKernel());
-                }
-            }
+            addPair(kernels, BoundingStructure.SPHERE, BoundingStructure.CAPSULE, new RoundKernel(new SphereCapsuleGap(), convex));
+            addPair(kernels, BoundingStructure.SPHERE, BoundingStructure.BOX, new RoundKernel(new SphereBoxGap(), convex));
+            addPair(kernels, BoundingStructure.CAPSULE, BoundingStructure.CAPSULE, new RoundKernel(new CapsuleCapsuleGap(), convex));
+            addPair(kernels, BoundingStructure.CAPSULE, BoundingStructure.BOX, new RoundKernel(new CapsuleBoxGap(), convex));
+            addPair(kernels, BoundingStructure.BOX, BoundingStructure.BOX, new BoxBoxKernel(convex));
             return kernels;
         }
 

@@ -5,10 +5,8 @@ package starlogo.intersection
     import starlogo.bounding.Sphere;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
+    import starlogo.convex.CoreGap;
     import starlogo.convex.RelativeMotion;
-    import starlogo.intersection.contact.placeContact;
-    import starlogo.intersection.distance.RoundGap;
-    import starlogo.intersection.distance.moveToSurfaces;
     import starlogo.intersection.sweep.findSphereEntry;
 
     /**
@@ -18,71 +16,50 @@ package starlogo.intersection
      */
     public final class SphereSphereKernel extends PairKernel
     {
-        private var _gap:RoundGap = new RoundGap();
+        private var _gap:CoreGap = new CoreGap();
 
         /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            var sphere:Sphere = a as Sphere;
-            var other:Sphere = b as Sphere;
-            var center:Vector3D = sphere.center;
-            var middle:Vector3D = other.center;
-            var gap:RoundGap = _gap;
-            gap.x = center.x - middle.x + motion.startX;
-            gap.y = center.y - middle.y + motion.startY;
-            gap.z = center.z - middle.z + motion.startZ;
-            gap.radiusA = sphere.radius;
-            gap.radiusB = other.radius;
-            findSphereEntry(gap, motion);
+            setGap(a as Sphere, b as Sphere, motion);
+            findSphereEntry(_gap, motion);
         }
 
         /** @inheritDoc */
         override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            var sphere:Sphere = a as Sphere;
-            var other:Sphere = b as Sphere;
-            var center:Vector3D = sphere.center;
-            var middle:Vector3D = other.center;
-            out.x = displacement.startX + center.x;
-            out.y = displacement.startY + center.y;
-            out.z = displacement.startZ + center.z;
-            var x:Number = out.x - middle.x;
-            var y:Number = out.y - middle.y;
-            var z:Number = out.z - middle.z;
-            var squared:Number = x * x + y * y + z * z;
-            out.depth = sphere.radius + other.radius;
+            var gap:CoreGap = _gap;
+            setGap(a as Sphere, b as Sphere, displacement);
             // The difference of two points has a direction, however short it is.
-            if (squared > 0)
+            if (!(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z > 0))
             {
-                var length:Number = Math.sqrt(squared);
-                out.setNormal(x / length, y / length, z / length);
-                out.depth -= length;
+                gap.x = gap.y = 0;
+                gap.z = 1e-150;
             }
-            else
-            {
-                out.setNormal(0, 0, 1);
-            }
-            _gap.radiusA = sphere.radius;
-            placeContact(_gap, out);
+            out.setFromGap(gap, displacement);
         }
 
         /** @inheritDoc */
         override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
-            var sphere:Sphere = a as Sphere;
-            var other:Sphere = b as Sphere;
-            var center:Vector3D = sphere.center;
-            var middle:Vector3D = other.center;
-            var gap:RoundGap = _gap;
-            gap.x = center.x - middle.x;
-            gap.y = center.y - middle.y;
-            gap.z = center.z - middle.z;
-            gap.radiusA = sphere.radius;
-            gap.radiusB = other.radius;
-            out.aX = center.x;
-            out.aY = center.y;
-            out.aZ = center.z;
-            moveToSurfaces(gap, out);
+            setGap(a as Sphere, b as Sphere, RelativeMotion.NONE);
+            out.setFromGap(_gap);
+        }
+
+        // Sets the gap at the motion's start.
+        private function setGap(a:Sphere, b:Sphere, motion:RelativeMotion):void
+        {
+            var gap:CoreGap = _gap;
+            var center:Vector3D = a.center;
+            var other:Vector3D = b.center;
+            gap.pointX = center.x;
+            gap.pointY = center.y;
+            gap.pointZ = center.z;
+            gap.x = center.x - other.x + motion.startX;
+            gap.y = center.y - other.y + motion.startY;
+            gap.z = center.z - other.z + motion.startZ;
+            gap.radiusA = a.radius;
+            gap.radiusB = b.radius;
         }
     }
 }

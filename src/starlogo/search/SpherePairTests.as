@@ -4,12 +4,12 @@ package starlogo.search
     import starlogo.bounding.Sphere;
     import starlogo.broadphase.Extents;
     import starlogo.convex.ContactPoint;
+    import starlogo.convex.CoreGap;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.SphereSphereKernel;
-    import starlogo.intersection.distance.RoundGap;
     import starlogo.intersection.sweep.findSphereEntry;
 
     use namespace engine;
@@ -28,7 +28,7 @@ package starlogo.search
         private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
 
         // The vector from the second middle to the first. Its radius A is the largest distance of the two at which the spheres touch.
-        private var _gap:RoundGap = new RoundGap();
+        private var _gap:CoreGap = new CoreGap();
         private var _kernel:SphereSphereKernel = new SphereSphereKernel();
         private var _displacement:RelativeMotion = new RelativeMotion();
 

@@ -5,9 +5,7 @@ package starlogo.intersection.contact
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
-    import starlogo.convex.ContactFeature;
     import starlogo.convex.RelativeMotion;
-    import starlogo.geometry.Tolerances;
 
     /**
      * A structure's core as a sum of segments about a middle: three segments for a box, one for a capsule's axis, none for a sphere's centre. A hull
@@ -36,7 +34,6 @@ package starlogo.intersection.contact
 
         private var _halves:Vector.<Number> = new Vector.<Number>(3, true);
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
-        private var _step:Vector3D = new Vector3D();
 
         /**
          * Sets the sum to a structure.
@@ -121,32 +118,6 @@ package starlogo.intersection.contact
                 out.x += along * directions[at];
                 out.y += along * directions[int(at + 1)];
                 out.z += along * directions[int(at + 2)];
-            }
-        }
-
-        /** Writes the feature that is farthest in a direction: a corner, an edge or a face. */
-        public function supportInto(feature:ContactFeature, direction:Vector3D):void
-        {
-            feature.clear();
-            _step.setTo(x, y, z);
-            feature.add(_step);
-            for (var at:int = 0; at < end; at += 3)
-            {
-                var dx:Number = directions[at];
-                var dy:Number = directions[int(at + 1)];
-                var dz:Number = directions[int(at + 2)];
-                var half:Number = _halves[int(at / 3)];
-                var along:Number = dx * direction.x + dy * direction.y + dz * direction.z;
-                half = along < -Tolerances.DIRECTION ? -half : half;
-                _step.setTo(half * dx, half * dy, half * dz);
-                if (along > Tolerances.DIRECTION || along < -Tolerances.DIRECTION)
-                {
-                    feature.move(_step);
-                }
-                else if (half > 0)
-                {
-                    feature.widen(_step);
-                }
             }
         }
 

@@ -1,7 +1,7 @@
 package starlogo.intersection.sweep
 {
+    import starlogo.convex.CoreGap;
     import starlogo.convex.RelativeMotion;
-    import starlogo.intersection.distance.RoundGap;
 
     /**
      * Finds when two spheres first touch, in closed form: the path of one centre enters a sphere around the other centre. The radius of that
@@ -11,7 +11,7 @@ package starlogo.intersection.sweep
      * @param motion the motion of the one centre; its start is not used. Receives the time, from 0 to 1, or RelativeMotion.NEVER
      * @private
      */
-    public function findSphereEntry(gap:RoundGap, motion:RelativeMotion):void
+    public function findSphereEntry(gap:CoreGap, motion:RelativeMotion):void
     {
         var x:Number = gap.x;
         var y:Number = gap.y;

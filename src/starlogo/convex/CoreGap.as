@@ -1,0 +1,43 @@
+package starlogo.convex
+{
+    import flash.geom.Vector3D;
+
+    /**
+     * The gap between the closest points of two cores, as a record. A core is a sphere's centre, a capsule's axis, or a whole box, triangle or hull.
+     * Two shapes touch when the gap between their cores is as long as the sum of their radii.
+     *
+     * @private
+     */
+    public final class CoreGap
+    {
+        /** The vector from the second core's closest point to the first core's. */
+        public var x:Number = 0;
+        public var y:Number = 0;
+        public var z:Number = 0;
+
+        /** The first core's closest point. */
+        public var pointX:Number = 0;
+        public var pointY:Number = 0;
+        public var pointZ:Number = 0;
+
+        /** The radius around the first core. */
+        public var radiusA:Number = 0;
+
+        /** The radius around the second core. */
+        public var radiusB:Number = 0;
+
+        /** The size of both shapes together. The rounding error of the gap is relative to it. */
+        public var size:Number = 0;
+
+        /** Turns the vector out of three perpendicular axes. */
+        public function rotateFrom(axisX:Vector3D, axisY:Vector3D, axisZ:Vector3D):void
+        {
+            var alongX:Number = x;
+            var alongY:Number = y;
+            var alongZ:Number = z;
+            x = alongX * axisX.x + alongY * axisY.x + alongZ * axisZ.x;
+            y = alongX * axisX.y + alongY * axisY.y + alongZ * axisZ.y;
+            z = alongX * axisX.z + alongY * axisY.z + alongZ * axisZ.z;
+        }
+    }
+}

@@ -1,0 +1,44 @@
+package starlogo.intersection
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.CoreGap;
+    import starlogo.convex.RelativeMotion;
+
+    /**
+     * Finds the gap between the cores of two structures, one of which moves. RoundKernel answers its questions by the gap. Abstract: there is a
+     * class for each pair of kinds. Between the calls it keeps the two structures, in axes of its own in which the gap is easy to find.
+     *
+     * @private
+     */
+    public class GapFinder
+    {
+        /** Whether b comes before a, so that the distance of (b, a) is found in place of that of (a, b). Then rounding is the same for both. */
+        public function areSwapped(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            return false;
+        }
+
+        /**
+         * Begins with two structures.
+         *
+         * @param a of the pair's first kind; kept
+         * @param b of the pair's second kind, in the same space; kept
+         * @param motion the motion of a
+         * @param way receives the motion in the finder's axes: where a's core is at time 0 as seen from b's, and how it moves from there
+         * @param out receives the radii and the size
+         */
+        public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, way:RelativeMotion, out:CoreGap):void
+        {
+        }
+
+        /** Finds the gap at the way's time. It is a vector in the finder's axes. */
+        public function find(way:RelativeMotion, out:CoreGap):void
+        {
+        }
+
+        /** Turns the gap that was found last into the structures' space, and writes the closest point of a, where a is stored. */
+        public function finish(out:CoreGap):void
+        {
+        }
+    }
+}

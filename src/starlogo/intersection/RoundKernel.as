@@ -1,0 +1,178 @@
+package starlogo.intersection
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.CoreGap;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * The kernel of two structures of which at least one is a sphere or a capsule: the gap between their cores and the radii answer all questions.
+     * A GapFinder for each pair of kinds finds the gap. Where the cores overlap there is none, and the convex core finds the contact.
+     *
+     * @private
+     */
+    public final class RoundKernel extends PairKernel
+    {
+        private static const MOST_STEPS:int = 80;
+
+        private var _finder:GapFinder;
+        private var _convex:ConvexKernel;
+
+        // The motion in the finder's axes, and the gap at its time.
+        private var _way:RelativeMotion = new RelativeMotion();
+        private var _gap:CoreGap = new CoreGap();
+
+        /**
+         * @param finder finds the gap of the kernel's pairs
+         * @param convex finds their contact if the cores overlap
+         */
+        public function RoundKernel(finder:GapFinder, convex:ConvexKernel)
+        {
+            _finder = finder;
+            _convex = convex;
+        }
+
+        /** @inheritDoc */
+        override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        {
+            begin(a, b, motion);
+            motion.findRounding();
+            var gap:CoreGap = _gap;
+            var way:RelativeMotion = _way;
+            var radii:Number = gap.radiusA + gap.radiusB;
+            var reach:Number = radii * Tolerances.TOUCHING + motion.rounding;
+            var squared:Number = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
+            if (squared <= reach * reach)
+            {
+                motion.time = 0;
+                return;
+            }
+            motion.time = RelativeMotion.NEVER;
+            var closing:Number = -(gap.x * way.x + gap.y * way.y + gap.z * way.z);
+            if (closing > 0)
+            {
+                // most pairs need only this step of Newton's method
+                var distance:Number = Math.sqrt(squared);
+                way.time = (distance - radii) * distance / closing;
+                if (way.time <= motion.latest)
+                {
+                    findZero(motion);
+                }
+            }
+        }
+
+        /** @inheritDoc */
+        override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        {
+            begin(a, b, displacement);
+            var gap:CoreGap = _gap;
+            // If the gap is longer than this, it has a direction in spite of rounding.
+            var least:Number = Tolerances.DIRECTION * gap.size;
+            if (gap.x * gap.x + gap.y * gap.y + gap.z * gap.z > least * least)
+            {
+                _finder.finish(gap);
+                out.setFromGap(gap, displacement);
+            }
+            else
+            {
+                _convex.findOverlap(a, b, displacement, out);
+            }
+        }
+
+        /** @inheritDoc */
+        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
+        {
+            var areSwapped:Boolean = _finder.areSwapped(a, b);
+            begin(areSwapped ? b : a, areSwapped ? a : b, RelativeMotion.NONE);
+            _finder.finish(_gap);
+            out.setFromGap(_gap);
+            if (areSwapped)
+            {
+                out.swapShapes();
+            }
+        }
+
+        // Finds the gap at time 0.
+        private function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        {
+            _finder.begin(a, b, motion, _way, _gap);
+            _way.time = 0;
+            _finder.find(_way, _gap);
+        }
+
+        /*
+         * Finds when the gap is as long as the sum of the radii, by Newton's method, from its first step on. The distance of the cores is a convex
+         * function of time, so the method never steps over the first zero when it starts to the left of it. Each step shrinks the product of the gap
+         * and its slope to a quarter, and both are numbers of 53 bits. So 80 steps are enough. Should rounding need more, the time of the last step is
+         * the time of impact: the structures do not touch before, and their gap is at most rounding.
+         *
+         * If the cores are very close, rounding hides the direction of the gap, and with it the slope. Then a chord takes the place of the tangent: it
+         * goes through this distance and that of the step before, and does not step over the first zero either. A step that went too far because of
+         * rounding is halved.
+         */
+        private function findZero(motion:RelativeMotion):void
+        {
+            var gap:CoreGap = _gap;
+            var way:RelativeMotion = _way;
+            var radii:Number = gap.radiusA + gap.radiusB;
+            // A gap that is no longer than this has no certain direction.
+            var uncertain:Number = Tolerances.DIRECTION * gap.size;
+            var rounding:Number = radii < uncertain ? Tolerances.ROUNDING * gap.size : 0;
+            var reach:Number = radii * Tolerances.TOUCHING + motion.rounding + rounding;
+            var lastTime:Number = 0;
+            var lastDistance:Number = Math.sqrt(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z);
+            var hasOvershot:Boolean = false;
+            for (var step:int = 1; step < MOST_STEPS; step++)
+            {
+                _finder.find(way, gap);
+                var time:Number = way.time;
+                var squared:Number = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
+                if (4 * squared < radii * radii)
+                {
+                    // the slope had so large a rounding error that the step went beyond the zero
+                    way.time = (lastTime + time) / 2;
+                    hasOvershot = true;
+                    continue;
+                }
+                var isTouching:Boolean = squared <= reach * reach;
+                if (isTouching && (squared <= radii * radii || squared <= (reach - radii) * (reach - radii)))
+                {
+                    break;
+                }
+                var distance:Number = Math.sqrt(squared);
+                var closing:Number = -(gap.x * way.x + gap.y * way.y + gap.z * way.z);
+                var next:Number = RelativeMotion.NEVER;
+                if ((hasOvershot || distance < uncertain) && distance < lastDistance)
+                {
+                    next = time + (distance - radii) * (time - lastTime) / (lastDistance - distance);
+                }
+                else if (closing > 0)
+                {
+                    // when the plane between the closest points, moved along, has no gap left
+                    next = time + (distance - radii) * distance / closing;
+                }
+                if (isTouching)
+                {
+                    // They touch to within rounding. One more step makes up for a step that rounding may have skipped.
+                    way.time = next <= 1 ? next : time;
+                    break;
+                }
+                if (!(next > time))
+                {
+                    // The rest of the gap is so short that rounding leaves no step. They touch at this time.
+                    break;
+                }
+                if (!(next <= motion.latest))
+                {
+                    return;
+                }
+                lastTime = time;
+                lastDistance = distance;
+                way.time = next;
+            }
+            motion.time = way.time;
+        }
+    }
+}

@@ -1,0 +1,67 @@
+package starlogo.intersection
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Sphere;
+    import starlogo.convex.CoreGap;
+    import starlogo.convex.RelativeMotion;
+
+    /** Finds the gap between a sphere's centre and a box, in the box's axes. */
+    internal final class SphereBoxGap extends GapFinder
+    {
+        private var _sphere:Sphere = null;
+        private var _box:Box = null;
+
+        /** @inheritDoc */
+        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, way:RelativeMotion, out:CoreGap):void
+        {
+            var sphere:Sphere = a as Sphere;
+            var box:Box = b as Box;
+            var center:Vector3D = sphere.center;
+            var middle:Vector3D = box.center;
+            var x:Number = center.x - middle.x + motion.startX;
+            var y:Number = center.y - middle.y + motion.startY;
+            var z:Number = center.z - middle.z + motion.startZ;
+            _sphere = sphere;
+            _box = box;
+            var axis:Vector3D = box.axisX;
+            way.startX = axis.x * x + axis.y * y + axis.z * z;
+            way.x = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
+            axis = box.axisY;
+            way.startY = axis.x * x + axis.y * y + axis.z * z;
+            way.y = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
+            axis = box.axisZ;
+            way.startZ = axis.x * x + axis.y * y + axis.z * z;
+            way.z = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
+            out.radiusA = sphere.radius;
+            out.size = box.halfX + box.halfY + box.halfZ + out.radiusA;
+        }
+
+        /** @inheritDoc */
+        override public function find(way:RelativeMotion, out:CoreGap):void
+        {
+            var box:Box = _box;
+            var time:Number = way.time;
+            var x:Number = way.startX + time * way.x;
+            var y:Number = way.startY + time * way.y;
+            var z:Number = way.startZ + time * way.z;
+            var half:Number = box.halfX;
+            out.x = x > half ? x - half : (x < -half ? x + half : 0);
+            half = box.halfY;
+            out.y = y > half ? y - half : (y < -half ? y + half : 0);
+            half = box.halfZ;
+            out.z = z > half ? z - half : (z < -half ? z + half : 0);
+        }
+
+        /** @inheritDoc */
+        override public function finish(out:CoreGap):void
+        {
+            var center:Vector3D = _sphere.center;
+            out.pointX = center.x;
+            out.pointY = center.y;
+            out.pointZ = center.z;
+            out.rotateFrom(_box.axisX, _box.axisY, _box.axisZ);
+        }
+    }
+}

@@ -99,9 +99,19 @@ const UNUSED_PARTS = {
 	"function WebGLShadowMap": "function WebGLShadowMap() { this.enabled = false; this.render = () => {}; }",
 	"function WebGLMorphtargets": "function WebGLMorphtargets() {}",
 	"function WebGLUniformsGroups": "function WebGLUniformsGroups() { this.dispose = () => {}; }",
+	"function WebGLUtils": "function WebGLUtils(gl) { return { convert: (p) => ({ [UnsignedByteType]: gl.UNSIGNED_BYTE, [RGBAFormat]: gl.RGBA })[p] ?? null }; }",
 	"function WebGLCubeMaps": "function WebGLCubeMaps() { return { get: (texture) => texture, dispose() {} }; }",
 	"function WebGLCubeUVMaps": "function WebGLCubeUVMaps() { return { get: (texture) => texture, dispose() {} }; }",
 };
+
+/**
+ * Functions within three.js's renderer that the page never reaches: it draws into no other target than the canvas, has textures of no more
+ * than two dimensions, and the materials of UNUSED_SHADERS are not there. Each becomes empty.
+ */
+const UNUSED_FUNCTIONS = ["renderTransmissionPass", "uploadCubeTexture", "setTexture3D", "setTexture2DArray", "setupRenderTarget", "setupDepthRenderbuffer", "setupDepthTexture", "setupFrameBufferTexture", "setupRenderBufferStorage",
+	"rebindTextures", "updateRenderTargetMipmap", "updateMultisampleRenderTarget", "deallocateRenderTarget", "refreshUniformsPhysical", "refreshUniformsStandard", "refreshUniformsToon", "refreshUniformsPhong", "refreshUniformsMatcap",
+	"refreshUniformsDistance", "refreshUniformsSprites", "refreshUniformsDash", "readRenderTargetPixels", "readRenderTargetPixelsAsync", "copyFramebufferToTexture", "copyTextureToTexture", "initRenderTarget", "compile", "compileAsync",
+	"setRenderTargetTextures", "setRenderTargetFramebuffer", "resetState"];
 
 /**
  * Classes of three.js for animations and files, which the page does not use. Bundlers keep them, because members are added after their
@@ -133,6 +143,11 @@ const leanThree = {
 				const to = text.indexOf("\n}\n", from);
 				if (from < 0 || to < 0) throw new Error(`${file} is not as it was: look for ${beginning}`);
 				text = `${text.slice(0, from)}\n${short}${text.slice(to + 2)}`;
+			}
+			for (const name of UNUSED_FUNCTIONS) {
+				const before = text;
+				text = text.replace(new RegExp(`^(\\t+)(function ${name}|this\\.${name} = (?:async )?function) ?\\([^)]*\\) \\{\\n[^]*?^\\1\\}`, "m"), "$1$2() {}");
+				if (text === before) throw new Error(`${file} is not as it was: look for ${name}`);
 			}
 			return { contents: text, loader: "js" };
 		});

@@ -355,6 +355,11 @@ test('a program that is changed while it runs has a button that says so', async 
 	assert.notEqual(await page.evaluate(() => globalThis.playground.world.agents.length), 7, 'it counts when the game begins anew');
 	await press(page, 'Start anew');
 	await page.waitForFunction(() => globalThis.playground.world.agents.length === 7);
+	// some browsers fade from colour to colour
+	await page.waitForFunction(([text, colour]) => {
+		const run = document.querySelector('.run');
+		return run.textContent === text && getComputedStyle(run).backgroundColor === colour;
+	}, before);
 	assert.deepEqual(await look(), before);
 	// while it stands still a change counts at once
 	await press(page, 'Stop');

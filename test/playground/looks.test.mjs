@@ -439,8 +439,8 @@ test('for teachers: each lesson has a page that is printed on one sheet, the sol
 	assert.deepEqual(said.splice(0), []);
 });
 
-test('Play\'s world loads 302 KB of scripts at most, Inspect 270 and Compare 270, and one language', async () => {
-	for (const [view, most] of Object.entries({ play: 302, inspect: 270, compare: 270 })) {
+test('Play\'s world loads 296 KB of scripts at most, Inspect 263 and Compare 263, and one language', async () => {
+	for (const [view, most] of Object.entries({ play: 296, inspect: 263, compare: 263 })) {
 		const context = await site.browser.newContext({ ...SIZES.laptop, locale: 'en-US' });
 		const page = await context.newPage();
 		// blocks are loaded after the world

@@ -7,7 +7,7 @@ import { MODEL_FILE } from "../shared/files.js";
 import { Lab } from "../shared/lab.js";
 import { loadLand } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
-import { openModel, ownModels } from "../shared/ownmodels.js";
+import { offerFile, ownModels } from "../shared/ownmodels.js";
 import { Sight } from "../shared/sight.js";
 import { orbitByKeys } from "../shared/stage.js";
 import { TraitSliders, dragAgents } from "../shared/traits.js";
@@ -117,13 +117,7 @@ class CompareView {
 
 	/** Gives agent A the model in a file. */
 	async openFile(file, files) {
-		this.shared.textContent = "";
-		try {
-			this.offer([[file.name, await openModel(file, files)]]);
-		} catch (error) {
-			this.shared.textContent = `${texts.inspect.broken(file.name, error.message)} ${texts.inspect.kinds}`;
-			return;
-		}
+		if (!await offerFile(this, this.shared, file, files)) return;
 		this.shapes[0].value = this.agents[0].shape = file.name;
 		this.#turnTo("pair");
 		this.#change();

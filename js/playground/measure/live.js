@@ -7,7 +7,7 @@ import { button, choice, field, h, short, slider, tick } from "../shared/dom.js"
 import { Figures } from "../shared/figures.js";
 import { failure, texts } from "../shared/language.js";
 import { Loop } from "../shared/loop.js";
-import { openModel } from "../shared/ownmodels.js";
+import { offerFile } from "../shared/ownmodels.js";
 import { loadRapier } from "../shared/served.js";
 import { Crowd, DRAWN } from "./crowd.js";
 import { Parts } from "./parts.js";
@@ -104,13 +104,7 @@ export class Live {
 
 	/** Lets all agents have the model in a file. */
 	async openFile(file, files) {
-		try {
-			this.offer([[file.name, await openModel(file, files)]]);
-		} catch (error) {
-			this.said.textContent = `${texts.inspect.broken(file.name, error.message)} ${texts.inspect.kinds}`;
-			return;
-		}
-		this.said.textContent = "";
+		if (!await offerFile(this, this.said, file, files)) return;
 		this.models.value = file.name;
 		this.#cast = [file.name];
 		this.#begin();

@@ -57,6 +57,21 @@ function whom(block, world) {
 /** The other agent of a collision block. */
 const touched = (block, world) => world.collidee ?? fail(texts.play.noCollidee(wordsOf(block.type)), block);
 
+/** Makes the function of a block that is about an agent and has an input: of the agent, the input's content, the block's fields and the world. */
+const withInput = (read, name, use, missing) => (block, world) => {
+	const get = read(block, name, world, missing);
+	return () => use(me(block, world), get(), block.fields, world);
+};
+const withNumber = (name, use) => withInput(number, name, use);
+const withValue = (name, use, missing) => withInput(value, name, use, missing);
+/** Makes the function of a block that needs a terrain, and that of one that raises it if hasHills. */
+const onTerrain = (make, hasHills = false) => (block, world) => {
+	world.needTerrain(hasHills);
+	return make(block, world);
+};
+/** The function of a block that is about an agent alone. */
+const about = (use) => (block, world) => () => use(me(block, world), block.fields, world);
+
 export const STATEMENTS = {
 	starlogo_system: (block, world) => () => world.isSystemFixed || world.useSystem(block.fields.SYSTEM),
 	starlogo_hierarchical: (block, world) => () => world.traits.setHierarchical(whom(block, world), block.fields.ON === "on"),
@@ -67,22 +82,13 @@ export const STATEMENTS = {
 	starlogo_collide_as: (block, world) => () => world.traits.collideAs(whom(block, world), block.fields.AS),
 	starlogo_show: (block, world) => () => world.structures.show(whom(block, world), block.fields.ON === "on"),
 	starlogo_sweep: (block, world) => () => world.sweep(whom(block, world), block.fields.ON === "on"),
-	starlogo_until: (block, world) => {
-		const steps = number(block, "STEPS", world);
-		return () => world.advance(me(block, world), steps(), breedOf(block.fields.BREED), block.fields.HOW);
-	},
-	starlogo_face: (block, world) => {
-		const agent = value(block, "AGENT", world, null);
-		return () => world.face(me(block, world), agent());
-	},
+	starlogo_until: withNumber("STEPS", (agent, steps, { BREED, HOW }, world) => world.advance(agent, steps, breedOf(BREED), HOW)),
+	starlogo_face: withValue("AGENT", (agent, other, fields, world) => world.face(agent, other), null),
 	starlogo_bounce: (block, world) => () => world.bounce(me(block, world), touched(block, world)),
 	starlogo_become: (block, world) => () => {
 		for (const agent of world.subjects(whom(block, world))) world.become(agent, block.fields.BREED);
 	},
-	starlogo_say: (block, world) => {
-		const text = value(block, "TEXT", world, "");
-		return () => world.say(me(block, world), said(text()));
-	},
+	starlogo_say: withValue("TEXT", (agent, text, fields, world) => world.say(agent, said(text)), ""),
 	starlogo_score_set: (block, world) => {
 		const score = number(block, "SCORE", world);
 		return () => {
@@ -119,29 +125,19 @@ export const STATEMENTS = {
 	starlogo_end: (block, world) => () => {
 		world.ended ??= { how: block.fields.HOW, text: block.fields.TEXT };
 	},
-	starlogo_forward: (block, world) => {
-		const steps = number(block, "STEPS", world);
-		return () => world.forward(me(block, world), steps());
-	},
-	starlogo_turn: (block, world) => {
-		const degrees = number(block, "DEGREES", world);
-		const sign = block.fields.DIRECTION === "left" ? 1 : -1;
-		return () => {
-			me(block, world).heading += sign * degrees();
-		};
-	},
-	starlogo_up: (block, world) => {
-		const steps = number(block, "STEPS", world);
-		return () => {
-			me(block, world).z += steps();
-		};
-	},
+	starlogo_forward: withNumber("STEPS", (agent, steps, fields, world) => world.forward(agent, steps)),
+	starlogo_turn: withNumber("DEGREES", (agent, degrees, { DIRECTION }) => {
+		agent.heading += DIRECTION === "left" ? degrees : -degrees;
+	}),
+	starlogo_up: withNumber("STEPS", (agent, steps) => {
+		agent.z += steps;
+	}),
 	starlogo_go: (block, world) => {
 		const [x, y, z] = ["X", "Y", "Z"].map((name) => number(block, name, world));
 		return () => me(block, world).jumpTo(x(), y(), z());
 	},
-	starlogo_scatter: (block, world) => () => world.scatter(me(block, world)),
-	starlogo_back: (block, world) => () => world.goBack(me(block, world), world.collidee),
+	starlogo_scatter: about((agent, fields, world) => world.scatter(agent)),
+	starlogo_back: about((agent, fields, world) => world.goBack(agent, world.collidee)),
 	starlogo_mound: (block, world) => {
 		const [high, wide] = ["HEIGHT", "WIDTH"].map((name) => number(block, name, world));
 		world.needTerrain(true);
@@ -150,84 +146,42 @@ export const STATEMENTS = {
 			world.terrain.raiseMound(x, y, wide(), high());
 		};
 	},
-	starlogo_wall: (block, world) => {
-		const high = number(block, "HEIGHT", world);
-		world.needTerrain(true);
-		return () => {
-			const { x, y } = me(block, world);
-			world.terrain.raiseWall(x, y, high());
-		};
-	},
+	starlogo_wall: onTerrain(withNumber("HEIGHT", ({ x, y }, high, fields, world) => world.terrain.raiseWall(x, y, high)), true),
 	starlogo_raise: (block, world) => {
 		const [by, x, y] = ["HEIGHT", "X", "Y"].map((name) => number(block, name, world));
 		world.needTerrain(true);
 		return () => world.edges.raiseGround(x(), y(), by());
 	},
 	starlogo_broadcast: (block, world) => () => world.broadcast(block.fields.MESSAGE),
-	starlogo_own_set: (block, world) => {
-		const get = value(block, "VALUE", world);
-		return () => world.setOwn(me(block, world), block.fields.NAME, get());
-	},
-	starlogo_own_change: (block, world) => {
-		const by = number(block, "DELTA", world);
-		return () => {
-			const agent = me(block, world);
-			world.setOwn(agent, block.fields.NAME, Number(agent.own[block.fields.NAME] ?? 0) + by());
-		};
-	},
+	starlogo_own_set: withValue("VALUE", (agent, own, { NAME }, world) => world.setOwn(agent, NAME, own)),
+	starlogo_own_change: withNumber("DELTA", (agent, by, { NAME }, world) => world.setOwn(agent, NAME, Number(agent.own[NAME] ?? 0) + by)),
 	starlogo_own_show: (block, world) => () => world.showOwn(block.fields.NAME, block.fields.ON === "on"),
-	starlogo_flat: (block, world) => {
-		world.needTerrain();
-		return () => world.terrain.reset();
-	},
+	starlogo_flat: onTerrain((block, world) => () => world.terrain.reset()),
 	starlogo_solid: (block, world) => () => world.setSolid(block.fields.BREED, block.fields.ON === "on"),
 	starlogo_push: (block, world) => () => world.contacts.pushAway(me(block, world), touched(block, world)),
-	starlogo_walk: (block, world) => {
-		const steps = number(block, "STEPS", world);
-		world.needTerrain();
-		return () => world.walk(me(block, world), steps());
-	},
-	starlogo_jump: (block, world) => {
-		const height = number(block, "HEIGHT", world);
-		world.needTerrain();
-		return () => {
-			const agent = me(block, world);
-			agent.rise = world.walking.jump(agent, height(), agent.rise);
-		};
-	},
-	starlogo_fall: (block, world) => {
-		world.needTerrain();
-		return () => {
-			const agent = me(block, world);
-			agent.rise = world.walking.fall(agent, agent.rise);
-		};
-	},
+	starlogo_walk: onTerrain(withNumber("STEPS", (agent, steps, fields, world) => world.walk(agent, steps))),
+	starlogo_jump: onTerrain(withNumber("HEIGHT", (agent, height, fields, world) => {
+		agent.rise = world.walking.jump(agent, height, agent.rise);
+	})),
+	starlogo_fall: onTerrain(about((agent, fields, world) => {
+		agent.rise = world.walking.fall(agent, agent.rise);
+	})),
 	starlogo_edge: (block, world) => {
 		world.needEdges();
 		return () => world.edges[`${block.fields.HOW}Edge`](me(block, world));
 	},
-	starlogo_stand: (block, world) => {
-		world.needTerrain();
-		return () => {
-			const agent = me(block, world);
-			agent.z = world.groundBelow(agent);
-		};
-	},
+	starlogo_stand: onTerrain(about((agent, fields, world) => {
+		agent.z = world.groundBelow(agent);
+	})),
 	starlogo_delete: (block, world) => () => {
 		for (const agent of world.subjects(whom(block, world))) world.remove(agent);
 	},
-	starlogo_size: (block, world) => {
-		const size = number(block, "SIZE", world);
-		return () => {
-			me(block, world).size = size();
-		};
-	},
-	starlogo_heading: (block, world) => {
-		const heading = number(block, "HEADING", world);
-		return () => {
-			me(block, world).heading = heading();
-		};
-	},
+	starlogo_size: withNumber("SIZE", (agent, size) => {
+		agent.size = size;
+	}),
+	starlogo_heading: withNumber("HEADING", (agent, heading) => {
+		agent.heading = heading;
+	}),
 	starlogo_colour: (block, world) => {
 		const colour = value(block, "COLOUR", world);
 		return () => world.paint(whom(block, world), Number(colour()));
@@ -288,35 +242,14 @@ const VALUES = {
 	logic_boolean: (block) => () => block.fields.BOOL === "TRUE",
 	variables_get: (block, world) => () => world.variables[block.fields.VAR.id] ?? 0,
 	text: (block) => () => block.fields.TEXT,
-	starlogo_own: (block, world) => () => me(block, world).own[block.fields.NAME] ?? 0,
-	starlogo_trait: (block, world) => () => world.traitOf(me(block, world), block.fields.TRAIT),
+	starlogo_own: about((agent, { NAME }) => agent.own[NAME] ?? 0),
+	starlogo_trait: about((agent, { TRAIT }, world) => world.traitOf(agent, TRAIT)),
 	starlogo_agent: (block, world) => () => whom(block, world),
-	starlogo_count: (block, world) => {
-		const distance = number(block, "DISTANCE", world);
-		return () => world.senses.countWithin(me(block, world), breedOf(block.fields.BREED), distance());
-	},
-	starlogo_number_of: (block, world) => {
-		const colour = value(block, "COLOUR", world);
-		return () => world.senses.countWith(me(block, world), breedOf(block.fields.BREED), "color", colour());
-	},
-	starlogo_nearest: (block, world) => {
-		const distance = number(block, "DISTANCE", world);
-		return () => world.senses.nearestWithin(me(block, world), breedOf(block.fields.BREED), distance());
-	},
-	starlogo_distance: (block, world) => {
-		const agent = value(block, "AGENT", world, null);
-		return () => {
-			const other = agent();
-			return other ? world.senses.distanceTo(me(block, world), other) : FAR;
-		};
-	},
-	starlogo_can_see: (block, world) => {
-		const agent = value(block, "AGENT", world, null);
-		return () => {
-			const other = agent();
-			return other !== null && world.senses.canSee(me(block, world), other);
-		};
-	},
+	starlogo_count: withNumber("DISTANCE", (agent, distance, { BREED }, world) => world.senses.countWithin(agent, breedOf(BREED), distance)),
+	starlogo_number_of: withValue("COLOUR", (agent, colour, { BREED }, world) => world.senses.countWith(agent, breedOf(BREED), "color", colour)),
+	starlogo_nearest: withNumber("DISTANCE", (agent, distance, { BREED }, world) => world.senses.nearestWithin(agent, breedOf(BREED), distance)),
+	starlogo_distance: withValue("AGENT", (agent, other, fields, world) => (other ? world.senses.distanceTo(agent, other) : FAR), null),
+	starlogo_can_see: withValue("AGENT", (agent, other, fields, world) => other !== null && world.senses.canSee(agent, other), null),
 	starlogo_side: (block, world) => () => {
 		const [agent, other] = [me(block, world), touched(block, world)];
 		return (block.fields.WHO === "me" ? world.contacts.sideHit(agent, other) : world.contacts.sideHit(other, agent)) === block.fields.SIDE;
@@ -325,28 +258,16 @@ const VALUES = {
 		const [agent, other] = [me(block, world), touched(block, world)];
 		return block.fields.TOUCH === "speed" ? world.speedOf(agent, other) : world.contacts.touchPoint(agent, other)[block.fields.TOUCH];
 	},
-	starlogo_ahead: (block, world) => {
-		const distance = number(block, "DISTANCE", world);
-		return () => world.senses.ahead(me(block, world), breedOf(block.fields.BREED), distance());
-	},
-	starlogo_free: (block, world) => {
-		const distance = number(block, "DISTANCE", world);
-		return () => Math.min(FAR, world.senses.distanceAhead(me(block, world), breedOf(block.fields.BREED), distance()));
-	},
-	starlogo_standing: (block, world) => {
-		world.needTerrain();
-		return () => {
-			const below = world.walking.standsOn(me(block, world));
-			return below !== null && (block.fields.BREED === "anyone" || below.breed === block.fields.BREED);
-		};
-	},
-	starlogo_floor: (block, world) => {
-		world.needTerrain();
-		return () => {
-			const below = world.walking.standsOn(me(block, world));
-			return below instanceof Being ? below : null;
-		};
-	},
+	starlogo_ahead: withNumber("DISTANCE", (agent, distance, { BREED }, world) => world.senses.ahead(agent, breedOf(BREED), distance)),
+	starlogo_free: withNumber("DISTANCE", (agent, distance, { BREED }, world) => Math.min(FAR, world.senses.distanceAhead(agent, breedOf(BREED), distance))),
+	starlogo_standing: onTerrain(about((agent, { BREED }, world) => {
+		const below = world.walking.standsOn(agent);
+		return below !== null && (BREED === "anyone" || below.breed === BREED);
+	})),
+	starlogo_floor: onTerrain(about((agent, fields, world) => {
+		const below = world.walking.standsOn(agent);
+		return below instanceof Being ? below : null;
+	})),
 	starlogo_at_edge: (block, world) => {
 		world.needEdges();
 		return () => {
@@ -354,15 +275,9 @@ const VALUES = {
 			return edge !== null && (block.fields.EDGE === "any" || block.fields.EDGE === edge);
 		};
 	},
-	starlogo_touching: (block, world) => () => world.senses.isTouching(me(block, world), breedOf(block.fields.BREED)),
-	starlogo_ground_height: (block, world) => {
-		world.needTerrain();
-		return () => world.groundBelow(me(block, world));
-	},
-	starlogo_on_ground: (block, world) => {
-		world.needTerrain();
-		return () => world.senses.isTouching(me(block, world), Collision.TERRAIN);
-	},
+	starlogo_touching: about((agent, { BREED }, world) => world.senses.isTouching(agent, breedOf(BREED))),
+	starlogo_ground_height: onTerrain(about((agent, fields, world) => world.groundBelow(agent))),
+	starlogo_on_ground: onTerrain(about((agent, fields, world) => world.senses.isTouching(agent, Collision.TERRAIN))),
 	starlogo_key_down: (block, world) => () => world.held.has(block.fields.KEY),
 	starlogo_mouse: (block, world) => () => (block.fields.MOUSE === "down" ? world.mouse.isDown : world.mouse[block.fields.MOUSE]),
 	starlogo_score: (block, world) => () => world.score ?? 0,

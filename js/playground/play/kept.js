@@ -48,22 +48,17 @@ export class Models {
 
 	/** Makes a shape for agents from a file and the files that came with it. Gives it a name that is not in use. */
 	async add(file, files) {
-		let bytes;
+		let [bytes, name] = [null, null];
 		try {
 			bytes = await contentOf(file, files);
+			name = this.#nameOf(bytes);
+			if (name === null) {
+				name = this.#freeName(file.name.replace(MODEL_FILE, ""));
+				await this.#take(name, bytes);
+			}
 		} catch (error) {
 			this.view.say(words.brokenModel(error.message), true);
 			return;
-		}
-		let name = this.#nameOf(bytes);
-		if (name === null) {
-			name = this.#freeName(file.name.replace(MODEL_FILE, ""));
-			try {
-				await this.#take(name, bytes);
-			} catch (error) {
-				this.view.say(words.brokenModel(error.message), true);
-				return;
-			}
 		}
 		await this.#keep(name, bytes);
 	}

@@ -104,15 +104,9 @@ export class Placing {
 		const block = workspace.getBlockById(blockId);
 		if (!block || block.getParent()) return;
 		const place = block.getBoundingRectangle();
-		const { left } = place;
-		const others = workspace.getTopBlocks(false).filter((each) => each !== block).map((each) => each.getBoundingRectangle());
-		for (let other = null; (other = others.find((each) => each.intersects(place))); ) {
-			const by = other.right + GAP - place.left;
-			place.left += by;
-			place.right += by;
-		}
-		if (place.left === left) return;
-		within(group, () => block.moveBy(place.left - left, 0));
+		const by = moveBeyond(place, workspace.getTopBlocks(false).filter((each) => each !== block).map((each) => each.getBoundingRectangle()), "left", "right");
+		if (by === 0) return;
+		within(group, () => block.moveBy(by, 0));
 		workspace.scrollBoundsIntoView(place);
 	}
 
@@ -144,18 +138,24 @@ export class Placing {
 		const taken = [];
 		for (const block of scripts) {
 			const place = block.getBoundingRectangle();
-			const { top } = place;
-			for (let other = null; (other = taken.find((each) => each.intersects(place))); ) {
-				const by = other.bottom + GAP - place.top;
-				place.top += by;
-				place.bottom += by;
-			}
+			const by = moveBeyond(place, taken, "top", "bottom");
 			taken.push(place);
-			if (place.top === top) continue;
-			block.moveBy(0, place.top - top);
+			if (by === 0) continue;
+			block.moveBy(0, by);
 			if (block.id === moved) workspace.scrollBoundsIntoView(place);
 		}
 	}
+}
+
+/** Moves a place beyond all others that it would lie on, to the right or downwards. Returns how far. */
+function moveBeyond(place, others, begin, end) {
+	const before = place[begin];
+	for (let other = null; (other = others.find((each) => each.intersects(place))); ) {
+		const by = other[end] + GAP - place[begin];
+		place[begin] += by;
+		place[end] += by;
+	}
+	return place[begin] - before;
 }
 
 /** Changes blocks as a part of an earlier change, so that they are undone together. */

@@ -100,8 +100,8 @@ package starlogo.broadphase
             return _cells[row] != NONE;
         }
 
-        /** Makes a row a member at the place of its extents. */
-        public function put(row:int):void
+        /** Moves a row to the cell of its extents, and makes it a member. */
+        public function move(row:int):void
         {
             var level:BinLevel = _levels.byNumber[_extents.level[row]];
             if (level.mask == BinLevel.NO_CELLS)

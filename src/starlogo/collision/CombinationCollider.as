@@ -1,7 +1,8 @@
 package starlogo.collision
 {
     import starlogo.GreatLand;
-    import starlogo.search.TreesAndFits;
+    import starlogo.search.TightestFits;
+    import starlogo.search.Trees;
 
     /**
      * Finds collisions precisely for the agents that ask for it, and fast for all others. Agents with the trait <code>hierarchical</code>
@@ -23,7 +24,7 @@ package starlogo.collision
          */
         public function CombinationCollider(greatLand:GreatLand)
         {
-            super(new TreesAndFits(greatLand));
+            super(new Trees(greatLand, new TightestFits(greatLand)));
         }
     }
 }

@@ -29,11 +29,11 @@ package starlogo.collision
         private var _table:HandlerTable = null;
         private var _tracker:TouchTracker = null;
 
-        // The game's own list, which handlers may change. While every agent is at its index, _areInPlace is true. Afterwards _places has, by row,
+        // The game's own list, which handlers may change. While every agent is at its index, _isListUnchanged is true. Afterwards _indices has, by row,
         // the last known index in the game's list, or -1 once the agent was missing.
         private var _agents:Vector.<Agent> = null;
-        private var _areInPlace:Boolean;
-        private var _places:Vector.<int> = new Vector.<int>();
+        private var _isListUnchanged:Boolean;
+        private var _indices:Vector.<int> = new Vector.<int>();
 
         // The pairs whose handlers are called, by their indices; null for all pairs. Whether each pair has got its touch, with calls both ways.
         private var _chosen:NumberList;
@@ -60,7 +60,7 @@ package starlogo.collision
             _table = table;
             _tracker = tracker;
             _agents = agents;
-            _areInPlace = true;
+            _isListUnchanged = true;
             _step = _next = count = 0;
             _chosen = null;
             _areTouchesComplete = true;
@@ -280,17 +280,17 @@ package starlogo.collision
             var byRow:Vector.<Agent> = pairs.agents;
             var ranks:Vector.<int> = pairs.ranks;
             var isWorldAgent:Boolean = secondRow < ListedAgents.LISTED;
-            if (_areInPlace)
+            if (_isListUnchanged)
             {
                 if (agents.length == pairs.agentCount && agents[ranks[firstRow]] === byRow[firstRow]
                         && (isWorldAgent || agents[ranks[secondRow]] === byRow[secondRow]))
                 {
                     return true;
                 }
-                _areInPlace = false;
+                _isListUnchanged = false;
                 for (var row:int = 0; row < ranks.length; row++)
                 {
-                    _places[row] = ranks[row];
+                    _indices[row] = ranks[row];
                 }
             }
             return isListed(firstRow) && (isWorldAgent || isListed(secondRow));
@@ -301,7 +301,7 @@ package starlogo.collision
         private function isListed(row:int):Boolean
         {
             var agent:Agent = pairs.agents[row];
-            var place:int = _places[row];
+            var place:int = _indices[row];
             if (place >= 0 && (place >= _agents.length || _agents[place] !== agent))
             {
                 place = _agents.lastIndexOf(agent, place);
@@ -309,7 +309,7 @@ package starlogo.collision
                 {
                     place = _agents.indexOf(agent);
                 }
-                _places[row] = place;
+                _indices[row] = place;
             }
             return place >= 0;
         }

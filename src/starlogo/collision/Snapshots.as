@@ -25,16 +25,12 @@ package starlogo.collision
      * on; the ground; the traits. In a pair, the indices after those of the agents are the ground, the edges, and a ground and edges that were
      * exchanged after the frame: their touches end in the next frame.</p>
      *
-     * <p>The ground's bytes are: the number of columns; the number of rows; the width of a cell; its place; whether the surface is columns; then
-     * the heights; the holes, a bit for each, as numbers of 32 bits. After a number of 0 comes the count of numbers that are 0 from there on, and
-     * only the first of them is written.</p>
-     *
      * <p>Nothing in the bytes depends on the program that runs. Machines in step write the same bytes.</p>
      */
     internal final class Snapshots
     {
-        // "SLF5"
-        private static const MARK:uint = 0x534C4635;
+        // "SLF6"
+        private static const MARK:uint = 0x534C4636;
         private static const BYTES_PER_AGENT:int = 25;
 
         // What is in a snapshot, as a sum: traits; whether there was ground; the ground's heights.
@@ -53,7 +49,7 @@ package starlogo.collision
         private var _names:SnapshotNames;
         private var _placesAt:uint = 0;
         private var _standingsAt:uint = 0;
-        private var _surfaceAt:uint = 0;
+        private var _groundAt:uint = 0;
         private var _traitsAt:uint = 0;
 
         /**
@@ -84,7 +80,7 @@ package starlogo.collision
             SnapshotStandings.write(agents, table, parts);
             if (hasHeights)
             {
-                writeGround(parts, terrain);
+                SnapshotGround.write(parts, terrain);
             }
             if (withTraits)
             {
@@ -130,23 +126,20 @@ package starlogo.collision
                 check(error is ArgumentError);
                 throw error;
             }
-            putBack(copy, agents, search);
+            restoreAgents(copy, agents, search);
             copy.position = _standingsAt;
             SnapshotStandings.read(agents, copy);
             if ((_contents & HEIGHTS) != 0)
             {
-                copy.position = _surfaceAt;
-                terrain.isBlocky = copy.readBoolean();
-                var heights:Vector.<Number> = readHeights(copy, terrain);
-                terrain.grid.holes = readHoles(copy, terrain);
-                terrain.setHeights(0, 0, terrain.columns, terrain.rows, heights);
+                copy.position = _groundAt;
+                SnapshotGround.read(copy, terrain);
             }
             return touches;
         }
 
         // Puts the agents back: their traits, if these are in the snapshot, and their places in the last frame. If that fails, the agents have the
         // traits that they had before.
-        private function putBack(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch):void
+        private function restoreAgents(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch):void
         {
             var namesBefore:SnapshotNames = new SnapshotNames();
             var before:ByteArray = newBytes();
@@ -213,55 +206,6 @@ package starlogo.collision
             return index;
         }
 
-        private static function writeGround(bytes:ByteArray, terrain:Terrain):void
-        {
-            bytes.writeInt(terrain.columns);
-            bytes.writeInt(terrain.rows);
-            bytes.writeDouble(terrain.cellWidth);
-            bytes.writeDouble(terrain.x);
-            bytes.writeDouble(terrain.y);
-            bytes.writeBoolean(terrain.isBlocky);
-            var heights:Vector.<Number> = terrain.grid.heights;
-            for (var at:int = 0; at < heights.length; at += count)
-            {
-                var count:int = 1;
-                bytes.writeDouble(heights[at]);
-                if (heights[at] == 0)
-                {
-                    while (at + count < heights.length && heights[at + count] == 0)
-                    {
-                        count++;
-                    }
-                    bytes.writeInt(count);
-                }
-            }
-            writeHoles(bytes, terrain);
-        }
-
-        private static function writeHoles(bytes:ByteArray, terrain:Terrain):void
-        {
-            var holes:Vector.<int> = terrain.grid.holes;
-            var end:int = countHoleNumbers(terrain);
-            for (var at:int = 0; at < end; at += count)
-            {
-                var count:int = 1;
-                bytes.writeInt(holes == null ? 0 : holes[at]);
-                if (holes == null || holes[at] == 0)
-                {
-                    while (at + count < end && (holes == null || holes[at + count] == 0))
-                    {
-                        count++;
-                    }
-                    bytes.writeInt(count);
-                }
-            }
-        }
-
-        private static function countHoleNumbers(terrain:Terrain):int
-        {
-            return (terrain.columns * terrain.rows + 31) >> 5;
-        }
-
         // Checks all parts but the traits, finds where they begin, and reads the touching pairs.
         private function checkAll(bytes:ByteArray, agents:Vector.<Agent>, terrain:Terrain, worldAgents:Vector.<Agent>, touches:TouchTracker):void
         {
@@ -290,11 +234,8 @@ package starlogo.collision
             }
             if ((_contents & HEIGHTS) != 0)
             {
-                checkGround(bytes, terrain);
-                _surfaceAt = bytes.position;
-                check(bytes.readUnsignedByte() <= 1);
-                readHeights(bytes, terrain);
-                readHoles(bytes, terrain);
+                _groundAt = bytes.position;
+                check(SnapshotGround.areValid(bytes, terrain));
             }
             _traitsAt = bytes.position;
             check((_contents & TRAITS) != 0 || _traitsAt == bytes.length);
@@ -320,51 +261,6 @@ package starlogo.collision
             }
             // each agent is there once
             check(touches.count == pairs);
-        }
-
-        private static function checkGround(bytes:ByteArray, terrain:Terrain):void
-        {
-            var columns:int = bytes.readInt();
-            var rows:int = bytes.readInt();
-            var cellWidth:Number = bytes.readDouble();
-            var x:Number = bytes.readDouble();
-            var y:Number = bytes.readDouble();
-            if (columns != terrain.columns || rows != terrain.rows || cellWidth != terrain.cellWidth || x != terrain.x || y != terrain.y)
-            {
-                throw new ArgumentError("bytes are no snapshot with this ground, but with " + columns + " by " + rows + " heights from (" + x + ", " + y
-                        + ") on, in cells " + cellWidth + " wide");
-            }
-        }
-
-        private static function readHeights(bytes:ByteArray, terrain:Terrain):Vector.<Number>
-        {
-            var heights:Vector.<Number> = new Vector.<Number>(terrain.columns * terrain.rows);
-            for (var at:uint = 0; at < heights.length; at += count)
-            {
-                heights[at] = bytes.readDouble();
-                var count:uint = heights[at] == 0 ? bytes.readUnsignedInt() : 1;
-                check(isInWorld(heights[at], 0, 0) && count <= heights.length - at);
-            }
-            return heights;
-        }
-
-        // Null if there are no holes.
-        private static function readHoles(bytes:ByteArray, terrain:Terrain):Vector.<int>
-        {
-            var holes:Vector.<int> = new Vector.<int>(countHoleNumbers(terrain), true);
-            var isAny:Boolean = false;
-            for (var at:uint = 0; at < holes.length; at += count)
-            {
-                holes[at] = bytes.readInt();
-                var count:uint = 1;
-                if (holes[at] == 0)
-                {
-                    count = bytes.readUnsignedInt();
-                }
-                isAny ||= holes[at] != 0;
-                check(count > 0 && count <= holes.length - at);
-            }
-            return isAny ? holes : null;
         }
 
         private static function check(isSnapshot:Boolean):void

@@ -4,7 +4,8 @@ package starlogo.queries
     import starlogo.collision.QuerySource;
     import starlogo.engine;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.TreesAndFits;
+    import starlogo.search.TightestFits;
+    import starlogo.search.Trees;
 
     use namespace engine;
 
@@ -31,7 +32,7 @@ package starlogo.queries
          */
         public function LevelShapes(greatLand:GreatLand)
         {
-            _tests = new NarrowPhase(new TreesAndFits(greatLand));
+            _tests = new NarrowPhase(new Trees(greatLand, new TightestFits(greatLand)));
         }
 
         /**

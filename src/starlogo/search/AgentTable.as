@@ -120,8 +120,8 @@ package starlogo.search
                 findShapes();
                 takeShapes();
             }
-            places.now.put(row, agent);
-            places.last.put(row, agent);
+            places.now.read(row, agent);
+            places.last.read(row, agent);
             _rowExtents.moveRow(row, places.now);
         }
 
@@ -137,8 +137,8 @@ package starlogo.search
                     breeds[row] = agent.breedNumber;
                     setShape(row, ModelShapes.newShapeOfWorldAgent(WorldAgent(agent)));
                     findExtents(row);
-                    places.now.put(row, agent);
-                    places.last.put(row, agent);
+                    places.now.read(row, agent);
+                    places.last.read(row, agent);
                 }
             }
         }
@@ -323,7 +323,7 @@ package starlogo.search
         private function moveExtents():void
         {
             _rowExtents.farOut.count = 0;
-            _rowExtents.moveRows(places.moved, places.now, shapes);
+            _rowExtents.moveRows(places.changed, places.now, shapes);
             _rowExtents.assignLevels(_changed, shapes);
             for (var i:int = 0; i < _rowExtents.farOut.count; i++)
             {

@@ -64,14 +64,18 @@ package starlogo.search
             basis = NONE;
         }
 
-        /** Adds the pairs of a row. */
+        /** Adds the pairs of a row. In each of them the agent that is first in the list comes first. */
         internal function addPairs(row:int, others:Vector.<int>, othersCount:int):void
         {
             var to:int = 2 * count;
+            var rank:int = ranks[row];
             for (var i:int = 0; i < othersCount; i++)
             {
-                rows[to] = row;
-                rows[int(to + 1)] = others[i];
+                // all bits of swaps are set if the other is first. Half of them are, so a branch would be mispredicted
+                var swaps:int = (ranks[others[i]] - rank) >> 31;
+                var change:int = (row ^ others[i]) & swaps;
+                rows[to] = row ^ change;
+                rows[int(to + 1)] = others[i] ^ change;
                 to += 2;
             }
             count += othersCount;
@@ -129,7 +133,7 @@ package starlogo.search
             {
                 var a:int = found.rows[int(2 * i)];
                 var b:int = found.rows[int(2 * i + 1)];
-                for (var place:int = i < early ? 0 : placeFor(a, b, from); from > place; from--)
+                for (var place:int = i < early ? 0 : indexFor(a, b, from); from > place; from--)
                 {
                     to--;
                     rows[int(2 * to)] = rows[int(2 * from - 2)];
@@ -177,9 +181,18 @@ package starlogo.search
             var byRow:Vector.<Agent> = agents;
             var all:Vector.<int> = rows;
             var end:int = 2 * count;
-            for (var i:int = 0; i < end; i++)
+            var row:int = -1;
+            var first:Agent = null;
+            for (var i:int = 0; i < end; i += 2)
             {
-                out[i] = byRow[all[i]];
+                // in a dense crowd many pairs have the same first agent
+                if (all[i] != row)
+                {
+                    row = all[i];
+                    first = byRow[row];
+                }
+                out[i] = first;
+                out[int(i + 1)] = byRow[all[int(i + 1)]];
             }
         }
 
@@ -213,7 +226,7 @@ package starlogo.search
         }
 
         // The number of pairs before a pair, of the first pairs. It looks at the last of them first.
-        private function placeFor(a:int, b:int, end:int):int
+        private function indexFor(a:int, b:int, end:int):int
         {
             var high:int = end;
             var step:int = 1;

@@ -150,10 +150,10 @@ package starlogo.search
         // The number of rows that were read again, or have another place in the list.
         private function countRead(isSwept:Boolean):int
         {
-            var count:int = _table.places.moved.count + _table.list.departed.count;
+            var count:int = _table.places.changed.count + _table.list.departed.count;
             if (isSwept)
             {
-                count += _table.places.movedBefore.count;
+                count += _table.places.changedBefore.count;
             }
             return count;
         }
@@ -202,11 +202,11 @@ package starlogo.search
                 _changedIn.length = length;
             }
             _cells.makeRows(length);
-            mark(_table.places.moved);
+            mark(_table.places.changed);
             mark(_table.list.departed);
             if (_conditions.isSwept)
             {
-                mark(_table.places.movedBefore);
+                mark(_table.places.changedBefore);
             }
             if (_conditions.takePart != null)
             {
@@ -252,7 +252,7 @@ package starlogo.search
                 var row:int = _changed.numbers[i];
                 if (_table.list.agents[row] != null && _candidates.isMember(row))
                 {
-                    _cells.put(row);
+                    _cells.move(row);
                 }
                 else
                 {

@@ -1,8 +1,7 @@
 package starlogo.search
 {
     /**
-     * Puts pairs into the order of the list: in a pair, the agent that is first in the list comes first; pairs come by the first agent's index and
-     * then by the second's. If an agent sweeps, they come by their times, and pairs of the same time in the order of the list.
+     * Puts pairs into the order of the list: by the first agent's index and then by the second's. If an agent sweeps, they come by their times, and pairs of the same time in the order of the list.
      *
      * @private
      */
@@ -14,18 +13,18 @@ package starlogo.search
         // The factor of the first rank in a key of both. There are fewer ranks.
         private static const RANKS:Number = 1 << 26;
 
-        // The pairs' numbers in their new order; in the order of their second agents; and the keys in the new order.
+        // The numbers of the pairs in their new order, and their keys.
         private var _order:Vector.<int> = new Vector.<int>();
-        private var _bySecond:Vector.<int> = new Vector.<int>();
         private var _keys:Vector.<Number> = new Vector.<Number>();
         private var _sort:KeySort = new KeySort();
 
-        // By rank: how many pairs have it first or second, and then where the next of them goes.
+        // By rank: where the next pair goes that has it first, or second.
         private var _firsts:Vector.<int> = new Vector.<int>();
         private var _seconds:Vector.<int> = new Vector.<int>();
 
-        // The memory that the pairs had before.
+        // The memory that the pairs and their times had before.
         private var _spare:Vector.<int> = new Vector.<int>();
+        private var _spareTimes:Vector.<Number> = new Vector.<Number>();
 
         /**
          * Puts pairs into order.
@@ -39,22 +38,17 @@ package starlogo.search
             {
                 return 0;
             }
-            if (_order.length < pairs.count)
-            {
-                _order.length = _bySecond.length = _keys.length = pairs.count + (pairs.count >> 3);
-            }
-            orient(pairs);
             if (FEW * pairs.count < pairs.agentCount)
             {
                 sortByKeys(pairs);
             }
             else
             {
-                sortByCounting(pairs);
+                countRanks(pairs);
+                scatter(pairs, 1, _seconds, haveTimes);
+                scatter(pairs, 0, _firsts, haveTimes);
             }
-            var early:int = haveTimes ? sortByTimes(pairs) : 0;
-            arrange(pairs);
-            return early;
+            return haveTimes ? sortByTimes(pairs) : 0;
         }
 
         // Whether the pairs are in order already, as those of agents in one cell are.
@@ -87,24 +81,6 @@ package starlogo.search
             return true;
         }
 
-        // Puts the agent with the lesser rank first in each pair. All bits of swaps are set if that is the second. Half of them are, so a branch
-        // would be mispredicted.
-        private function orient(pairs:FoundPairs):void
-        {
-            var rows:Vector.<int> = pairs.rows;
-            var ranks:Vector.<int> = pairs.ranks;
-            var end:int = 2 * pairs.count;
-            for (var i:int = 0; i < end; i += 2)
-            {
-                var a:int = rows[i];
-                var b:int = rows[int(i + 1)];
-                var swaps:int = (ranks[b] - ranks[a]) >> 31;
-                var change:int = (a ^ b) & swaps;
-                rows[i] = a ^ change;
-                rows[int(i + 1)] = b ^ change;
-            }
-        }
-
         private function sortByKeys(pairs:FoundPairs):void
         {
             var rows:Vector.<int> = pairs.rows;
@@ -115,31 +91,31 @@ package starlogo.search
                 _keys[i] = ranks[rows[2 * i]] * RANKS + ranks[rows[2 * i + 1]];
             }
             _sort.sort(_order, _keys, pairs.count);
+            arrange(pairs);
         }
 
-        // Two counting sorts, by the second ranks and then by the first. Each keeps the order of equals.
-        private function sortByCounting(pairs:FoundPairs):void
+        // One step of a counting sort: puts the pairs into the order of the ranks of their first rows (side 0) or second rows (1). Equals keep their
+        // order, so sorting by the second rows and then by the first ones sorts by both.
+        private function scatter(pairs:FoundPairs, side:int, next:Vector.<int>, haveTimes:Boolean):void
         {
-            countRanks(pairs);
-            var rows:Vector.<int> = pairs.rows;
+            makeRoom(pairs);
             var ranks:Vector.<int> = pairs.ranks;
-            var bySecond:Vector.<int> = _bySecond;
-            var order:Vector.<int> = _order;
-            var next:Vector.<int> = _seconds;
-            for (var i:int = 0; i < pairs.count; i++)
+            var from:Vector.<int> = pairs.rows;
+            var to:Vector.<int> = _spare;
+            var end:int = 2 * pairs.count;
+            for (var i:int = 0; i < end; i += 2)
             {
-                var rank:int = ranks[rows[int(2 * i + 1)]];
-                bySecond[next[rank]] = i;
-                next[rank]++;
+                var rank:int = ranks[from[int(i + side)]];
+                var at:int = next[rank];
+                next[rank] = at + 2;
+                to[at] = from[i];
+                to[int(at + 1)] = from[int(i + 1)];
+                if (haveTimes)
+                {
+                    _spareTimes[at >> 1] = pairs.times[i >> 1];
+                }
             }
-            next = _firsts;
-            for (i = 0; i < pairs.count; i++)
-            {
-                var pair:int = bySecond[i];
-                rank = ranks[rows[int(2 * pair)]];
-                order[next[rank]] = pair;
-                next[rank]++;
-            }
+            exchange(pairs);
         }
 
         // Finds where the pairs of each rank begin.
@@ -171,10 +147,10 @@ package starlogo.search
             {
                 var ofRank:int = firsts[rank];
                 firsts[rank] = firstsBefore;
-                firstsBefore += ofRank;
+                firstsBefore += 2 * ofRank;
                 ofRank = seconds[rank];
                 seconds[rank] = secondsBefore;
-                secondsBefore += ofRank;
+                secondsBefore += 2 * ofRank;
             }
         }
 
@@ -183,9 +159,11 @@ package starlogo.search
         {
             for (var i:int = 0; i < pairs.count; i++)
             {
-                _keys[i] = pairs.times[_order[i]];
+                _order[i] = i;
+                _keys[i] = pairs.times[i];
             }
             _sort.sort(_order, _keys, pairs.count);
+            arrange(pairs);
             var early:int = 0;
             while (early < pairs.count && _keys[early] < 1)
             {
@@ -194,23 +172,45 @@ package starlogo.search
             return early;
         }
 
+        // Puts the pairs, and the times that they have, into the order that was found.
         private function arrange(pairs:FoundPairs):void
         {
+            makeRoom(pairs);
             var from:Vector.<int> = pairs.rows;
-            var to:Vector.<int> = _spare;
-            if (to.length < from.length)
-            {
-                to.length = from.length;
-            }
-            var order:Vector.<int> = _order;
+            var haveTimes:Boolean = pairs.times.length >= pairs.count;
             for (var i:int = 0; i < pairs.count; i++)
             {
-                var pair:int = order[i];
-                to[int(2 * i)] = from[int(2 * pair)];
-                to[int(2 * i + 1)] = from[int(2 * pair + 1)];
+                var pair:int = _order[i];
+                _spare[int(2 * i)] = from[int(2 * pair)];
+                _spare[int(2 * i + 1)] = from[int(2 * pair + 1)];
+                if (haveTimes)
+                {
+                    _spareTimes[i] = pairs.times[pair];
+                }
             }
-            pairs.rows = to;
-            _spare = from;
+            exchange(pairs);
+        }
+
+        private function makeRoom(pairs:FoundPairs):void
+        {
+            if (_spare.length < pairs.rows.length)
+            {
+                _spare.length = pairs.rows.length;
+            }
+            if (_spareTimes.length < pairs.times.length)
+            {
+                _spareTimes.length = pairs.times.length;
+            }
+        }
+
+        private function exchange(pairs:FoundPairs):void
+        {
+            var rows:Vector.<int> = pairs.rows;
+            pairs.rows = _spare;
+            _spare = rows;
+            var times:Vector.<Number> = pairs.times;
+            pairs.times = _spareTimes;
+            _spareTimes = times;
         }
     }
 }

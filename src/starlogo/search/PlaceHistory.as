@@ -14,10 +14,10 @@ package starlogo.search
         public var last:RowPlaces = new RowPlaces();
 
         /** The rows that the last search has read again, because their agents had changed. */
-        public var moved:NumberList = new NumberList();
+        public var changed:NumberList = new NumberList();
 
         /** The rows that the search before has read again. */
-        public var movedBefore:NumberList = new NumberList();
+        public var changedBefore:NumberList = new NumberList();
 
         /** Where a search reads the places of changed agents: over those of the search before. They count after <code>exchange()</code>. */
         public function get next():RowPlaces
@@ -37,22 +37,22 @@ package starlogo.search
             var older:RowPlaces = last;
             last = now;
             now = older;
-            var spare:NumberList = movedBefore;
-            movedBefore = moved;
-            moved = read;
-            if (moved.count < agentCount)
+            var spare:NumberList = changedBefore;
+            changedBefore = changed;
+            changed = read;
+            if (changed.count < agentCount)
             {
-                settle();
+                copyStill();
             }
             return spare;
         }
 
-        // Gives rows that moved before, and not now, their present place in both searches.
-        private function settle():void
+        // Gives rows that changed before, and not now, their present place in both searches.
+        private function copyStill():void
         {
-            for (var i:int = 0; i < movedBefore.count; i++)
+            for (var i:int = 0; i < changedBefore.count; i++)
             {
-                var row:int = movedBefore.numbers[i];
+                var row:int = changedBefore.numbers[i];
                 if (now.revisions[row] < last.revisions[row])
                 {
                     now.copyRow(last, row);

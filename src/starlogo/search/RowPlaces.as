@@ -27,7 +27,7 @@ package starlogo.search
         }
 
         /** Reads the place of one agent. */
-        public function put(row:int, agent:Agent):void
+        public function read(row:int, agent:Agent):void
         {
             x[row] = agent.placement.x;
             y[row] = agent.placement.y;

@@ -58,6 +58,8 @@ package starlogo.search
             var atZ:Number = zs[row];
             var radius:Number = radii[row];
             var pairs:Vector.<int> = out.rows;
+            var ranks:Vector.<int> = out.ranks;
+            var rank:int = ranks[row];
             var to:int = 2 * out.count;
             tests += count;
             for (var i:int = 0; i < count; i++)
@@ -77,8 +79,10 @@ package starlogo.search
                         continue;
                     }
                 }
-                pairs[to] = row;
-                pairs[int(to + 1)] = other;
+                // as FoundPairs.addPairs() does
+                var change:int = (row ^ other) & ((ranks[other] - rank) >> 31);
+                pairs[to] = row ^ change;
+                pairs[int(to + 1)] = other ^ change;
                 to += 2;
             }
             out.count = to >> 1;

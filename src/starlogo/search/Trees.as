@@ -8,27 +8,60 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * The shape of every agent is its model's hierarchy (thesis §4).
+     * The shape of an agent is its model's hierarchy (thesis §4), for all agents or only for those whose trait <code>hierarchical</code> is set. The
+     * others then have their tightest fits (thesis §5).
      *
      * @private
      */
-    public class Trees extends AgentShapes
+    public final class Trees extends AgentShapes
     {
-        /** @param greatLand the models' hierarchies */
-        public function Trees(greatLand:GreatLand)
+        // A model of more triangles is probably a level.
+        private static const MOST_TRIANGLES:int = 10000;
+
+        private var _fits:TightestFits;
+
+        /**
+         * @param greatLand the models' hierarchies and structures
+         * @param fits the shapes of agents that are not hierarchical; null if all agents have hierarchies
+         */
+        public function Trees(greatLand:GreatLand, fits:TightestFits = null)
         {
             super(greatLand);
             requireGiven("greatLand", greatLand);
+            _fits = fits;
+        }
+
+        /** @inheritDoc */
+        override public function kindOf(agent:Agent):int
+        {
+            return _fits == null || agent.hierarchical ? ModelShape.TREE : _fits.kindOf(agent);
         }
 
         /** @inheritDoc */
         override public function bind(shape:ModelShape, agent:Agent):void
         {
+            if (shape.kind != ModelShape.TREE)
+            {
+                _fits.bind(shape, agent);
+                warnOfLevel(shape, agent);
+                return;
+            }
             if (!greatLand.hierarchies.has(shape.model))
             {
                 throw new ArgumentError(agent + ": its model was added while loadHierarchies was false; set it to true, and add the model again");
             }
             shape.setTree(greatLand.hierarchies.hierarchy(shape.model));
+        }
+
+        // A level is one large model, and a box around it is hardly what a game wants.
+        private function warnOfLevel(shape:ModelShape, agent:Agent):void
+        {
+            var triangles:Vector.<uint> = greatLand.modelOf(shape.model).triangles;
+            if (shape.kind == Agent.ANY_KIND && triangles != null && triangles.length > 3 * MOST_TRIANGLES)
+            {
+                warn(agent + " has " + triangles.length / 3 + " triangles, and collides as the structure around them: set hierarchical to true for a level, "
+                        + "or choose a structure with collideAs");
+            }
         }
     }
 }

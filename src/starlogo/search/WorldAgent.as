@@ -23,7 +23,7 @@ package starlogo.search
 
         private static var sCreated:int = 0;
 
-        private var _tests:Class;
+        private var _testsClass:Class;
 
         /**
          * @param breed Breeds.TERRAIN or Breeds.EDGE
@@ -34,7 +34,7 @@ package starlogo.search
             // the name without its asterisk
             super(breed.substr(1));
             breedNumber = Breeds.numberOf(breed);
-            _tests = tests;
+            _testsClass = tests;
         }
 
         /** @private It does not count as an agent of the game. */
@@ -47,7 +47,7 @@ package starlogo.search
         /** Creates the tests of pairs with what it stands for. */
         public function newTests(narrowPhase:NarrowPhase):PairTests
         {
-            return new _tests(narrowPhase);
+            return new _testsClass(narrowPhase);
         }
     }
 }

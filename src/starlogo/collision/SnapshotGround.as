@@ -1,15 +1,15 @@
 package starlogo.collision
 {
     import flash.utils.ByteArray;
-    import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.geometry.isInWorld;
     import starlogo.terrain.Terrain;
 
     use namespace engine;
 
     /**
      * Writes and reads the ground in a snapshot. The bytes are: the number of columns; the number of rows; the width of a cell; its place; whether
-     * the surface is columns; then the heights; then the holes, a bit for each, 32 in a number. After a number of 0 comes the count of numbers
+     * the surface is columns; then the heights; then the holes, a bit for each, as numbers of 32 bits. After a number of 0 comes the count of numbers
      * that are 0 from there on, and only the first of them is written.
      *
      * @private
@@ -18,9 +18,6 @@ package starlogo.collision
     {
         // The number of bytes before the surface.
         private static const HEAD:int = 4 + 4 + 3 * 8;
-
-        // The largest number of 32 holes.
-        private static const LARGEST_HOLES:Number = 2147483648;
 
         /** Writes a ground. */
         public static function write(bytes:ByteArray, terrain:Terrain):void
@@ -31,14 +28,14 @@ package starlogo.collision
             bytes.writeDouble(terrain.x);
             bytes.writeDouble(terrain.y);
             bytes.writeBoolean(terrain.isBlocky);
-            writeNumbers(bytes, terrain.grid.heights);
+            writeNumbers(bytes, terrain.grid.heights, false);
             var holes:Vector.<int> = terrain.grid.holes;
             var numbers:Vector.<Number> = new Vector.<Number>(countHoleNumbers(terrain), true);
             for (var i:int = 0; holes != null && i < numbers.length; i++)
             {
                 numbers[i] = holes[i];
             }
-            writeNumbers(bytes, numbers);
+            writeNumbers(bytes, numbers, true);
         }
 
         /**
@@ -59,8 +56,8 @@ package starlogo.collision
                 throw new ArgumentError("bytes are no snapshot with this ground, but with " + columns + " by " + rows + " heights from (" + x + ", " + y
                         + ") on, in cells " + cellWidth + " wide");
             }
-            return bytes.readUnsignedByte() <= 1 && readNumbers(bytes, columns * rows, Agent.LARGEST_COORDINATE) != null
-                && readNumbers(bytes, countHoleNumbers(terrain), LARGEST_HOLES) != null;
+            return bytes.readUnsignedByte() <= 1 && readNumbers(bytes, columns * rows, false) != null
+                && readNumbers(bytes, countHoleNumbers(terrain), true) != null;
         }
 
         /** Gives a ground the surface that was written. */
@@ -68,8 +65,8 @@ package starlogo.collision
         {
             bytes.position += HEAD;
             terrain.isBlocky = bytes.readBoolean();
-            var heights:Vector.<Number> = readNumbers(bytes, terrain.columns * terrain.rows, Agent.LARGEST_COORDINATE);
-            var numbers:Vector.<Number> = readNumbers(bytes, countHoleNumbers(terrain), LARGEST_HOLES);
+            var heights:Vector.<Number> = readNumbers(bytes, terrain.columns * terrain.rows, false);
+            var numbers:Vector.<Number> = readNumbers(bytes, countHoleNumbers(terrain), true);
             terrain.grid.holes = null;
             for (var i:int = 0; i < numbers.length; i++)
             {
@@ -82,12 +79,19 @@ package starlogo.collision
             terrain.setHeights(0, 0, terrain.columns, terrain.rows, heights);
         }
 
-        private static function writeNumbers(bytes:ByteArray, numbers:Vector.<Number>):void
+        private static function writeNumbers(bytes:ByteArray, numbers:Vector.<Number>, areInts:Boolean):void
         {
             for (var at:int = 0; at < numbers.length; at += count)
             {
                 var count:int = 1;
-                bytes.writeDouble(numbers[at]);
+                if (areInts)
+                {
+                    bytes.writeInt(numbers[at]);
+                }
+                else
+                {
+                    bytes.writeDouble(numbers[at]);
+                }
                 if (numbers[at] == 0)
                 {
                     while (at + count < numbers.length && numbers[at + count] == 0)
@@ -99,19 +103,19 @@ package starlogo.collision
             }
         }
 
-        // Null if there are not so many numbers, or one is larger.
-        private static function readNumbers(bytes:ByteArray, length:int, largest:Number):Vector.<Number>
+        // Null if there are not so many numbers, or a height is not in the world.
+        private static function readNumbers(bytes:ByteArray, length:int, areInts:Boolean):Vector.<Number>
         {
             var numbers:Vector.<Number> = new Vector.<Number>(length, true);
             for (var at:uint = 0; at < length; at += count)
             {
-                numbers[at] = bytes.readDouble();
+                numbers[at] = areInts ? bytes.readInt() : bytes.readDouble();
                 var count:uint = 1;
                 if (numbers[at] == 0)
                 {
                     count = bytes.readUnsignedInt();
                 }
-                if (!(Math.abs(numbers[at]) <= largest) || count == 0 || count > length - at)
+                if (!areInts && !isInWorld(numbers[at], 0, 0) || count == 0 || count > length - at)
                 {
                     return null;
                 }

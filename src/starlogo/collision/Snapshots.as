@@ -29,8 +29,8 @@ package starlogo.collision
      */
     internal final class Snapshots
     {
-        // "SLF6"
-        private static const MARK:uint = 0x534C4636;
+        // "SLF5"
+        private static const MARK:uint = 0x534C4635;
         private static const BYTES_PER_AGENT:int = 25;
 
         // What is in a snapshot, as a sum: traits; whether there was ground; the ground's heights.

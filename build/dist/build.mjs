@@ -2,7 +2,7 @@
 /**
  * Puts the release into one zip, the same bytes wherever it is built, and its checksum beside it.
  *
- *   node build/dist/build.mjs BIN BAKED      where all was built, and the folder of the models with their fits
+ *   node build/dist/build.mjs BIN COOKED      where all was built, and the folder of the models with their fits
  */
 import { createHash } from 'node:crypto';
 import { writeFileSync } from 'node:fs';
@@ -12,11 +12,11 @@ import { NAME, VERSION, releaseTime } from './project.mjs';
 import { sbom } from './sbom.mjs';
 import { zip } from './zip.mjs';
 
-const [bin, baked] = process.argv.slice(2);
+const [bin, cooked] = process.argv.slice(2);
 const release = `${NAME}-${VERSION}`;
 const seconds = releaseTime();
 
-const files = contents(bin, baked, seconds);
+const files = contents(bin, cooked, seconds);
 files.set('sbom.cdx.json', Buffer.from(sbom(files, seconds)));
 files.set('SHA256SUMS', Buffer.from([...files].map(([name, content]) => checksumLine(name, content)).sort(byName).join('')));
 const archive = zip(new Map([...files].map(([name, content]) => [`${release}/${name}`, content])), seconds);

@@ -12,11 +12,11 @@ const MPL = 'node_modules/flex-sdk/lib/flex_sdk/license-mpl.htm';
  * Reads all that goes into the release.
  *
  * @param {string} bin where everything was built
- * @param {string} baked the folder of the models with their fits
+ * @param {string} cooked the folder of the models with their fits
  * @param {number} seconds the time of the release, of the Unix epoch
  * @returns {Map<string, Uint8Array>}
  */
-export function contents(bin, baked, seconds) {
+export function contents(bin, cooked, seconds) {
 	const files = new Map();
 	const add = (name, file) => files.set(name, normalised(name, readFileSync(file), seconds));
 	const addFolder = (name, folder, isIn = () => true) => {
@@ -33,7 +33,7 @@ export function contents(bin, baked, seconds) {
 	addFolder('swc', path.join(bin, 'dist'), (file) => file.endsWith('.swc'));
 	addFolder('module', path.join(bin, 'module'));
 	addFolder('playground', path.join(bin, 'playground'));
-	addFolder('assets', baked);
+	addFolder('assets', cooked);
 	addFolder('examples', inRoot('examples'));
 	addFolder('examples/flash', path.join(bin, 'dist/examples/flash'));
 	add('licences/MPL-1.1.html', inRoot(MPL));

@@ -1,7 +1,7 @@
 /**
  * Methods that return a ByteArray in ActionScript and a Uint8Array in JavaScript, which can be copied and sent by the platform's functions.
  */
-export const PLAIN_BYTES = new Set(["starlogo.GreatLand.bake", "starlogo.collision.Collision.snapshot"]);
+export const PLAIN_BYTES = new Set(["starlogo.GreatLand.cook", "starlogo.collision.Collision.snapshot"]);
 
 /** Members that classes have only in JavaScript: their code, and their declaration in index.d.ts. */
 export const ADDED = {

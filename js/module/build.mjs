@@ -46,7 +46,7 @@ writeFileSync(join(out, minified), `${small}//# sourceMappingURL=maps/${minified
 writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
 writeFileSync(join(out, "package.json"), `${JSON.stringify(manifest(), null, 2)}\n`);
 copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
-copyFileSync(join(ROOT, "js/module/bake.mjs"), join(out, "bake.mjs"));
+copyFileSync(join(ROOT, "js/module/cook.mjs"), join(out, "cook.mjs"));
 copyFileSync(join(ROOT, "js/module/README.md"), join(out, "README.md"));
 copyFileSync(join(ROOT, "CHANGELOG.md"), join(out, "CHANGELOG.md"));
 copyFileSync(join(ROOT, "js/module/picture.svg"), join(out, "picture.svg"));
@@ -85,7 +85,7 @@ function forUsers(code) {
 /** The members that may get short names: those that only the engine's classes read, by names that stand nowhere else. */
 function hiddenNames() {
 	const platform = [Array, Error, Function, Map, Math, Number, Object, RegExp, Set, String, Uint8Array].flatMap((type) => [type, type.prototype ?? type]);
-	const code = [standinsText(), ...Object.values(ADDED).map((added) => added.text), ...["three", "nova"].flatMap(adapterTexts), readFileSync(join(ROOT, "js/module/bake.mjs"), "utf8")].join("\n");
+	const code = [standinsText(), ...Object.values(ADDED).map((added) => added.text), ...["three", "nova"].flatMap(adapterTexts), readFileSync(join(ROOT, "js/module/cook.mjs"), "utf8")].join("\n");
 	const outside = [...code.replaceAll(/\/\*[\s\S]*?\*\/|\/\/.*/g, "").matchAll(/[.{,]\s*([\w$]+)/g), ...text.matchAll(/"([\w$]+)"/g)].map((match) => match[1]);
 	const kept = new Set([...outside, ...platform.flatMap((each) => Object.getOwnPropertyNames(each))]);
 	return program.hiddenNames.filter((name) => !kept.has(name)).sort();
@@ -140,7 +140,7 @@ function manifest() {
 		},
 		peerDependencies: { three: ">=0.180.0" },
 		peerDependenciesMeta: { three: { optional: true } },
-		bin: { "starlogo-bake": "./bake.mjs" },
+		bin: { "starlogo-cook": "./cook.mjs" },
 		files: ["*.js", "*.mjs", "*.d.ts", "*.md", "*.svg", "maps", "three", "nova"],
 	};
 }

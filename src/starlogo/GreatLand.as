@@ -7,8 +7,8 @@ package starlogo
     import starlogo.libraries.FitStore;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.libraries.ModelResultsBuilder;
-    import starlogo.libraries.ShapeEntry;
-    import starlogo.libraries.ShapeTable;
+    import starlogo.libraries.ModelEntry;
+    import starlogo.libraries.ModelTable;
     import starlogo.libraries.StructuresBuilder;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
@@ -49,14 +49,14 @@ package starlogo
         public var fitStore:FitStore = null;
 
         // shared with the libraries
-        private var _shapes:ShapeTable = new ShapeTable();
+        private var _models:ModelTable = new ModelTable();
         private var _boundingStructures:BoundingStructuresLibrary = new BoundingStructuresLibrary();
         private var _hierarchies:HierarchiesLibrary = new HierarchiesLibrary();
 
         /** Creates a GreatLand without models. */
         public function GreatLand()
         {
-            _boundingStructures.shapes = _hierarchies.shapes = _shapes;
+            _boundingStructures.models = _hierarchies.models = _models;
         }
 
         /** The tightest bounding structure of each model. */
@@ -156,16 +156,16 @@ package starlogo
             return new StepSequence().add(build).call(function():void
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model
-                    var shape:ShapeEntry = _shapes.entryFor(model.name);
-                    shape.setHierarchy(build.hierarchy);
-                    shape.setStructures(build.structures);
-                    shape.setModel(model);
+                    var entry:ModelEntry = _models.entryFor(model.name);
+                    entry.setHierarchy(build.hierarchy);
+                    entry.setStructures(build.structures);
+                    entry.setModel(model);
                 });
         }
 
         /**
          * Makes the bytes of a cooked file: the model, the results that the flags ask for, and the surface for exact colliders.
-         * <code>CookedModel.fromBytes()</code> or a ModelLoader makes the model from it. The model is not added. <code>./antw bake</code>
+         * <code>CookedModel.fromBytes()</code> or a ModelLoader makes the model from it. The model is not added. <code>./antw cook</code>
          * does this for every file in assets/ when the game is built, so no player's machine has to compute it (thesis §7.9).
          *
          * @param model the model, as read from its file
@@ -174,7 +174,7 @@ package starlogo
          * @throws ArgumentError as addModel
          * @throws RangeError as addModel
          */
-        public function bake(model:Model, upAxis:Object = "z", usesTransforms:Boolean = false):ByteArray
+        public function cook(model:Model, upAxis:Object = "z", usesTransforms:Boolean = false):ByteArray
         {
             var build:ModelResultsBuilder = newBuild(model, null);
             finish(build);
@@ -184,25 +184,25 @@ package starlogo
         /** @inheritDoc */
         public function expect(name:String):void
         {
-            _shapes.entryFor(name).loading++;
+            _models.entryFor(name).loading++;
         }
 
         /** @inheritDoc */
         public function expectNoMore(name:String):void
         {
-            _shapes.of(name).loading--;
+            _models.of(name).loading--;
         }
 
         /** Whether a ModelLoader is loading a model of this name. A model of the same name may already be added. */
         public function isLoading(name:String):Boolean
         {
-            return _shapes.of(name).loading > 0;
+            return _models.of(name).loading > 0;
         }
 
         /** Whether a model of this name was added. */
         public function hasModel(name:String):Boolean
         {
-            return _shapes.of(name).model != null;
+            return _models.of(name).model != null;
         }
 
         /**
@@ -218,23 +218,23 @@ package starlogo
             {
                 return false;
             }
-            var shape:ShapeEntry = _shapes.of(name);
-            shape.setModel(null);
-            shape.setHierarchy(null);
-            shape.setStructures(null);
+            var entry:ModelEntry = _models.of(name);
+            entry.setModel(null);
+            entry.setHierarchy(null);
+            entry.setStructures(null);
             return true;
         }
 
         /** @private Increased whenever data of any model are replaced or removed. Results derived from the data are then out of date. */
         engine function get revision():int
         {
-            return _shapes.revision;
+            return _models.revision;
         }
 
         /** @private The revision of one model. */
         engine function revisionOf(name:String):int
         {
-            return _shapes.of(name).revision;
+            return _models.of(name).revision;
         }
 
         /**
@@ -247,13 +247,13 @@ package starlogo
          */
         engine function structureOfKind(name:String, kind:int):BoundingStructure
         {
-            return _boundingStructures.ofKind(name, kind, _shapes.of(name).model.vertices);
+            return _boundingStructures.ofKind(name, kind, _models.of(name).model.vertices);
         }
 
         /** @private The model with a name; null if there is none. */
         engine function modelOf(name:String):Model
         {
-            return _shapes.of(name).model;
+            return _models.of(name).model;
         }
 
         /** @private The work that computes the results that the flags ask for. None of its steps is done yet. The results are not added. */

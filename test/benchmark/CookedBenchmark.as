@@ -36,7 +36,7 @@ package benchmark
             var bytes:int = 0;
             for (var i:int = 0; i < models.length; i++)
             {
-                cooked.push(_plain.bake(models[i]));
+                cooked.push(_plain.cook(models[i]));
                 _texts.push(i < 3 ? null : Fixtures.text(FIXTURES[i - 3]));
                 bytes += cooked[i].length;
                 addTo(all, models, cooked, i, i + 1);

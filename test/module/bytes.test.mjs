@@ -44,8 +44,8 @@ test("a snapshot is a Uint8Array, and so are its copies, from which the game goe
 	assert.throws(() => collision.restore(structuredClone(bytes), [...agents].reverse()), /of the 2 that/);
 });
 
-test("a baked model is a Uint8Array, and so are its copies", () => {
-	const bytes = new GreatLand().bake(BuiltInModel.cube());
+test("a cooked model is a Uint8Array, and so are its copies", () => {
+	const bytes = new GreatLand().cook(BuiltInModel.cube());
 	assert.ok(bytes instanceof Uint8Array);
 	for (const copy of [bytes, structuredClone(bytes), posted(bytes)]) assert.equal(CookedModel.fromBytes("cube", copy).vertices.length, BuiltInModel.cube().vertices.length);
 });

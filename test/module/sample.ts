@@ -384,12 +384,12 @@ export function keep(): string[] {
 	greatLand.fitStore = new FitStore(100000, storage);
 	greatLand.addModel(model);
 	const fits: StoredResults | null = greatLand.fitStore.read(model, new FitSettings(greatLand.boundingStructures, greatLand.hierarchies));
-	const cooked: CookedModel = CookedModel.fromBytes("cylinder", greatLand.bake(model, "z"));
+	const cooked: CookedModel = CookedModel.fromBytes("cylinder", greatLand.cook(model, "z"));
 	finish(new GreatLand().receive(cooked));
-	const baked: Uint8Array = greatLand.bake(model);
+	const bytes: Uint8Array = greatLand.cook(model);
 	// there is none in Node
 	const here: FitStorage = new SharedFitStorage();
-	return [String(baked.length), String(fits?.hasStructures && fits.hasHierarchy), String(here.read("nothing"))];
+	return [String(bytes.length), String(fits?.hasStructures && fits.hasHierarchy), String(here.read("nothing"))];
 }
 
 /** What goes wrong is said by name. */

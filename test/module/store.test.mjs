@@ -57,7 +57,7 @@ before(async () => {
 	rmSync(work, { recursive: true, force: true });
 	mkdirSync(path.join(work, "plain"), { recursive: true });
 	for (const file of FILES) copyFileSync(path.join(root, "assets", file), path.join(work, "plain", file));
-	execFileSync(process.execPath, [path.join(folder, "bake.mjs"), path.join(work, "plain"), "--out", path.join(work, "models")]);
+	execFileSync(process.execPath, [path.join(folder, "cook.mjs"), path.join(work, "plain"), "--out", path.join(work, "models")]);
 	server = await serve(PAGE, { "/module": folder, "/models": path.join(work, "models") });
 	browser = await launch();
 });
@@ -181,10 +181,10 @@ test("a ModelLoader takes what was cooked and nothing else, and reads the source
 	page.on("request", (request) => asked.push(new URL(request.url()).pathname));
 	const computed = await page.evaluate((files) => load(files, null), FILES);
 	assert.deepEqual(asked.splice(0).sort(), FILES.map((file) => `/models/${file}`).sort());
-	const baked = await page.evaluate((files) => load(files, "/models/manifest.json"), FILES);
+	const cooked = await page.evaluate((files) => load(files, "/models/manifest.json"), FILES);
 	assert.deepEqual(asked.splice(0).sort(), ["/models/manifest.json", ...FILES.map((file) => `/models/${file}.cooked`)].sort());
-	assert.deepEqual(baked, computed);
-	assert.deepEqual(baked.problems, []);
+	assert.deepEqual(cooked, computed);
+	assert.deepEqual(cooked.problems, []);
 	const names = readdirSync(path.join(work, "models")).filter((file) => file.endsWith(".cooked"));
 	assert.equal(names.length, FILES.length);
 	for (const name of names) {
@@ -199,8 +199,8 @@ test("a ModelLoader takes what was cooked and nothing else, and reads the source
 	await context.close();
 });
 
-test("the baker leaves what is there, cooks what has changed, and says what is wrong", () => {
-	const run = (...args) => spawnSync(process.execPath, [path.join(folder, "bake.mjs"), ...args], { encoding: "utf8" });
+test("the cook leaves what is there, cooks what has changed, and says what is wrong", () => {
+	const run = (...args) => spawnSync(process.execPath, [path.join(folder, "cook.mjs"), ...args], { encoding: "utf8" });
 	const plain = path.join(work, "plain");
 	const again = path.join(work, "again");
 	assert.match(run(plain, "--out", again).stdout, /^4 cooked$/m);

@@ -7,7 +7,7 @@ package starlogo
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import starlogo.fitting.Fitter;
-    import starlogo.libraries.ShapeTable;
+    import starlogo.libraries.ModelTable;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import support.assertThrows;
@@ -34,7 +34,7 @@ package starlogo
         [Test]
         public function keepsNothingOfUnknownNames():void
         {
-            var table:ShapeTable = _greatLand.boundingStructures.shapes;
+            var table:ModelTable = _greatLand.boundingStructures.models;
             assertFalse(_greatLand.hasModel("a") || _greatLand.isLoading("a") || _greatLand.boundingStructures.has("a") || _greatLand.hierarchies.has("a"));
             assertFalse(_greatLand.removeModel("a"));
             assertStrictlyEquals(table.of("a"), table.of("b"));

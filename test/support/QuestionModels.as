@@ -60,7 +60,7 @@ package support
             {
                 var kitchen:GreatLand = new GreatLand();
                 kitchen.loadAllBoundingStructures = true;
-                sCooked[name] = CookedModel.fromBytes(name, kitchen.bake(of(name)));
+                sCooked[name] = CookedModel.fromBytes(name, kitchen.cook(of(name)));
             }
             return sCooked[name];
         }

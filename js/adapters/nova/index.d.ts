@@ -41,7 +41,7 @@ export interface NovaOptions {
      * two ticks.
      */
     overlay?: boolean;
-    /** The address of the list that `starlogo-bake --scaling volume --transforms` has made. Read once, at installation. */
+    /** The address of the list that `starlogo-cook --scaling volume --transforms` has made. Read once, at installation. */
     manifest?: string | null;
 }
 

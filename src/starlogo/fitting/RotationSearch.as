@@ -16,27 +16,17 @@ package starlogo.fitting
      * have the same volume, the first one counts. The very first box is the axis-aligned one. A step tries all rotations about z that
      * follow one rotation about x and y.
      *
-     * <p>Four methods make the search faster. None changes the result. First, the whole hull is rotated about x and y once. The rotations
+     * <p>Three methods make the search faster. None changes the result. First, the whole hull is rotated about x and y once. The rotations
      * about z that follow do not change the extent along z. The extents along x and y are found in the plane of x and y. This is done in
      * Numbers, because a Matrix3D's precision depends on the player. Second, the search for a rotation's extreme corners begins at the
      * extreme corners of the rotation before. It climbs from neighbour to neighbour. On a convex body, the first corner without a better
-     * neighbour is the best. Third, the extreme corners of some earlier rotations are kept. A rotation is skipped if these corners alone
-     * need a box that is too large. Fourth, the search ends if a box is as small as the hull itself.</p>
+     * neighbour is the best. Third, the search ends if a box is as small as the hull itself.</p>
      */
     internal class RotationSearch extends StepSequence
     {
-        private static const MANY:int = 50;
-        private static const RARELY:Number = 0.2;
-
         private var _session:FitSession;
         private var _hull:ConvexHull;
         private var _rotated:Vector.<Number>;
-
-        // The extreme corners found last: four for a rotation near the first one about z, and four for a rotation about 45 degrees
-        // further.
-        private var _landmarks:Vector.<int> = new Vector.<int>(8);
-        private var _asked:int = 0;
-        private var _answered:int = 0;
 
         // The state of the search: the next rotation about x and y, and the best rotation so far. Angles are in degrees.
         private var _stepXY:Number;
@@ -80,14 +70,8 @@ package starlogo.fitting
                 var place:int = _isForth ? i : count - 1 - i;
                 var cosine:Number = _cosines[place];
                 var sine:Number = _sines[place];
-                var mayBe:Number = _least * (1 - Tolerances.FIT_TIE);
-                if (isTooLarge(thickness, cosine, sine, mayBe))
-                {
-                    continue;
-                }
                 var volume:Number = thickness * span(corners, 0, cosine, -sine) * span(corners, 2, sine, cosine);
-                remember(corners, place * _stepZ);
-                if (volume < mayBe)
+                if (volume < _least * (1 - Tolerances.FIT_TIE))
                 {
                     _least = volume;
                     _best.setRotation(place * _stepZ, _aboutY, _aboutX);
@@ -167,54 +151,6 @@ package starlogo.fitting
             var high:int = corners[index] = climb(corners[index], 0, alongX, alongY);
             var low:int = corners[index + 1] = climb(corners[index + 1], 0, -alongX, -alongY);
             return (_rotated[3 * high] - _rotated[3 * low]) * alongX + (_rotated[3 * high + 1] - _rotated[3 * low + 1]) * alongY;
-        }
-
-        private function remember(corners:Vector.<int>, aboutZ:Number):void
-        {
-            var from:int = aboutZ < 22.5 || aboutZ > 67.5 ? 0 : 4;
-            for (var i:int = 0; i < 4; i++)
-            {
-                _landmarks[from + i] = corners[i];
-            }
-        }
-
-        // Whether the landmarks alone need a box that is too large. If the answer is rarely yes, it is no longer computed.
-        private function isTooLarge(thickness:Number, cosine:Number, sine:Number, limit:Number):Boolean
-        {
-            if (limit == Infinity || _asked > MANY && _answered < RARELY * _asked)
-            {
-                return false;
-            }
-            _asked++;
-            var result:Boolean = thickness * areaOfLandmarks(cosine, sine) >= limit;
-            if (result)
-            {
-                _answered++;
-            }
-            return result;
-        }
-
-        // The area of the landmarks' box in the plane. The hull's box is at least as large.
-        private function areaOfLandmarks(cosine:Number, sine:Number):Number
-        {
-            var rotated:Vector.<Number> = _rotated;
-            var lowX:Number = Infinity;
-            var highX:Number = -Infinity;
-            var lowY:Number = Infinity;
-            var highY:Number = -Infinity;
-            for (var i:int = 0; i < 8; i++)
-            {
-                var at:int = 3 * _landmarks[i];
-                var fromX:Number = rotated[at];
-                var fromY:Number = rotated[at + 1];
-                var x:Number = cosine * fromX - sine * fromY;
-                var y:Number = sine * fromX + cosine * fromY;
-                lowX = x < lowX ? x : lowX;
-                highX = x > highX ? x : highX;
-                lowY = y < lowY ? y : lowY;
-                highY = y > highY ? y : highY;
-            }
-            return (highX - lowX) * (highY - lowY);
         }
 
         // Finds the corner that is farthest in a direction of a plane. Plane 0 is the plane of x and y, and plane 1 that of y and z. The

@@ -37,11 +37,11 @@ package starlogo.libraries
         public var keepHulls:Boolean = false;
 
         /**
-         * The data of all shapes. Both libraries of a GreatLand share it.
+         * The data of all models. Both libraries of a GreatLand share it.
          *
          * @private
          */
-        engine var shapes:ShapeTable = new ShapeTable();
+        engine var models:ModelTable = new ModelTable();
 
         private var _orientedBoxFitter:OrientedBoxFitter;
         private var _fitters:Vector.<Fitter>;
@@ -123,13 +123,13 @@ package starlogo.libraries
         {
             var build:StructuresBuilder = newBuild(name, vertices);
             finish(build);
-            shapes.entryFor(name).setStructures(build.structures);
+            models.entryFor(name).setStructures(build.structures);
         }
 
         /** Whether the library has structures for a shape. */
         public function has(name:String):Boolean
         {
-            return shapes.of(name).structures != null;
+            return models.of(name).structures != null;
         }
 
         /**
@@ -190,14 +190,14 @@ package starlogo.libraries
         /** Whether a sphere, a box and a capsule were kept for a shape. */
         public function hasAll(name:String):Boolean
         {
-            var shape:ShapeStructures = shapes.of(name).structures;
+            var shape:ModelStructures = models.of(name).structures;
             return shape != null && shape.keepsAll && shape.smallest.indexOf(null) < 0;
         }
 
         /** Whether there is a hull for a shape, or a sphere in its place. */
         public function hasHull(name:String):Boolean
         {
-            var shape:ShapeStructures = shapes.of(name).structures;
+            var shape:ModelStructures = models.of(name).structures;
             return shape != null && shape.hull != null;
         }
 
@@ -212,7 +212,7 @@ package starlogo.libraries
          */
         engine function ofKind(name:String, kind:int, vertices:Vector.<Number>):BoundingStructure
         {
-            var shape:ShapeStructures = find(name);
+            var shape:ModelStructures = find(name);
             if (kind == BoundingStructure.HULL)
             {
                 if (shape.hull == null)
@@ -241,23 +241,23 @@ package starlogo.libraries
          */
         engine function newBuild(name:String, vertices:Vector.<Number>):StructuresBuilder
         {
-            ShapeTable.checkName(name);
+            ModelTable.checkName(name);
             return new StructuresBuilder(name, vertices, fitters, keepHulls ? hullFitter : null, keepAll);
         }
 
-        private function find(name:String):ShapeStructures
+        private function find(name:String):ModelStructures
         {
-            var shape:ShapeStructures = shapes.of(name).structures;
+            var shape:ModelStructures = models.of(name).structures;
             if (shape == null)
             {
-                throw ShapeTable.missing("bounding structure", name, "loadTightestFit");
+                throw ModelTable.missing("bounding structure", name, "loadTightestFit");
             }
             return shape;
         }
 
         private function kept(name:String, kind:int):BoundingStructure
         {
-            var shape:ShapeStructures = find(name);
+            var shape:ModelStructures = find(name);
             if (!shape.keepsAll || shape.smallest[kind] == null)
             {
                 throw new ArgumentError("shape \"" + name + "\" has no " + BoundingStructure.NAMES[kind] + " of its own: set loadAllBoundingStructures (keepAll)"

@@ -35,11 +35,11 @@ package starlogo.libraries
         public var prepareExact:Boolean = false;
 
         /**
-         * The data of all shapes. Both libraries of a GreatLand share it.
+         * The data of all models. Both libraries of a GreatLand share it.
          *
          * @private
          */
-        engine var shapes:ShapeTable = new ShapeTable();
+        engine var models:ModelTable = new ModelTable();
 
         private var _minVerticesToSplit:int = 5;
         private var _maxDepth:int = 10;
@@ -94,19 +94,19 @@ package starlogo.libraries
          */
         public function add(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null):void
         {
-            ShapeTable.checkName(name);
+            ModelTable.checkName(name);
             refuse(name, VertexData.vertexProblem(vertices));
             var hasTriangles:Boolean = triangles != null && triangles.length > 0;
             refuse(name, hasTriangles ? VertexData.triangleProblem(triangles, vertices.length / 3) : null);
             var builder:SolidHierarchyBuilder = builderOf(vertices.concat(), hasTriangles ? triangles.concat() : null);
             finish(builder);
-            shapes.entryFor(name).setHierarchy(builder);
+            models.entryFor(name).setHierarchy(builder);
         }
 
         /** Whether the library has a hierarchy for a shape. */
         public function has(name:String):Boolean
         {
-            return name != null && shapes.of(name).hasHierarchy;
+            return name != null && models.of(name).hasHierarchy;
         }
 
         /**
@@ -128,9 +128,9 @@ package starlogo.libraries
         {
             if (!has(name))
             {
-                throw ShapeTable.missing("hierarchy", name, "loadHierarchies");
+                throw ModelTable.missing("hierarchy", name, "loadHierarchies");
             }
-            return shapes.of(name).hierarchy;
+            return models.of(name).hierarchy;
         }
 
         /**

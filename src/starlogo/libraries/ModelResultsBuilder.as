@@ -10,7 +10,7 @@ package starlogo.libraries
     import starlogo.libraries.cooked.TreeWriter;
     import starlogo.models.Model;
     import starlogo.models.cooked.CookedFile;
-    import starlogo.models.cooked.CookedShape;
+    import starlogo.models.cooked.CookedWriter;
     import starlogo.solid.SolidHierarchy;
     import starlogo.solid.SolidHierarchyBuilder;
     import starlogo.solid.SurfaceTopology;
@@ -75,7 +75,7 @@ package starlogo.libraries
         }
 
         /** The structures, when no step is left; null if none were wanted. */
-        public function get structures():ShapeStructures
+        public function get structures():ModelStructures
         {
             return _structures == null ? null : _structures.structures;
         }
@@ -91,7 +91,7 @@ package starlogo.libraries
             {
                 hierarchy.finished.prepare();
             }
-            return write(wanted, CookedShape.of(_model));
+            return write(wanted, CookedWriter.of(_model));
         }
 
         // Whether all results that are wanted are there.

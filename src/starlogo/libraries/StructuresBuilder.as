@@ -24,7 +24,7 @@ package starlogo.libraries
     public final class StructuresBuilder extends StepSequence
     {
         /** The structures, when no step is left. */
-        public var structures:ShapeStructures = null;
+        public var structures:ModelStructures = null;
 
         private var _name:String;
         private var _vertices:Vector.<Number>;
@@ -88,7 +88,7 @@ package starlogo.libraries
             if (structures == null && read != null && (_hullFit == null || hulls != null))
             {
                 // The smallest sphere may be in the hull's place.
-                structures = new ShapeStructures(read, hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE], _keepsAll);
+                structures = new ModelStructures(read, hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE], _keepsAll);
             }
         }
 
@@ -151,7 +151,7 @@ package starlogo.libraries
         private function choose():void
         {
             // A HullFitter checks all vertices itself.
-            structures = new ShapeStructures(_found, _hullFit == null ? null : widened(_hullFit.structure), _keepsAll);
+            structures = new ModelStructures(_found, _hullFit == null ? null : widened(_hullFit.structure), _keepsAll);
         }
 
         /** A copy of a fitted structure, enlarged by the distance at which surfaces still touch. */

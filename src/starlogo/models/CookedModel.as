@@ -4,7 +4,7 @@ package starlogo.models
     import starlogo.models.cooked.CookedReader;
 
     /**
-     * A model from a cooked file. <code>GreatLand.bake()</code>, <code>./antw bake</code> or <code>starlogo-bake</code> makes the file
+     * A model from a cooked file. <code>GreatLand.cook()</code>, <code>./antw cook</code> or <code>starlogo-cook</code> makes the file
      * from a model's source. The model equals the source's model to the last bit. If you add it to a GreatLand, the GreatLand need not
      * compute the results that are in the file.
      *

@@ -120,8 +120,8 @@ package starlogo.models
         }
 
         /**
-         * The address of the list of cooked files, for example "assets/manifest.json". <code>./antw bake</code> or
-         * <code>starlogo-bake</code> makes it. The default is null: no list. It is fetched once. If it lists a file in its folder or
+         * The address of the list of cooked files, for example "assets/manifest.json". <code>./antw cook</code> or
+         * <code>starlogo-cook</code> makes it. The default is null: no list. It is fetched once. If it lists a file in its folder or
          * below, <code>load()</code> fetches only the cooked file. It contains the model and all results that the receiver would compute.
          * If the cooked file is missing, damaged, or made for another up axis, transform or scaling, the model's own file is read
          * instead. A list that can't be fetched or read counts as empty.

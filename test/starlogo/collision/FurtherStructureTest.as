@@ -30,7 +30,7 @@ package starlogo.collision
             sLand.addModel(BuiltInModel.cylinder());
             sLand.addModel(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
             var capsule:Capsule = sLand.boundingStructures.capsule("cylinder");
-            sLand.boundingStructures.shapes.of("cylinder").structures.hull = new CoreCapsule(capsule);
+            sLand.boundingStructures.models.of("cylinder").structures.hull = new CoreCapsule(capsule);
         }
 
         [Test]

@@ -243,7 +243,7 @@ package starlogo.collision
         private static function copyOf(kind:String, name:String, isCooked:Boolean):Model
         {
             var model:Model = new Model(name, QuestionModels.of(kind).vertices, QuestionModels.of(kind).triangles, Model.AS_GIVEN);
-            return isCooked ? CookedModel.fromBytes(name, new GreatLand().bake(model)) : model;
+            return isCooked ? CookedModel.fromBytes(name, new GreatLand().cook(model)) : model;
         }
 
         // The triangles of a kind. The windings of both copies of a surface cancel each other, so the reference has the first one alone.

@@ -49,7 +49,7 @@ package starlogo.libraries
         private static const FINGERPRINT:String = "37c383a5473e80ee";
 
         // The same of their hulls.
-        private static const HULLS:String = "471c071615689a0f";
+        private static const HULLS:String = "d317599a01e6dfdf";
 
         private var _greatLand:GreatLand = new GreatLand();
 
@@ -70,40 +70,40 @@ package starlogo.libraries
         public function everySettingThatMattersCounts():void
         {
             var model:Model = bear();
-            var baked:ByteArray = _greatLand.bake(model);
-            assertTrue("the same", isTaken(model, baked, true) && isTaken(model, baked, false));
+            var cooked:ByteArray = _greatLand.cook(model);
+            assertTrue("the same", isTaken(model, cooked, true) && isTaken(model, cooked, false));
             _greatLand.orientedBoxDegIncrement = 15;
-            assertTrue("another increment", !isTaken(model, baked, true) && isTaken(model, baked, false));
+            assertTrue("another increment", !isTaken(model, cooked, true) && isTaken(model, cooked, false));
             _greatLand.orientedBoxDegIncrement = 10;
             _greatLand.boundingStructures.fitters.push(new MinimalCapsuleFitter());
-            assertFalse("another fitter", isTaken(model, baked, true));
+            assertFalse("another fitter", isTaken(model, cooked, true));
             _greatLand.boundingStructures.fitters.pop();
             _greatLand.hierarchies.minVerticesToSplit = 6;
-            assertTrue("fewer leaves", isTaken(model, baked, true) && !isTaken(model, baked, false));
+            assertTrue("fewer leaves", isTaken(model, cooked, true) && !isTaken(model, cooked, false));
             _greatLand.hierarchies.minVerticesToSplit = 5;
             _greatLand.hierarchies.maxDepth = 9;
-            assertFalse("fewer levels", isTaken(model, baked, false));
+            assertFalse("fewer levels", isTaken(model, cooked, false));
             _greatLand.hierarchies.maxDepth = 10;
             _greatLand.hierarchies.splitByMean = true;
-            assertFalse("split elsewhere", isTaken(model, baked, false));
+            assertFalse("split elsewhere", isTaken(model, cooked, false));
             _greatLand.hierarchies.splitByMean = false;
-            assertTrue("the same again", isTaken(model, baked, true) && isTaken(model, baked, false));
+            assertTrue("the same again", isTaken(model, cooked, true) && isTaken(model, cooked, false));
         }
 
         [Test]
         public function hullsAreKeptBesideTheOtherStructures():void
         {
             var model:Model = bear();
-            var plain:ByteArray = _greatLand.bake(model);
+            var plain:ByteArray = _greatLand.cook(model);
             _greatLand.loadHulls = true;
             assertFalse("without a hull", isTaken(model, plain, true));
-            var baked:ByteArray = _greatLand.bake(model);
-            assertTrue("with a hull", isTaken(model, baked, true));
+            var cooked:ByteArray = _greatLand.cook(model);
+            assertTrue("with a hull", isTaken(model, cooked, true));
             _greatLand.boundingStructures.hullFitter = new HullFitter(24);
-            assertFalse("another hull", isTaken(model, baked, true));
+            assertFalse("another hull", isTaken(model, cooked, true));
             _greatLand.loadHulls = false;
-            assertTrue("no hull is wanted", isTaken(model, baked, true));
-            take(_greatLand, model, baked);
+            assertTrue("no hull is wanted", isTaken(model, cooked, true));
+            take(_greatLand, model, cooked);
             assertThrows(ArgumentError, "loadHulls", _greatLand.boundingStructures.hull, "bear");
         }
 
@@ -116,7 +116,7 @@ package starlogo.libraries
             assertTrue(_greatLand.boundingStructures.hull("sphere") is Sphere);
             var land:GreatLand = new GreatLand();
             land.loadHulls = true;
-            take(land, ball, _greatLand.bake(ball));
+            take(land, ball, _greatLand.cook(ball));
             assertTrue(land.boundingStructures.hull("sphere") is Sphere);
             assertEquals(LibraryContents.of(_greatLand, "sphere"), LibraryContents.of(land, "sphere"));
         }
@@ -124,11 +124,11 @@ package starlogo.libraries
         [Test]
         public function filesOfOtherVersionsAreRefused():void
         {
-            var baked:ByteArray = _greatLand.bake(bear());
+            var cooked:ByteArray = _greatLand.cook(bear());
             for each (var version:int in [1, 2, 4])
             {
-                baked[4] = version;
-                assertThrows(ModelError, /"bear".*another version of the engine: cook it again/, CookedModel.fromBytes, "bear", baked);
+                cooked[4] = version;
+                assertThrows(ModelError, /"bear".*another version of the engine: cook it again/, CookedModel.fromBytes, "bear", cooked);
             }
         }
 
@@ -136,19 +136,19 @@ package starlogo.libraries
         public function whatAFitterWithoutSignatureFindsIsNotKept():void
         {
             _greatLand.boundingStructures.fitters.push(new UnsignedFitter());
-            var baked:ByteArray = _greatLand.bake(bear());
-            assertFalse("structures", isTaken(bear(), baked, true));
-            assertTrue("its hierarchy is", isTaken(bear(), baked, false));
+            var cooked:ByteArray = _greatLand.cook(bear());
+            assertFalse("structures", isTaken(bear(), cooked, true));
+            assertTrue("its hierarchy is", isTaken(bear(), cooked, false));
         }
 
         [Test(async, timeout="900000")]
         public function damagedFilesAreRefused():void
         {
             var models:Vector.<Model> = new <Model>[BuiltInModel.cube(), tetrahedron(), points()];
-            var baked:Vector.<ByteArray> = new Vector.<ByteArray>();
+            var cooked:Vector.<ByteArray> = new Vector.<ByteArray>();
             for each (var model:Model in models)
             {
-                baked.push(_greatLand.bake(model));
+                cooked.push(_greatLand.cook(model));
             }
             var random:SeededRandom = new SeededRandom(15);
             var count:int = Effort.choose(600, 10000);
@@ -157,8 +157,8 @@ package starlogo.libraries
             var damaging:StepSequence = new StepSequence().repeat(function():Boolean
                 {
                     var index:int = i % models.length;
-                    var damaged:ByteArray = damage(baked, index, random);
-                    if (areSame(damaged, baked[index]) || areSame(damaged, baked[(index + 1) % baked.length]))
+                    var damaged:ByteArray = damage(cooked, index, random);
+                    if (areSame(damaged, cooked[index]) || areSame(damaged, cooked[(index + 1) % cooked.length]))
                     {
                         unchanged++;
                     }
@@ -243,7 +243,7 @@ package starlogo.libraries
         // A cooked file whose sections were changed before it was sealed.
         private function rewritten(model:Model, change:Function):ByteArray
         {
-            var file:CookedFile = new CookedFile(_greatLand.bake(model));
+            var file:CookedFile = new CookedFile(_greatLand.cook(model));
             finish(file);
             var settings:FitSettings = new FitSettings(_greatLand.boundingStructures, _greatLand.hierarchies);
             var sections:Vector.<ByteArray> = new Vector.<ByteArray>();
@@ -338,7 +338,7 @@ package starlogo.libraries
             var all:Fingerprint = new Fingerprint();
             for each (var model:Model in SteppedModels.twelve())
             {
-                var file:CookedFile = new CookedFile(_greatLand.bake(model));
+                var file:CookedFile = new CookedFile(_greatLand.cook(model));
                 finish(file);
                 for (var i:int = CookedFile.STRUCTURES; i <= CookedFile.SURFACE; i++)
                 {
@@ -359,7 +359,7 @@ package starlogo.libraries
             _greatLand.loadHierarchies = false;
             for each (var model:Model in SteppedModels.twelve())
             {
-                var file:CookedFile = new CookedFile(_greatLand.bake(model));
+                var file:CookedFile = new CookedFile(_greatLand.cook(model));
                 finish(file);
                 var section:ByteArray = file.section(CookedFile.HULL, null);
                 section.length = section.length + 7 & ~7;
@@ -376,10 +376,10 @@ package starlogo.libraries
                 _greatLand.loadHulls = isExact;
                 _greatLand.addModel(model);
                 var computed:String = contentsOf(_greatLand, model);
-                var baked:ByteArray = _greatLand.bake(model);
-                assertSameModel(model, CookedModel.fromBytes(model.name, baked));
-                assertTrue(message, isTaken(model, baked, true) && isTaken(model, baked, false));
-                take(_greatLand, model, baked);
+                var cooked:ByteArray = _greatLand.cook(model);
+                assertSameModel(model, CookedModel.fromBytes(model.name, cooked));
+                assertTrue(message, isTaken(model, cooked, true) && isTaken(model, cooked, false));
+                take(_greatLand, model, cooked);
                 assertEquals(message, computed, contentsOf(_greatLand, model));
             }
         }
@@ -390,9 +390,9 @@ package starlogo.libraries
         }
 
         // Whether the structures, or the hierarchy, are taken from a cooked file.
-        private function isTaken(model:Model, baked:ByteArray, structures:Boolean):Boolean
+        private function isTaken(model:Model, cooked:ByteArray, structures:Boolean):Boolean
         {
-            var build:ModelResultsBuilder = _greatLand.newBuild(CookedModel.fromBytes(model.name, baked), null);
+            var build:ModelResultsBuilder = _greatLand.newBuild(CookedModel.fromBytes(model.name, cooked), null);
             if (structures)
             {
                 return build.structures != null;
@@ -401,16 +401,16 @@ package starlogo.libraries
             return build.hierarchy.isStored;
         }
 
-        private static function damage(baked:Vector.<ByteArray>, index:int, random:SeededRandom):ByteArray
+        private static function damage(cooked:Vector.<ByteArray>, index:int, random:SeededRandom):ByteArray
         {
             switch (random.integer(0, 3))
             {
                 case 0:
-                    return bitTurned(baked[index], random);
+                    return bitTurned(cooked[index], random);
                 case 1:
-                    return crossed(baked[index], baked[(index + 1) % baked.length], random);
+                    return crossed(cooked[index], cooked[(index + 1) % cooked.length], random);
                 default:
-                    return Mutations.ofBytes(baked[index], random);
+                    return Mutations.ofBytes(cooked[index], random);
             }
         }
 

@@ -30,7 +30,7 @@ package starlogo.models
             {
                 assertEquals(wrong, 200, new ColladaModel("a", text.replace("0.01", wrong), null, Model.AS_GIVEN).vertices[3]);
             }
-            var cooked:ByteArray = new GreatLand().bake(new ColladaModel("a", text, null, Model.AS_GIVEN));
+            var cooked:ByteArray = new GreatLand().cook(new ColladaModel("a", text, null, Model.AS_GIVEN));
             assertEquals("0,0,0,2,0,0,0,4,0", CookedModel.fromBytes("a", cooked).vertices.join());
         }
 

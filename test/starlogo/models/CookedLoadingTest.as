@@ -71,8 +71,8 @@ package starlogo.models
             var made:Model = new ObjModel("bear", OBJ);
             var other:GreatLand = newGame();
             other.addModel(made);
-            var offering:ModelLoader = offer({"http://h/a/m.json?k": encoded(MANIFEST), "http://h/a/bear.obj.cooked?v=2#x": newGame().bake(made),
-                        "http://h/a/x/y": newGame().bake(made)}, "http://h/a/m.json?k");
+            var offering:ModelLoader = offer({"http://h/a/m.json?k": encoded(MANIFEST), "http://h/a/bear.obj.cooked?v=2#x": newGame().cook(made),
+                        "http://h/a/x/y": newGame().cook(made)}, "http://h/a/m.json?k");
             _fitter.count = 0;
             offering.load("bear", "http://h/a/bear.obj?v=2#x");
             offering.load("deep", "http://h/a/deep/bear.obj");
@@ -88,7 +88,7 @@ package starlogo.models
         [Test(async, timeout="150000")]
         public function whereThereIsNoneItIsReadWithoutError():void
         {
-            var cooked:ByteArray = newGame().bake(new ObjModel("bear", OBJ));
+            var cooked:ByteArray = newGame().cook(new ObjModel("bear", OBJ));
             var damaged:ByteArray = new ByteArray();
             damaged.writeBytes(cooked);
             damaged[100] ^= 1;
@@ -126,7 +126,7 @@ package starlogo.models
         [Test(async, timeout="150000")]
         public function forOtherArgumentsTheSourceIsRead():void
         {
-            var cooked:ByteArray = newGame().bake(new ObjModel("bear", OBJ));
+            var cooked:ByteArray = newGame().cook(new ObjModel("bear", OBJ));
             var offering:ModelLoader = offer({"m.json": encoded(MANIFEST), "bear.obj.cooked": cooked, "bear.obj": encoded(OBJ)}, "m.json");
             _fitter.count = 0;
             offering.load("z", "bear.obj");
@@ -152,7 +152,7 @@ package starlogo.models
         {
             var transform:ModelTransform = ModelTransform.fromText("rotate 0 90 0\nscale 1 2 3");
             var made:Model = new ObjModel("bear", OBJ, transform);
-            var files:Object = {"m.json": encoded(MANIFEST), "bear.obj.cooked": newGame().bake(made, "z", true), "bear.obj": encoded(OBJ)};
+            var files:Object = {"m.json": encoded(MANIFEST), "bear.obj.cooked": newGame().cook(made, "z", true), "bear.obj": encoded(OBJ)};
             var offering:ModelLoader = offer(files, "m.json");
             offering.usesTransforms = true;
             _fitter.count = 0;
@@ -169,7 +169,7 @@ package starlogo.models
         [Test(async, timeout="150000")]
         public function aCookedFileIsAModelByItself():void
         {
-            var cooked:ByteArray = newGame().bake(new ObjModel("bear", OBJ));
+            var cooked:ByteArray = newGame().cook(new ObjModel("bear", OBJ));
             var damaged:ByteArray = new ByteArray();
             damaged.writeBytes(cooked);
             damaged[damaged.length - 20] ^= 1;
@@ -197,7 +197,7 @@ package starlogo.models
                 {
                     if (SteppedModels.nameOf(file) == model.name)
                     {
-                        files[file + ".c"] = _greatLand.bake(model);
+                        files[file + ".c"] = _greatLand.cook(model);
                         names[file] = {cooked: file + ".c"};
                     }
                 }

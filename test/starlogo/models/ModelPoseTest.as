@@ -133,7 +133,7 @@ package starlogo.models
         public function aPosedModelForgetsItsCookedFile():void
         {
             var kitchen:GreatLand = new GreatLand();
-            var cooked:CookedModel = CookedModel.fromBytes("pyramid", kitchen.bake(new Model("pyramid", CORNERS, FACES)));
+            var cooked:CookedModel = CookedModel.fromBytes("pyramid", kitchen.cook(new Model("pyramid", CORNERS, FACES)));
             var lazily:GreatLand = landOf(cooked);
             var pose:Vector.<Number> = CORNERS.slice();
             pose[3] = 9;
@@ -141,7 +141,7 @@ package starlogo.models
             cooked.pose(pose);
             assertNull(cooked.data.cooked);
             var later:GreatLand = landOf(cooked);
-            for each (var land:GreatLand in [lazily, later, landOf(CookedModel.fromBytes("pyramid", kitchen.bake(cooked)))])
+            for each (var land:GreatLand in [lazily, later, landOf(CookedModel.fromBytes("pyramid", kitchen.cook(cooked)))])
             {
                 var collider:HierarchicalCollider = new HierarchicalCollider(land);
                 collider.exact = true;

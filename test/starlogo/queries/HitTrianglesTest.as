@@ -52,7 +52,7 @@ package starlogo.queries
             var mirror:Model = new ObjModel("a", text, new ModelTransform(null, new Vector3D(-1, 1, 1)), Model.AS_GIVEN);
             assertEquals("0,1,1", plain.materials.join());
             assertEquals("1,1,0", mirror.materials.join());
-            var cooked:Model = CookedModel.fromBytes("a", new GreatLand().bake(mirror));
+            var cooked:Model = CookedModel.fromBytes("a", new GreatLand().cook(mirror));
             assertEquals("1,1,0", cooked.materials.join());
         }
 
@@ -88,7 +88,7 @@ package starlogo.queries
             assertTrue(model.materialNames[0] == "Red" && model.materialNames[1] == null && model.materialNames[2] == "Blue");
             assertEquals("0,0,0,1,1,1", model.meshes.join());
             assertEquals("Door,Wall", model.meshNames.join());
-            var cooked:Model = CookedModel.fromBytes("a", new GreatLand().bake(model));
+            var cooked:Model = CookedModel.fromBytes("a", new GreatLand().cook(model));
             assertSame(model, cooked);
         }
 
@@ -107,19 +107,19 @@ package starlogo.queries
             assertThrows(ModelError, /no name for number 2 of its meshes/, model.setMeshes, new <int>[0, 2], new <String>["a", "b"]);
             assertThrows(ModelError, /no name for number -2 of its materials/, model.setMaterials, new <int>[0, -2]);
             assertEquals("as before", "0,1", model.meshes.join());
-            assertSame(model, CookedModel.fromBytes("a", new GreatLand().bake(model)));
+            assertSame(model, CookedModel.fromBytes("a", new GreatLand().cook(model)));
             model.setMaterials();
             assertNull(model.materials);
-            assertSame(model, CookedModel.fromBytes("a", new GreatLand().bake(model)));
+            assertSame(model, CookedModel.fromBytes("a", new GreatLand().cook(model)));
         }
 
         [Test]
         public function plainModelsHaveCookedFilesAsBefore():void
         {
             var model:Model = BuiltInModel.cube();
-            var bytes:ByteArray = new GreatLand().bake(model);
+            var bytes:ByteArray = new GreatLand().cook(model);
             model.setMaterials(new Vector.<int>(model.triangles.length / 3));
-            var longer:ByteArray = new GreatLand().bake(model);
+            var longer:ByteArray = new GreatLand().cook(model);
             assertTrue(longer.length + " after " + bytes.length, longer.length > bytes.length && longer.length < bytes.length + 24);
             assertNull(CookedModel.fromBytes("cube", bytes).materials);
         }
@@ -176,7 +176,7 @@ package starlogo.queries
                 agent.pitch = _random.between(-90, 90);
                 agent.moveTo(_random.between(-50, 50), _random.between(-50, 50), _random.between(-5, 5));
                 var queries:AgentQueries = queriesOf(model, agent, "triangles");
-                var cooked:AgentQueries = queriesOf(CookedModel.fromBytes("soup", new GreatLand().bake(model)), agent, "triangles");
+                var cooked:AgentQueries = queriesOf(CookedModel.fromBytes("soup", new GreatLand().cook(model)), agent, "triangles");
                 for (var i:int = 0; i < 30; i++)
                 {
                     var from:Vector3D = new Vector3D(agent.x + _random.between(-4, 4), agent.y + _random.between(-4, 4), agent.z + _random.between(-4, 4));

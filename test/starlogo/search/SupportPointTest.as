@@ -36,7 +36,7 @@ package starlogo.search
             {
                 var model:Model = new ColladaModel("model", Fixtures.text(file));
                 var land:GreatLand = landOf(model);
-                var cooked:Model = CookedModel.fromBytes("model", land.bake(model));
+                var cooked:Model = CookedModel.fromBytes("model", land.cook(model));
                 for (var i:int = 0; i < Effort.choose(6, 60, 2); i++)
                 {
                     var agent:Agent = agentAt("model", 0, 0, 0);

@@ -5,8 +5,8 @@ package starlogo.fitting.hull
     /**
      * Finds the lowest point that is on no inner side of some planes: a linear program of three variables. It is solved by the dual simplex
      * method. At any time the point is where three planes meet, and it is the lowest point outside of these three. The plane that the point is
-     * farthest inside of replaces one of them, and the point moves up. The search begins with planes of three faces whose normals
-     * are around the upward direction. If findCone() finds none, it begins with three planes far below.
+     * farthest inside of replaces one of them, and the point moves up. The search begins with three planes far
+     * below.
      *
      * @param planes four numbers for each face: the outward unit normal, and the offset along it. The coordinates of the points on them
      *     are about 1
@@ -38,25 +38,6 @@ package starlogo.fitting.hull
         var cY:Number = 0;
         var cZ:Number = upZ < 0 ? -1 : 1;
         var c:Number = -FAR;
-        var cone:int = findCone(planes, faces, count, upX, upY, upZ);
-        if (cone >= 0)
-        {
-            var first:int = 4 * faces[cone];
-            aX = planes[first];
-            aY = planes[int(first + 1)];
-            aZ = planes[int(first + 2)];
-            a = planes[int(first + 3)];
-            first = 4 * faces[int((cone + count / 3) % count)];
-            bX = planes[first];
-            bY = planes[int(first + 1)];
-            bZ = planes[int(first + 2)];
-            b = planes[int(first + 3)];
-            first = 4 * faces[int((cone + 2 * count / 3) % count)];
-            cX = planes[first];
-            cY = planes[int(first + 1)];
-            cZ = planes[int(first + 2)];
-            c = planes[int(first + 3)];
-        }
         for (var turn:int = 0; turn < MOST_TURNS; turn++)
         {
             // A vector v is the sum of (v . bc) a, (v . ca) b and (v . ab) c, divided by the determinant.

@@ -6,6 +6,7 @@ package starlogo.libraries.cooked
     import starlogo.hierarchy.BoxTree;
     import starlogo.models.cooked.VarInt;
     import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
 
     use namespace engine;
 
@@ -33,10 +34,6 @@ package starlogo.libraries.cooked
         // The nodes that still have to be read, the next one last.
         private var _waiting:Vector.<int> = new Vector.<int>();
 
-        // The extents of each node, and the number of nodes that are not measured or enclosed yet.
-        private var _extents:Vector.<Number>;
-        private var _left:int;
-
         /**
          * @param bytes the record, read from its position on
          * @param tree without nodes; receives them, and the order of its items. It stays without nodes if the record does not divide these items
@@ -58,7 +55,7 @@ package starlogo.libraries.cooked
             slices(count, ITEMS_PER_STEP, function(first:int, end:int):void
                 {
                     readOrder(first, end, isListed);
-                }).call(beginTree).repeat(readNodes).repeat(measureNodes).repeat(encloseNodes);
+                }).call(beginTree).repeat(readNodes).begin(measuring);
         }
 
         /** @inheritDoc */
@@ -114,7 +111,6 @@ package starlogo.libraries.cooked
                     return false;
                 }
             }
-            _left = _tree.low.length;
             return _waiting.length > 0;
         }
 
@@ -140,39 +136,31 @@ package starlogo.libraries.cooked
             return true;
         }
 
-        // Goes from the last node to the first, because children come after their parents.
-        private function measureNodes():Boolean
+        // The steps that compute the boxes. They go from the last node to the first, because children come after their parents.
+        private function measuring():Steps
         {
-            var items:int = 0;
-            _extents ||= new Vector.<Number>(6 * _left, true);
-            while (_left > 0 && items < ITEMS_PER_STEP)
-            {
-                _left--;
-                _tree.measure(_left, _extents);
-                items += _tree.low[_left] > 0 ? 2 : _tree.end[_left] - _tree.first[_left];
-            }
-            if (_left > 0)
-            {
-                return true;
-            }
-            _left = _tree.low.length;
-            _tree.setExtents(_extents);
-            return false;
-        }
-
-        private function encloseNodes():Boolean
-        {
-            var end:int = Math.max(0, _left - NODES_PER_STEP);
-            while (_left > end)
-            {
-                _left--;
-                _tree.enclose(_left, _extents, 6 * _left);
-            }
-            if (_left == 0)
-            {
-                _tree.finish();
-            }
-            return _left > 0;
+            var tree:BoxTree = _tree;
+            var last:int = tree.low.length - 1;
+            var extents:Vector.<Number> = new Vector.<Number>(6 * tree.low.length, true);
+            return new StepSequence().slices(last + 1, NODES_PER_STEP, function(first:int, end:int):void
+                {
+                    for (var i:int = last - first; i > last - end; i--)
+                    {
+                        tree.measure(i, extents);
+                    }
+                }).call(function():void
+                {
+                    tree.setExtents(extents);
+                }).slices(last + 1, NODES_PER_STEP, function(first:int, end:int):void
+                {
+                    for (var i:int = last - first; i > last - end; i--)
+                    {
+                        tree.enclose(i, extents, 6 * i);
+                    }
+                }).call(function():void
+                {
+                    tree.finish();
+                });
         }
     }
 }

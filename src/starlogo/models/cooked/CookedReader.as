@@ -68,13 +68,13 @@ package starlogo.models.cooked
             refuseIf(_bytes == null, name, "the cooked file is damaged: cook it again");
             data.cooked = _file;
             data.scaling = Model.SCALINGS[readCount(Model.SCALINGS.length - 1)];
-            var form:int = readCount(CookedShape.DOUBLE);
+            var form:int = readCount(CookedWriter.DOUBLE);
             var hasTransform:Boolean = readCount(1) == 1;
             var vertexCount:int = readCount(int.MAX_VALUE);
             var triangleCount:int = readCount(int.MAX_VALUE);
             new ModelBudget(name, ModelBudget.BYTES).requireMesh(vertexCount, triangleCount);
             data.transform = hasTransform ? readTransform() : null;
-            if (form == CookedShape.DOUBLE)
+            if (form == CookedWriter.DOUBLE)
             {
                 data.frame = SourceFrame.read(_bytes);
                 refuseIf(data.frame == null, name, "the cooked file does not have the model's place in its source");
@@ -149,10 +149,10 @@ package starlogo.models.cooked
         private function readNumbers(first:int, end:int, form:int):void
         {
             var all:Vector.<Number> = data.vertices;
-            var divisor:Number = CookedShape.divisorOf(form);
+            var divisor:Number = CookedWriter.divisorOf(form);
             for (var i:int = 3 * first; i < 3 * end; i++)
             {
-                if (form < CookedShape.SINGLE)
+                if (form < CookedWriter.SINGLE)
                 {
                     // each number is stored as the difference from the one of the vertex before, in multiples of 1 / divisor
                     var multiple:int = i < 3 ? 0 : Math.round(all[int(i - 3)] * divisor);
@@ -161,7 +161,7 @@ package starlogo.models.cooked
                 }
                 else
                 {
-                    all[i] = form == CookedShape.DOUBLE ? _bytes.readDouble() : _bytes.readFloat();
+                    all[i] = form == CookedWriter.DOUBLE ? _bytes.readDouble() : _bytes.readFloat();
                 }
             }
         }

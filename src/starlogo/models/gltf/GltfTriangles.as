@@ -47,38 +47,13 @@ package starlogo.models.gltf
             var cornerCount:int = _indices == null ? _points.count : _indices.count;
             var triangleCount:int = _mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
             file.budget.require(ModelBudget.TRIANGLES, _firstCorner / 3 + triangleCount, place);
-            slices(triangleCount, TRIANGLES_PER_STEP, _mode == TRIANGLES && _indices != null ? copyTriangles : addTriangles);
+            slices(triangleCount, TRIANGLES_PER_STEP, addTriangles);
         }
 
         /** The mode of a primitive. Points and lines have a mode below TRIANGLES. */
         internal static function modeOf(json:GltfJson, primitive:Object, place:String):int
         {
             return json.whole(primitive, "mode", place, FAN, TRIANGLES);
-        }
-
-        // The common case: copies the indices unchanged.
-        private function copyTriangles(first:int, end:int):void
-        {
-            if (_points.isMirror)
-            {
-                addTriangles(first, end);
-                return;
-            }
-            var to:Vector.<uint> = _triangles;
-            var from:Vector.<Number> = _indices.numbers;
-            var firstVertex:int = _points.firstVertex;
-            var count:int = _points.count;
-            var at:int = _firstCorner + 3 * first;
-            var last:int = 3 * end;
-            for (var i:int = 3 * first; i < last; i++)
-            {
-                var index:Number = from[i];
-                if (index >= count)
-                {
-                    cornerAt(i);
-                }
-                to[at++] = firstVertex + index;
-            }
         }
 
         // Triangle n of a list has the corners 3n, 3n+1 and 3n+2. Triangle n of a fan has the corners n+1, n+2 and 0. In a strip, every

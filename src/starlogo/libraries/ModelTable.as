@@ -6,7 +6,7 @@ package starlogo.libraries
      *
      * @private
      */
-    public final class ShapeTable
+    public final class ModelTable
     {
         // stands before every key, because a shape may be called "hasOwnProperty"
         private static const PREFIX:String = ":";
@@ -15,23 +15,23 @@ package starlogo.libraries
         public var revision:int = 0;
 
         private var _entries:Object = {};
-        private var _unknown:ShapeEntry;
+        private var _unknown:ModelEntry;
 
-        public function ShapeTable()
+        public function ModelTable()
         {
-            _unknown = new ShapeEntry(this);
+            _unknown = new ModelEntry(this);
         }
 
         /** The entry of a name, to read. All unknown names share an empty one. */
-        public function of(name:String):ShapeEntry
+        public function of(name:String):ModelEntry
         {
             return _entries[PREFIX + name] || _unknown;
         }
 
         /** The entry of a name, to write to. An entry is never removed, so its revision only increases. */
-        public function entryFor(name:String):ShapeEntry
+        public function entryFor(name:String):ModelEntry
         {
-            return _entries[PREFIX + name] ||= new ShapeEntry(this);
+            return _entries[PREFIX + name] ||= new ModelEntry(this);
         }
 
         /** Throws an ArgumentError if a name is null or empty. */

@@ -15,7 +15,7 @@ package starlogo.models.cooked
      *
      * @private
      */
-    public final class CookedShape
+    public final class CookedWriter
     {
         /** The form for coordinates as floats of 32 bits. A smaller form n stores whole multiples of 1e-n. */
         internal static const SINGLE:int = 9;

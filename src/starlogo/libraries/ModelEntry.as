@@ -13,7 +13,7 @@ package starlogo.libraries
      *
      * @private
      */
-    public final class ShapeEntry implements PoseListener
+    public final class ModelEntry implements PoseListener
     {
         /** The number of models of this name that are loading. */
         public var loading:int = 0;
@@ -25,14 +25,14 @@ package starlogo.libraries
         public var model:Model = null;
 
         /** The structures; null if there are none. Set them with setStructures(). */
-        public var structures:ShapeStructures = null;
+        public var structures:ModelStructures = null;
 
-        private var _table:ShapeTable;
+        private var _table:ModelTable;
         private var _builder:SolidHierarchyBuilder = null;
         private var _hierarchy:SolidHierarchy = null;
 
         /** @param table counts replaced and removed data of all shapes */
-        public function ShapeEntry(table:ShapeTable)
+        public function ModelEntry(table:ModelTable)
         {
             _table = table;
         }
@@ -80,7 +80,7 @@ package starlogo.libraries
         }
 
         /** Sets the structures; null for none. */
-        public function setStructures(value:ShapeStructures):void
+        public function setStructures(value:ModelStructures):void
         {
             countChange(structures);
             structures = value;

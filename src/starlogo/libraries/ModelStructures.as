@@ -11,7 +11,7 @@ package starlogo.libraries
      *
      * @private
      */
-    public final class ShapeStructures
+    public final class ModelStructures
     {
         // the kinds that the library's list of fitters finds: all before HULL
         private static const FITTED:int = BoundingStructure.HULL;
@@ -36,7 +36,7 @@ package starlogo.libraries
          * @param hull the hull that was found; null if none was wanted
          * @param keepsAll whether the client may read the smallest structure of each kind
          */
-        public function ShapeStructures(found:Vector.<BoundingStructure>, hull:BoundingStructure, keepsAll:Boolean)
+        public function ModelStructures(found:Vector.<BoundingStructure>, hull:BoundingStructure, keepsAll:Boolean)
         {
             this.keepsAll = keepsAll;
             var least:Number = Infinity;
@@ -67,7 +67,7 @@ package starlogo.libraries
         }
 
         /** Adds the structures of kinds that are missing here. */
-        public function addMissing(other:ShapeStructures):void
+        public function addMissing(other:ModelStructures):void
         {
             for (var kind:int = 0; kind < smallest.length; kind++)
             {

@@ -9,7 +9,7 @@ const HELP = `Reads models and computes what a game needs of them when the game 
 OBJ, DAE, GLB, GLTF and STL file of a folder and of those below it, and manifest.json, which a ModelLoader finds them by. What is
 there already, of the same source and options, is left as it is.
 
-  starlogo-bake FOLDER [options]
+  starlogo-cook FOLDER [options]
 
   --out FOLDER         copies the models there, with what they need beside them, and writes beside the copies; without it, beside the models
   --up x|y|z           the axis that points up in OBJ and STL files, as load() is given it (z)
@@ -67,7 +67,7 @@ for (const file of files) {
 			continue;
 		}
 		const model = await read(name, source, transform ?? values.up);
-		const bytes = newGame().bake(model, values.up, values.transforms);
+		const bytes = newGame().cook(model, values.up, values.transforms);
 		writeFileSync(`${to}.cooked`, bytes);
 		const time = (performance.now() - start).toFixed(0);
 		console.log(`${relative(out, to)}.cooked: ${bytes.length} bytes for ${(model.triangles?.length ?? 0) / 3} triangles, ${time} ms`);
@@ -108,11 +108,11 @@ function readArguments() {
 }
 
 function fail(problem) {
-	console.error(`starlogo-bake: ${problem}\nstarlogo-bake --help prints what it takes`);
+	console.error(`starlogo-cook: ${problem}\nstarlogo-cook --help prints what it takes`);
 	process.exit(2);
 }
 
-/** The list of the last bake; an empty one if there is none, or it is damaged. */
+/** The list of the last cook; an empty one if there is none, or it is damaged. */
 function readList() {
 	try {
 		return JSON.parse(readFileSync(list, "utf8")).models ?? {};

@@ -8,7 +8,7 @@ package growth
     import starlogo.models.GltfModel;
     import starlogo.models.Model;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelFile;
+    import starlogo.models.ModelText;
     import starlogo.models.ObjModel;
     import starlogo.models.StlModel;
 
@@ -77,7 +77,7 @@ package growth
                 case "OBJ":
                     return new ObjModel("a", text);
                 case "UTF-16":
-                    return new ObjModel("a", ModelFile.text("a", bytes));
+                    return new ObjModel("a", ModelText.text("a", bytes));
                 default:
                     return bytes == null ? new ColladaModel("a", text) : ColladaModel.fromBytes("a", bytes);
             }

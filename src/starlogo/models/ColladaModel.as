@@ -53,7 +53,7 @@ package starlogo.models
          */
         public static function fromBytes(name:String, bytes:ByteArray, upAxis:Object = null, scaling:String = Model.FOOTPRINT):ColladaModel
         {
-            return new ColladaModel(name, ModelFile.text(name, bytes), upAxis, scaling);
+            return new ColladaModel(name, ModelText.text(name, bytes), upAxis, scaling);
         }
     }
 }

@@ -3,7 +3,7 @@ package starlogo.models
     import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.models.gltf.GltfFile;
-    import starlogo.models.gltf.GltfPose;
+    import starlogo.models.gltf.GltfAnimation;
     import starlogo.models.gltf.GltfReader;
     import starlogo.steps.finish;
 
@@ -23,7 +23,7 @@ package starlogo.models
         private var _name:String;
         private var _file:GltfFile;
         private var _upAxis:Object;
-        private var _poses:Vector.<GltfPose> = new Vector.<GltfPose>();
+        private var _animations:Vector.<GltfAnimation> = new Vector.<GltfAnimation>();
 
         /**
          * Reads the animations of a file.
@@ -41,16 +41,16 @@ package starlogo.models
             _file = GltfModel.fileOf(name, bytes, buffers);
             for (var i:int = 0; i < _file.animationCount; i++)
             {
-                var pose:GltfPose = new GltfPose(_file, i);
-                finish(pose);
-                _poses.push(pose);
+                var read:GltfAnimation = new GltfAnimation(_file, i);
+                finish(read);
+                _animations.push(read);
             }
         }
 
         /** The number of animations. */
         public function get count():int
         {
-            return _poses.length;
+            return _animations.length;
         }
 
         /**
@@ -60,9 +60,9 @@ package starlogo.models
          */
         public function indexOf(name:String):int
         {
-            for (var i:int = 0; i < _poses.length; i++)
+            for (var i:int = 0; i < _animations.length; i++)
             {
-                if (_poses[i].name == name)
+                if (_animations[i].name == name)
                 {
                     return i;
                 }
@@ -78,7 +78,7 @@ package starlogo.models
          */
         public function durationOf(animation:int):Number
         {
-            return poseOf(animation).duration;
+            return animationOf(animation).duration;
         }
 
         /**
@@ -93,25 +93,25 @@ package starlogo.models
          */
         public function verticesAt(animation:int, time:Number):Vector.<Number>
         {
-            var pose:GltfPose = poseOf(animation);
+            var chosen:GltfAnimation = animationOf(animation);
             if (time - time != 0)
             {
                 throw new RangeError("the time must be a finite number, not " + time);
             }
-            pose.setTime(time);
+            chosen.setTime(time);
             _file.beginAgain();
-            var reader:GltfReader = new GltfReader(_name, _file, _upAxis, pose);
+            var reader:GltfReader = new GltfReader(_name, _file, _upAxis, chosen);
             finish(reader);
             return reader.data.vertices;
         }
 
-        private function poseOf(animation:int):GltfPose
+        private function animationOf(animation:int):GltfAnimation
         {
-            if (animation < 0 || animation >= _poses.length)
+            if (animation < 0 || animation >= _animations.length)
             {
-                throw new RangeError("the file has animations 0 to " + (_poses.length - 1) + ", not " + animation);
+                throw new RangeError("the file has animations 0 to " + (_animations.length - 1) + ", not " + animation);
             }
-            return _poses[animation];
+            return _animations[animation];
         }
     }
 }

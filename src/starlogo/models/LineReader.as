@@ -103,6 +103,29 @@ package starlogo.models
             return (_start + (_end - _start) * next / words.length) / Math.max(1, _source.length);
         }
 
+        /**
+         * Reads the next three words as decimals, and moves on. If one is not a finite number, it stays where it is.
+         *
+         * @param out receives the three numbers
+         * @param at the index of the first in out
+         * @return whether they are finite
+         */
+        public function readPoint(out:Vector.<Number>, at:int):Boolean
+        {
+            var x:Number = Decimal.of(words[next]);
+            var y:Number = Decimal.of(words[int(next + 1)]);
+            var z:Number = Decimal.of(words[int(next + 2)]);
+            if (x - x + y - y + z - z != 0)
+            {
+                return false;
+            }
+            out[at] = x;
+            out[at + 1] = y;
+            out[at + 2] = z;
+            next += 3;
+            return true;
+        }
+
         /** Moves on to the end of the line. */
         public function skipStatement():void
         {

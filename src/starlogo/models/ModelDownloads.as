@@ -13,14 +13,14 @@ package starlogo.models
         public var url:String = null;
 
         /** The file, or its cooked file; null before it is fetched. */
-        public var file:ModelFetch = null;
+        public var file:ModelDownload = null;
 
         /** The transform file beside it; null for none. */
-        public var transform:ModelFetch = null;
+        public var transform:ModelDownload = null;
 
         private var _newLoader:Function;
         private var _manifest:ModelManifest = null;
-        private var _all:Vector.<ModelFetch> = new Vector.<ModelFetch>();
+        private var _all:Vector.<ModelDownload> = new Vector.<ModelDownload>();
 
         /** @param newLoader <code>function():URLLoader</code>, called for each file */
         public function ModelDownloads(newLoader:Function)
@@ -43,7 +43,7 @@ package starlogo.models
         /** Stops fetching. */
         public function cancel():void
         {
-            for each (var each:ModelFetch in _all)
+            for each (var each:ModelDownload in _all)
             {
                 each.cancel();
             }
@@ -61,18 +61,18 @@ package starlogo.models
         {
             var address:String = _manifest.addressFor(url);
             _manifest = null;
-            file = address == null ? null : fetching(address);
+            file = address == null ? null : download(address);
         }
 
         /** Starts to fetch the file. @param usesTransforms whether the transform file beside it is fetched too */
         public function fetchSource(usesTransforms:Boolean):void
         {
-            file = url == "" ? null : fetching(url);
+            file = url == "" ? null : download(url);
             if (usesTransforms && hasFolder)
             {
                 var folder:String = ModelAddress.folderOf(url);
                 var name:String = url.replace(FILE, "$1").substr(folder.length).replace(EXTENSION, "");
-                transform = name == "" ? null : fetching(folder + name + ".slb" + url.replace(FILE, "$2"));
+                transform = name == "" ? null : download(folder + name + ".slb" + url.replace(FILE, "$2"));
             }
         }
 
@@ -86,7 +86,7 @@ package starlogo.models
                 {
                     gltf.setBuffer(uri, null, "it is in another file, and the address of this file is not known: load() fetches both");
                 }
-                fetching(ModelAddress.folderOf(url) + uri);
+                download(ModelAddress.folderOf(url) + uri);
             }
         }
 
@@ -100,20 +100,20 @@ package starlogo.models
         }
 
         /** Releases the files that have come. */
-        public function letGo():void
+        public function release():void
         {
             file = transform = null;
             _all.length = 0;
         }
 
-        private function fetching(address:String):ModelFetch
+        private function download(address:String):ModelDownload
         {
-            var added:ModelFetch = new ModelFetch(address, _newLoader());
+            var added:ModelDownload = new ModelDownload(address, _newLoader());
             _all.push(added);
             return added;
         }
 
-        private static function isUnderWay(fetch:ModelFetch, index:int, all:Vector.<ModelFetch>):Boolean
+        private static function isUnderWay(fetch:ModelDownload, index:int, all:Vector.<ModelDownload>):Boolean
         {
             return fetch.isUnderWay;
         }

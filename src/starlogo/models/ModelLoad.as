@@ -104,7 +104,7 @@ package starlogo.models
                 {
                     if (text == null && (bytes == null || ModelFormat.ofBytes(bytes) == null))
                     {
-                        text = ModelFile.text(name, bytes);
+                        text = ModelText.text(name, bytes);
                         bytes = null;
                     }
                 }).call(function():void
@@ -191,7 +191,7 @@ package starlogo.models
                 }).begin(function():Steps
                 {
                     _downloads.giveBuffers(gltf);
-                    _downloads.letGo();
+                    _downloads.release();
                     _reader = (gltf == null ? newReader(format, bytes, text) : new GltfReader(name, gltf, _upAxis as ModelTransform)).normalised(_scaling);
                     // this function lives as long as the reader works
                     bytes = null;
@@ -220,7 +220,7 @@ package starlogo.models
             model = _source != null ? _source.model : new Model(null, null, null, null, _reader.data);
             _reader = null;
             _source = null;
-            _downloads.letGo();
+            _downloads.release();
         }
 
         private function receiving():Steps

@@ -8,7 +8,7 @@ package starlogo.models
         /** The list's address. */
         public var url:String;
 
-        private var _fetch:ModelFetch = null;
+        private var _fetch:ModelDownload = null;
         private var _models:Object = null;
 
         /** @param url the list's address */
@@ -20,7 +20,7 @@ package starlogo.models
         /** Fetches the list, if it has not been requested before. @param newLoader <code>function():URLLoader</code> */
         public function fetch(newLoader:Function):void
         {
-            _fetch ||= new ModelFetch(url, newLoader());
+            _fetch ||= new ModelDownload(url, newLoader());
         }
 
         /** Whether the download is running. */

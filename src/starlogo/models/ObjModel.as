@@ -45,7 +45,7 @@ package starlogo.models
          */
         public static function fromBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):ObjModel
         {
-            return new ObjModel(name, ModelFile.text(name, bytes), upAxis, scaling);
+            return new ObjModel(name, ModelText.text(name, bytes), upAxis, scaling);
         }
     }
 }

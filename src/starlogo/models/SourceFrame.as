@@ -80,28 +80,13 @@ package starlogo.models
         engine function place(points:Vector.<Number>, out:Vector.<Number>):void
         {
             var n:Vector.<Number> = _numbers;
-            var m00:Number = n[0];
-            var m10:Number = n[1];
-            var m20:Number = n[2];
-            var m01:Number = n[3];
-            var m11:Number = n[4];
-            var m21:Number = n[5];
-            var m02:Number = n[6];
-            var m12:Number = n[7];
-            var m22:Number = n[8];
-            var fromX:Number = n[9];
-            var fromY:Number = n[10];
-            var fromZ:Number = n[11];
-            var length:int = points.length;
-            for (var i:int = 0; i < length; i += 3)
+            for (var i:int = 0; i < points.length; i += 3)
             {
-                var x:Number = points[i] - fromX;
-                var y:Number = points[int(i + 1)] - fromY;
-                var z:Number = points[int(i + 2)] - fromZ;
-                out[i] = m00 * x + m01 * y + m02 * z;
-                out[int(i + 1)] = m10 * x + m11 * y + m12 * z;
-                out[int(i + 2)] = m20 * x + m21 * y + m22 * z;
+                out[i] = points[i] - n[9];
+                out[int(i + 1)] = points[int(i + 1)] - n[10];
+                out[int(i + 2)] = points[int(i + 2)] - n[11];
             }
+            new AffineTransform(new <Number>[n[0], n[3], n[6], 0, n[1], n[4], n[7], 0, n[2], n[5], n[8], 0]).place(out, 0, points.length / 3, out, 0);
         }
 
         /**

@@ -50,7 +50,7 @@ package starlogo.models.collada
             {
                 begin(readingPoints);
             }
-            begin(droppingUnused).call(letGo);
+            begin(droppingUnused).call(release);
         }
 
         /** The work on a primitive. The work on its source comes first, if the source is not read yet. */
@@ -113,7 +113,7 @@ package starlogo.models.collada
             return hasSurfaces ? new VertexFilter(vertices, triangles, _isUsed) : null;
         }
 
-        private function letGo():void
+        private function release():void
         {
             _isUsed.length = 0;
             _points = null;

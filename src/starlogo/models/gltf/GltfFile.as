@@ -5,7 +5,7 @@ package starlogo.models.gltf
     import starlogo.models.ModelAddress;
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelFile;
+    import starlogo.models.ModelText;
     import starlogo.models.TextTokens;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
@@ -63,7 +63,7 @@ package starlogo.models.gltf
         {
             if (text == null)
             {
-                text = bytes != null && isBinary(bytes) ? openChunks(name, bytes) : ModelFile.text(name, bytes, "glTF");
+                text = bytes != null && isBinary(bytes) ? openChunks(name, bytes) : ModelText.text(name, bytes, "glTF");
             }
             text = TextTokens.unmarked(text);
             budget = new ModelBudget(name, text.length);
@@ -152,7 +152,7 @@ package starlogo.models.gltf
         {
             var text:String = null;
             var length:int = bytes.length;
-            ModelFile.checkSize(name, bytes);
+            ModelText.checkSize(name, bytes);
             refuseIf(length < HEADER_LENGTH + CHUNK_HEADER_LENGTH, name, "the file is cut off: it has " + length + " bytes");
             bytes.endian = Endian.LITTLE_ENDIAN;
             var version:uint = wordAt(bytes, 4);

@@ -15,7 +15,7 @@ package starlogo.models.gltf
 
         private var _json:GltfJson;
         private var _root:AffineTransform;
-        private var _pose:GltfPose;
+        private var _animation:GltfAnimation;
         private var _parents:Vector.<int>;
         private var _worlds:Vector.<AffineTransform>;
         private var _pending:Vector.<int> = new Vector.<int>();
@@ -25,13 +25,13 @@ package starlogo.models.gltf
         /**
          * @param json the file's JSON
          * @param root is applied to the whole scene
-         * @param pose an animation whose time is set; null for the rest pose
+         * @param animation an animation whose time is set; null for the rest pose
          */
-        public function GltfScene(json:GltfJson, root:AffineTransform, pose:GltfPose)
+        public function GltfScene(json:GltfJson, root:AffineTransform, animation:GltfAnimation)
         {
             _json = json;
             _root = root;
-            _pose = pose;
+            _animation = animation;
             var count:int = json.count("nodes");
             _parents = new Vector.<int>(count);
             _worlds = new Vector.<AffineTransform>(count);
@@ -160,7 +160,7 @@ package starlogo.models.gltf
         // What the animation gives to a property of a node; null if it is not animated.
         private function posed(node:int, path:String):Vector.<Number>
         {
-            return _pose == null ? null : _pose.valueOf(node, path);
+            return _animation == null ? null : _animation.valueOf(node, path);
         }
 
         /** The transform with 16 numbers, column by column. */

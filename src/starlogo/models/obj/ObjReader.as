@@ -99,19 +99,11 @@ package starlogo.models.obj
 
         private function readVertex():void
         {
-            var all:Array = _lines.words;
-            var at:int = _lines.next;
-            var x:Number = Decimal.of(all[at]);
-            var y:Number = Decimal.of(all[int(at + 1)]);
-            var z:Number = Decimal.of(all[int(at + 2)]);
-            if (x - x + y - y + z - z != 0)
+            if (!_lines.readPoint(data.vertices, data.vertices.length))
             {
                 readUnusualVertex();
-                return;
             }
-            data.vertices.push(x, y, z);
-            _lines.next = at + 3;
-            if (all[at + 3] != LineReader.END)
+            else if (_lines.words[_lines.next] != LineReader.END)
             {
                 _lines.skipStatement();
             }

@@ -3,11 +3,10 @@ package starlogo.models.stl
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import starlogo.geometry.PointTable;
-    import starlogo.models.Decimal;
     import starlogo.models.LineReader;
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelFile;
+    import starlogo.models.ModelText;
     import starlogo.models.ModelReader;
     import starlogo.models.TextTokens;
     import starlogo.models.refuseIf;
@@ -35,8 +34,9 @@ package starlogo.models.stl
         // of a text file
         private var _lines:LineReader = null;
 
-        // of a text file: the number of corners of the present facet so far
+        // of a text file: the number of corners of the present facet so far, and the last one
         private var _corners:int = 0;
+        private var _point:Vector.<Number> = new Vector.<Number>(3, true);
 
         /**
          * @param name the model's name
@@ -51,7 +51,7 @@ package starlogo.models.stl
             _bytes = bytes;
             if (bytes != null)
             {
-                ModelFile.checkSize(name, bytes);
+                ModelText.checkSize(name, bytes);
                 bytes.endian = Endian.LITTLE_ENDIAN;
                 _count = countIn(bytes);
                 _budget.require(ModelBudget.TRIANGLES, _count);
@@ -72,7 +72,7 @@ package starlogo.models.stl
         public static function of(name:String, bytes:ByteArray, upAxis:Object):StlReader
         {
             return bytes != null && isBinary(bytes) ? new StlReader(name, bytes, null, upAxis)
-                : new StlReader(name, null, ModelFile.text(name, bytes, "STL"), upAxis);
+                : new StlReader(name, null, ModelText.text(name, bytes, "STL"), upAxis);
         }
 
         /**
@@ -147,18 +147,12 @@ package starlogo.models.stl
 
         private function readVertex():void
         {
-            var words:Array = _lines.words;
-            var at:int = _lines.next;
-            var x:Number = Decimal.of(words[at]);
-            var y:Number = Decimal.of(words[int(at + 1)]);
-            var z:Number = Decimal.of(words[int(at + 2)]);
-            if (x - x + y - y + z - z != 0 || _corners == 3)
+            if (_corners == 3 || !_lines.readPoint(_point, 0))
             {
                 throw new ModelError(name, _lines.place, _corners == 3 ? "a facet has more than three vertices"
                         : "expected a vertex, three finite numbers, but found \"" + TextTokens.shorten(_lines.restOfStatement().join(" ")) + "\"");
             }
-            data.triangles.push(_points.indexOf(x, y, z));
-            _lines.next = at + 3;
+            data.triangles.push(_points.indexOf(_point[0], _point[1], _point[2]));
             _corners++;
         }
 

@@ -7,7 +7,7 @@ package starlogo.models
      *
      * @private
      */
-    public final class ModelFile
+    public final class ModelText
     {
         private static const HEAD_LENGTH:int = 1024;
         private static const DECLARATION_LENGTH:int = 100;

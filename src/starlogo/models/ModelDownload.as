@@ -11,7 +11,7 @@ package starlogo.models
     import flash.utils.ByteArray;
 
     /** The download of one file of a model. */
-    internal final class ModelFetch
+    internal final class ModelDownload
     {
         private static const EVENTS:Array = [Event.COMPLETE, ProgressEvent.PROGRESS, IOErrorEvent.IO_ERROR, SecurityErrorEvent.SECURITY_ERROR];
 
@@ -35,7 +35,7 @@ package starlogo.models
          * @param url the file's address
          * @param loader fetches it
          */
-        public function ModelFetch(url:String, loader:URLLoader)
+        public function ModelDownload(url:String, loader:URLLoader)
         {
             _loader = loader;
             _loader.dataFormat = URLLoaderDataFormat.BINARY;

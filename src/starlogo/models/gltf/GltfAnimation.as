@@ -8,7 +8,7 @@ package starlogo.models.gltf
      *
      * @private
      */
-    public final class GltfPose extends StepSequence
+    public final class GltfAnimation extends StepSequence
     {
         private static const PATHS:Array = ["translation", "rotation", "scale", "weights"];
 
@@ -24,7 +24,7 @@ package starlogo.models.gltf
          * @param index the animation's index
          * @throws ModelError if it is wrong
          */
-        public function GltfPose(file:GltfFile, index:int)
+        public function GltfAnimation(file:GltfFile, index:int)
         {
             var json:GltfJson = file.json;
             var place:String = "animations[" + index + "]";

@@ -6,7 +6,7 @@ package starlogo.models
     import support.Failures;
     import support.encoded;
 
-    public class ModelFileTest
+    public class ModelTextTest
     {
         private static const OBJ:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n# \u00E9\u4E2D\n";
         private static const DOCUMENT:String = Collada.document(Collada.geometry("\u00E9", "0 0 0 1 0 0 1 1 0",

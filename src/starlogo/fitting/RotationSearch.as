@@ -22,7 +22,7 @@ package starlogo.fitting
      * extreme corners of the rotation before. It climbs from neighbour to neighbour. On a convex body, the first corner without a better
      * neighbour is the best. Third, the search ends if a box is as small as the hull itself.</p>
      */
-    internal class RotationSearch extends StepSequence
+    internal final class RotationSearch extends StepSequence
     {
         private var _session:FitSession;
         private var _hull:ConvexHull;

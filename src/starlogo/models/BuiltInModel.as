@@ -54,15 +54,7 @@ package starlogo.models
             }
             vertices.push(0, 0, 1);
 
-            var ringSize:int = SPHERE_SEGMENTS + 1;
-            var lastRing:int = 1 + (SPHERE_RINGS - 1) * ringSize;
-            var topPole:int = lastRing + ringSize;
-            for (var segment:int = 0; segment < SPHERE_SEGMENTS; segment++)
-            {
-                triangles.push(0, segment + 2, segment + 1);
-                triangles.push(topPole, lastRing + segment, lastRing + segment + 1);
-            }
-            addBands(triangles, 1, SPHERE_RINGS - 1, ringSize, SPHERE_SEGMENTS);
+            addPoles(triangles, SPHERE_RINGS, SPHERE_SEGMENTS + 1, SPHERE_SEGMENTS);
             return new BuiltInModel("sphere", vertices, triangles);
         }
 
@@ -129,15 +121,7 @@ package starlogo.models
             addCap(vertices, radius, height - radius, height > 2 * radius ? CAPSULE_RINGS : CAPSULE_RINGS + 1, 2 * CAPSULE_RINGS - 1);
             vertices.push(0, 0, height);
 
-            var topPole:int = vertices.length / 3 - 1;
-            var lastRing:int = topPole - CAPSULE_SEGMENTS;
-            for (var segment:int = 0; segment < CAPSULE_SEGMENTS; segment++)
-            {
-                var next:int = (segment + 1) % CAPSULE_SEGMENTS;
-                triangles.push(0, 1 + next, 1 + segment);
-                triangles.push(topPole, lastRing + segment, lastRing + next);
-            }
-            addBands(triangles, 1, lastRing / CAPSULE_SEGMENTS, CAPSULE_SEGMENTS, CAPSULE_SEGMENTS);
+            addPoles(triangles, (vertices.length / 3 - 2) / CAPSULE_SEGMENTS, CAPSULE_SEGMENTS, CAPSULE_SEGMENTS);
             return new BuiltInModel(name, vertices, triangles, AS_GIVEN);
         }
 
@@ -214,6 +198,19 @@ package starlogo.models
                 var angle:Number = 360 * segment / segments;
                 vertices.push(radius * Trigonometry.cosine(angle), radius * Trigonometry.sine(angle), z);
             }
+        }
+
+        /** Joins the first vertex to the first ring, the rings to each other, and the last ring to the last vertex. */
+        private static function addPoles(triangles:Vector.<uint>, ringCount:int, ringSize:int, segments:int):void
+        {
+            var lastRing:int = 1 + (ringCount - 1) * ringSize;
+            for (var segment:int = 0; segment < segments; segment++)
+            {
+                var next:int = (segment + 1) % ringSize;
+                triangles.push(0, 1 + next, 1 + segment);
+                triangles.push(lastRing + ringSize, lastRing + segment, lastRing + next);
+            }
+            addBands(triangles, 1, ringCount - 1, ringSize, segments);
         }
 
         /**

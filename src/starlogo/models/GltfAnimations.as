@@ -98,9 +98,8 @@ package starlogo.models
             {
                 throw new RangeError("the time must be a finite number, not " + time);
             }
-            chosen.setTime(time);
             _file.beginAgain();
-            var reader:GltfReader = new GltfReader(_name, _file, _upAxis, chosen);
+            var reader:GltfReader = new GltfReader(_name, _file, _upAxis, chosen.valuesAt(time));
             finish(reader);
             return reader.data.vertices;
         }

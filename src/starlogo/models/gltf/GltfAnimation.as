@@ -15,9 +15,8 @@ package starlogo.models.gltf
         /** The animation's name; "" if it has none. */
         public var name:String;
 
-        // The samplers, by the node's index, a space and the path; and the values of the time that was set last.
+        // The samplers, by the node's index, a space and the path.
         private var _samplers:Object = {};
-        private var _values:Object = {};
 
         /**
          * @param file the file; all its steps must be done
@@ -69,19 +68,21 @@ package starlogo.models.gltf
             return most;
         }
 
-        /** Sets the time, in seconds. */
-        public function setTime(time:Number):void
+        /** The numbers of all animated properties at a time in seconds. <code>valueIn()</code> finds them. */
+        public function valuesAt(time:Number):Object
         {
+            var values:Object = {};
             for (var key:String in _samplers)
             {
-                _values[key] = GltfSampler(_samplers[key]).valueAt(time);
+                values[key] = GltfSampler(_samplers[key]).valueAt(time);
             }
+            return values;
         }
 
-        /** The numbers that a property of a node has at this time; null if it is not animated. */
-        internal function valueOf(node:int, path:String):Vector.<Number>
+        /** The numbers of a node's property. Null if it is not animated, or if there are no values. */
+        internal static function valueIn(values:Object, node:int, path:String):Vector.<Number>
         {
-            return _values[node + " " + path];
+            return values == null ? null : values[node + " " + path];
         }
     }
 }

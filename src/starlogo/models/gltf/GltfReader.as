@@ -15,7 +15,7 @@ package starlogo.models.gltf
     {
         private var _file:GltfFile;
         private var _scene:GltfScene = null;
-        private var _animation:GltfAnimation;
+        private var _animated:Object;
 
         // the index of the node whose mesh is next
         private var _node:int = 0;
@@ -24,19 +24,19 @@ package starlogo.models.gltf
          * @param name the model's name
          * @param file the file; all its steps must be done and all buffers set
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
-         * @param animation an animation whose time is set; null for the rest pose
+         * @param animated the values of a GltfAnimation at a time; null for the rest pose
          */
-        public function GltfReader(name:String, file:GltfFile, upAxis:Object, animation:GltfAnimation = null)
+        public function GltfReader(name:String, file:GltfFile, upAxis:Object, animated:Object = null)
         {
             super(name, upAxis == null ? "y" : upAxis);
             _file = file;
-            _animation = animation;
+            _animated = animated;
             begin(walking).beginEach(readingNext).begin(droppingUnused);
         }
 
         private function walking():Steps
         {
-            _scene = new GltfScene(_file.json, turnUp, _animation);
+            _scene = new GltfScene(_file.json, turnUp, _animated);
             for (var i:int = 0; i < _file.json.count("materials"); i++)
             {
                 data.materials.names.push(textOf(_file.json.entry("materials", i).name));
@@ -58,7 +58,7 @@ package starlogo.models.gltf
             var mesh:Object = json.entry("meshes", index);
             var place:String = "meshes[" + index + "]";
             var primitives:Array = json.listIn(mesh, "primitives", place);
-            var posed:Vector.<Number> = _animation == null ? null : _animation.valueOf(nodeIndex, "weights");
+            var posed:Vector.<Number> = GltfAnimation.valueIn(_animated, nodeIndex, "weights");
             var weights:Vector.<Number> = posed || json.numbers(node, "weights", "nodes[" + nodeIndex + "]", -1)
                 || json.numbers(mesh, "weights", place, -1, new Vector.<Number>());
             // The vertices of this node so far. The key is everything that they depend on.

@@ -15,7 +15,7 @@ package starlogo.models.gltf
 
         private var _json:GltfJson;
         private var _root:AffineTransform;
-        private var _animation:GltfAnimation;
+        private var _animated:Object;
         private var _parents:Vector.<int>;
         private var _worlds:Vector.<AffineTransform>;
         private var _pending:Vector.<int> = new Vector.<int>();
@@ -25,13 +25,13 @@ package starlogo.models.gltf
         /**
          * @param json the file's JSON
          * @param root is applied to the whole scene
-         * @param animation an animation whose time is set; null for the rest pose
+         * @param animated the values of a GltfAnimation at a time; null for the rest pose
          */
-        public function GltfScene(json:GltfJson, root:AffineTransform, animation:GltfAnimation)
+        public function GltfScene(json:GltfJson, root:AffineTransform, animated:Object)
         {
             _json = json;
             _root = root;
-            _animation = animation;
+            _animated = animated;
             var count:int = json.count("nodes");
             _parents = new Vector.<int>(count);
             _worlds = new Vector.<AffineTransform>(count);
@@ -149,18 +149,12 @@ package starlogo.models.gltf
                 refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, _json.name, "expected 0, 0, 0 and 1 as every fourth number", where + ".matrix");
                 return ofColumns(m, 0);
             }
-            var t:Vector.<Number> = posed(index, "translation") || _json.numbers(node, "translation", where, 3, new <Number>[0, 0, 0]);
-            var r:Vector.<Number> = posed(index, "rotation") || _json.numbers(node, "rotation", where, 4, new <Number>[0, 0, 0, 1]);
-            var s:Vector.<Number> = posed(index, "scale") || _json.numbers(node, "scale", where, 3, new <Number>[1, 1, 1]);
+            var t:Vector.<Number> = GltfAnimation.valueIn(_animated, index, "translation") || _json.numbers(node, "translation", where, 3, new <Number>[0, 0, 0]);
+            var r:Vector.<Number> = GltfAnimation.valueIn(_animated, index, "rotation") || _json.numbers(node, "rotation", where, 4, new <Number>[0, 0, 0, 1]);
+            var s:Vector.<Number> = GltfAnimation.valueIn(_animated, index, "scale") || _json.numbers(node, "scale", where, 3, new <Number>[1, 1, 1]);
             var turn:Placement = new Placement();
             turn.setQuaternion(r[0], r[1], r[2], r[3]);
             return AffineTransform.of(turn, s[0], s[1], s[2], t[0], t[1], t[2]);
-        }
-
-        // What the animation gives to a property of a node; null if it is not animated.
-        private function posed(node:int, path:String):Vector.<Number>
-        {
-            return _animation == null ? null : _animation.valueOf(node, path);
         }
 
         /** The transform with 16 numbers, column by column. */

@@ -81,8 +81,10 @@ package starlogo.ground
         private var _passLow:Number = 0;
         private var _passHigh:Number = 0;
 
-        // The gap between the structure and the current square, and the gap that rounding errors may hide.
+        // The gap between the structure and the current square, two corners of the square's extents, and the gap that rounding errors may hide.
         private var _gap:GapToBox = new GapToBox();
+        private var _least:Vector3D = new Vector3D();
+        private var _greatest:Vector3D = new Vector3D();
         private var _slack:Number = 0;
 
         // The current cell: its next triangle, the number of its triangles, and the heights of its corners, counter-clockwise.
@@ -290,9 +292,9 @@ package starlogo.ground
             }
             var x:Number = _corner.x + _column * _width;
             var y:Number = _corner.y + _row * _width;
-            _gap.low.setTo(x, y, least);
-            _gap.high.setTo(x + _width, y + _width, greatest);
-            _gap.find(_box.structure);
+            _least.setTo(x, y, least);
+            _greatest.setTo(x + _width, y + _width, greatest);
+            _gap.find(_box.structure, _least, _greatest);
             var come:Number = _box.limit * (_gap.along.x * _box.way.x + _gap.along.y * _box.way.y + _gap.along.z * _box.way.z);
             return _gap.gap + Math.min(0, come) > _box.reach + _slack;
         }

@@ -7,16 +7,12 @@ package starlogo.intersection
 
     /**
      * Finds a direction along which a structure and an axis-aligned box are apart, and how far. The gap is a lower bound of their distance:
-     * exact for spheres, and close to it for capsules and boxes. The results are fields, because V8 makes objects for Numbers that are passed.
+     * exact for spheres, and close to it for capsules and boxes. The results are fields that are read only.
      *
      * @private
      */
     public final class GapToBox
     {
-        /** The box: its least corner and its greatest corner. */
-        public var low:Vector3D = new Vector3D();
-        public var high:Vector3D = new Vector3D();
-
         /** How far the two are apart along the direction; less than 0 if no such direction was found. */
         public var gap:Number = 0;
 
@@ -26,8 +22,8 @@ package starlogo.intersection
         private var _core:Zonotope = new Zonotope();
         private var _place:Vector3D = new Vector3D();
 
-        /** Finds the direction and the gap. */
-        public function find(structure:BoundingStructure):void
+        /** Finds the direction and the gap. The box has a least corner and a greatest corner. */
+        public function find(structure:BoundingStructure, low:Vector3D, high:Vector3D):void
         {
             _core.setTo(structure, RelativeMotion.NONE);
             _place.setTo((low.x + high.x) / 2, (low.y + high.y) / 2, (low.z + high.z) / 2);

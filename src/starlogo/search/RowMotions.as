@@ -9,6 +9,7 @@ package starlogo.search
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
+    import starlogo.intersection.sweep.AxisMotion;
     import starlogo.intersection.sweep.ContactInterval;
 
     use namespace engine;
@@ -29,6 +30,7 @@ package starlogo.search
 
         // When the extents of a pair overlap.
         private var _times:ContactInterval = new ContactInterval();
+        private var _along:AxisMotion = new AxisMotion();
 
         /** @param narrowPhase tests which rows touch */
         public function RowMotions(narrowPhase:NarrowPhase)
@@ -201,21 +203,20 @@ package starlogo.search
         // Whether the extents of two rows overlap in all directions at the same time, on their motions.
         private function overlapOnMotions(standing:Extents, slack:Number, a:int, b:int):Boolean
         {
-            _times.last = 1;
-            _times.gap = slack;
-            _times.reset();
-            return !isGap(standing.x, standing.halfX, _motions.x, a, b) && !isGap(standing.y, standing.halfY, _motions.y, a, b)
-                && !isGap(standing.z, standing.halfZ, _motions.z, a, b);
+            _times.begin(1);
+            _along.gap = slack;
+            return narrow(standing.x, standing.halfX, _motions.x, a, b) && narrow(standing.y, standing.halfY, _motions.y, a, b)
+                && narrow(standing.z, standing.halfZ, _motions.z, a, b);
         }
 
-        // Tests one direction. It gets the places at the end of the motions, half the lengths, and the motions.
-        private function isGap(at:Vector.<Number>, half:Vector.<Number>, motion:Vector.<Number>, a:int, b:int):Boolean
+        // Narrows the interval by one direction. It gets the places at the end of the motions, half the lengths, and the motions.
+        private function narrow(at:Vector.<Number>, half:Vector.<Number>, motion:Vector.<Number>, a:int, b:int):Boolean
         {
             var speed:Number = motion[a] - motion[b];
-            _times.at = at[a] - at[b] - speed;
-            _times.speed = speed;
-            _times.reach = half[a] + half[b];
-            return _times.areSeparated();
+            _along.at = at[a] - at[b] - speed;
+            _along.speed = speed;
+            _along.reach = half[a] + half[b];
+            return _times.narrow(_along);
         }
     }
 }

@@ -55,6 +55,7 @@ package starlogo.intersection.sweep
         private var _halves:Vector.<Number> = new Vector.<Number>(9, true);
 
         private var _times:ContactInterval = new ContactInterval();
+        private var _along:AxisMotion = new AxisMotion();
 
         /**
          * Finds when a moving box first touches another box. Sets all that <code>meetFaces()</code> needs, except for the latest time.
@@ -119,54 +120,54 @@ package starlogo.intersection.sweep
             time = RelativeMotion.NEVER;
             var times:ContactInterval = _times;
             var b:BoxAxes = axes;
-            times.last = latest;
-            times.reset();
-            times.gap = gap;
+            var along:AxisMotion = _along;
+            times.begin(latest);
+            along.gap = gap;
             var fromX:Number = x;
             var fromY:Number = y;
             var fromZ:Number = z;
             var halfX:Number = bX;
             var halfY:Number = bY;
             var halfZ:Number = bZ;
-            times.at = fromX;
-            times.speed = motionX;
-            times.reach = aX + halfX * b.absXx + halfY * b.absXy + halfZ * b.absXz;
-            if (times.areSeparated())
+            along.at = fromX;
+            along.speed = motionX;
+            along.reach = aX + halfX * b.absXx + halfY * b.absXy + halfZ * b.absXz;
+            if (!times.narrow(along))
             {
                 return;
             }
-            times.at = fromY;
-            times.speed = motionY;
-            times.reach = aY + halfX * b.absYx + halfY * b.absYy + halfZ * b.absYz;
-            if (times.areSeparated())
+            along.at = fromY;
+            along.speed = motionY;
+            along.reach = aY + halfX * b.absYx + halfY * b.absYy + halfZ * b.absYz;
+            if (!times.narrow(along))
             {
                 return;
             }
-            times.at = fromZ;
-            times.speed = motionZ;
-            times.reach = aZ + halfX * b.absZx + halfY * b.absZy + halfZ * b.absZz;
-            if (times.areSeparated())
+            along.at = fromZ;
+            along.speed = motionZ;
+            along.reach = aZ + halfX * b.absZx + halfY * b.absZy + halfZ * b.absZz;
+            if (!times.narrow(along))
             {
                 return;
             }
-            times.at = fromX * b.xx + fromY * b.yx + fromZ * b.zx;
-            times.speed = b.xx * motionX + b.yx * motionY + b.zx * motionZ;
-            times.reach = halfX + aX * b.absXx + aY * b.absYx + aZ * b.absZx;
-            if (times.areSeparated())
+            along.at = fromX * b.xx + fromY * b.yx + fromZ * b.zx;
+            along.speed = b.xx * motionX + b.yx * motionY + b.zx * motionZ;
+            along.reach = halfX + aX * b.absXx + aY * b.absYx + aZ * b.absZx;
+            if (!times.narrow(along))
             {
                 return;
             }
-            times.at = fromX * b.xy + fromY * b.yy + fromZ * b.zy;
-            times.speed = b.xy * motionX + b.yy * motionY + b.zy * motionZ;
-            times.reach = halfY + aX * b.absXy + aY * b.absYy + aZ * b.absZy;
-            if (times.areSeparated())
+            along.at = fromX * b.xy + fromY * b.yy + fromZ * b.zy;
+            along.speed = b.xy * motionX + b.yy * motionY + b.zy * motionZ;
+            along.reach = halfY + aX * b.absXy + aY * b.absYy + aZ * b.absZy;
+            if (!times.narrow(along))
             {
                 return;
             }
-            times.at = fromX * b.xz + fromY * b.yz + fromZ * b.zz;
-            times.speed = b.xz * motionX + b.yz * motionY + b.zz * motionZ;
-            times.reach = halfZ + aX * b.absXz + aY * b.absYz + aZ * b.absZz;
-            if (!times.areSeparated())
+            along.at = fromX * b.xz + fromY * b.yz + fromZ * b.zz;
+            along.speed = b.xz * motionX + b.yz * motionY + b.zz * motionZ;
+            along.reach = halfZ + aX * b.absXz + aY * b.absYz + aZ * b.absZz;
+            if (times.narrow(along))
             {
                 time = times.touch < times.last ? times.touch : times.last;
             }
@@ -198,14 +199,15 @@ package starlogo.intersection.sweep
                 halves[int(i + 3)] = bY * edges[int(i + 3)];
                 halves[int(i + 6)] = bZ * edges[int(i + 6)];
             }
-            var isApart:Boolean = isSeparatedAcross(0, 3, 6) || isSeparatedAcross(3, 6, 0) || isSeparatedAcross(6, 0, 3);
-            time = isApart ? RelativeMotion.NEVER : (_times.touch < _times.last ? _times.touch : _times.last);
+            var areTouching:Boolean = narrowAcross(0, 3, 6) && narrowAcross(3, 6, 0) && narrowAcross(6, 0, 3);
+            time = areTouching ? (_times.touch < _times.last ? _times.touch : _times.last) : RelativeMotion.NEVER;
         }
 
-        // Whether the cross product of edge p of b and an edge of a separates the boxes all the time. q and r are b's other edges.
-        private function isSeparatedAcross(p:int, q:int, r:int):Boolean
+        // Narrows the interval by the cross products of edge p of b and the edges of a. q and r are b's other edges. Returns whether anything is left.
+        private function narrowAcross(p:int, q:int, r:int):Boolean
         {
             var times:ContactInterval = _times;
+            var along:AxisMotion = _along;
             var halves:Vector.<Number> = _halves;
             var pX:Number = _edges[p];
             var pY:Number = _edges[int(p + 1)];
@@ -225,13 +227,13 @@ package starlogo.intersection.sweep
             alongR = alongR < 0 ? -alongR : alongR;
             if (sizeY + sizeZ > SHORTEST)
             {
-                times.at = z * pY - y * pZ;
-                times.speed = motionZ * pY - motionY * pZ;
-                times.reach = aY * sizeZ + aZ * sizeY + alongQ + alongR;
-                times.gap = gap * (sizeY + sizeZ);
-                if (times.areSeparated())
+                along.at = z * pY - y * pZ;
+                along.speed = motionZ * pY - motionY * pZ;
+                along.reach = aY * sizeZ + aZ * sizeY + alongQ + alongR;
+                along.gap = gap * (sizeY + sizeZ);
+                if (!times.narrow(along))
                 {
-                    return true;
+                    return false;
                 }
             }
             alongQ = qX * pZ - qZ * pX;
@@ -240,28 +242,28 @@ package starlogo.intersection.sweep
             alongR = alongR < 0 ? -alongR : alongR;
             if (sizeX + sizeZ > SHORTEST)
             {
-                times.at = x * pZ - z * pX;
-                times.speed = motionX * pZ - motionZ * pX;
-                times.reach = aZ * sizeX + aX * sizeZ + alongQ + alongR;
-                times.gap = gap * (sizeX + sizeZ);
-                if (times.areSeparated())
+                along.at = x * pZ - z * pX;
+                along.speed = motionX * pZ - motionZ * pX;
+                along.reach = aZ * sizeX + aX * sizeZ + alongQ + alongR;
+                along.gap = gap * (sizeX + sizeZ);
+                if (!times.narrow(along))
                 {
-                    return true;
+                    return false;
                 }
             }
             if (!(sizeX + sizeY > SHORTEST))
             {
-                return false;
+                return true;
             }
             alongQ = qY * pX - qX * pY;
             alongQ = alongQ < 0 ? -alongQ : alongQ;
             alongR = rY * pX - rX * pY;
             alongR = alongR < 0 ? -alongR : alongR;
-            times.at = y * pX - x * pY;
-            times.speed = motionY * pX - motionX * pY;
-            times.reach = aX * sizeY + aY * sizeX + alongQ + alongR;
-            times.gap = gap * (sizeX + sizeY);
-            return times.areSeparated();
+            along.at = y * pX - x * pY;
+            along.speed = motionY * pX - motionX * pY;
+            along.reach = aX * sizeY + aY * sizeX + alongQ + alongR;
+            along.gap = gap * (sizeX + sizeY);
+            return times.narrow(along);
         }
 
         // Below this length a cross product is only rounding, because the edges are parallel (Tolerances.PARALLEL).

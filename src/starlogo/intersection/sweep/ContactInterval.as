@@ -10,64 +10,54 @@ package starlogo.intersection.sweep
      */
     public final class ContactInterval
     {
-        /** The next axis to try: the place of one middle on it at time 0, as seen from the other middle. */
-        public var at:Number = 0;
-
-        /** How far that middle moves along the axis until time 1. */
-        public var speed:Number = 0;
-
-        /** The sum of how far both shapes extend along the axis. */
-        public var reach:Number = 0;
-
-        /** The gap across which the shapes still touch. */
-        public var gap:Number = 0;
-
-        /** The end of the interval, with the gap included. */
+        /** The end of the interval, with the gap included. Read only. */
         public var last:Number = 1;
 
         /**
          * The time from which the last axis no longer separates the shapes, without the gap. If it is not after the end of the interval,
-         * the shapes touch then.
+         * the shapes touch then. Read only.
          */
         public var touch:Number = 0;
 
         // The beginning of the interval, with the gap included.
         private var _first:Number = 0;
 
-        /** Begins again with no axis tried. <code>last</code> must be the latest time to look at. */
-        public function reset():void
+        /** Begins with no axis tried. */
+        public function begin(latest:Number):void
         {
             _first = touch = 0;
+            last = latest;
         }
 
         /**
-         * Tries the axis that the fields describe. They are fields, because V8 would allocate objects for arguments.
+         * Narrows the interval to the time in which an axis does not separate the shapes.
          *
-         * @return whether the axis separates the shapes all the time
+         * @param axis how the shapes move along it
+         * @return whether anything is left. If not, the shapes do not touch
          */
-        public function areSeparated():Boolean
+        public function narrow(axis:AxisMotion):Boolean
         {
-            var from:Number = at;
-            var rate:Number = speed;
-            var near:Number = reach;
+            var from:Number = axis.at;
+            var rate:Number = axis.speed;
+            var near:Number = axis.reach;
             // mirrored, so that the motion is upwards
             if (rate < 0)
             {
                 rate = -rate;
                 from = -from;
             }
-            var wide:Number = near * Tolerances.TOUCHING + gap;
+            var wide:Number = near * Tolerances.TOUCHING + axis.gap;
             var time:Number;
             if (from < -wide)
             {
                 if (!(rate > 0))
                 {
-                    return true;
+                    return false;
                 }
                 time = (-wide - from) / rate;
                 if (time > last)
                 {
-                    return true;
+                    return false;
                 }
                 if (time > _first)
                 {
@@ -81,21 +71,21 @@ package starlogo.intersection.sweep
             }
             else if (from > wide)
             {
-                return true;
+                return false;
             }
             if (from + last * rate > wide)
             {
                 time = (wide - from) / rate;
                 if (time < _first)
                 {
-                    return true;
+                    return false;
                 }
                 if (time < last)
                 {
                     last = time;
                 }
             }
-            return false;
+            return true;
         }
     }
 }

@@ -205,7 +205,7 @@ package starlogo.queries
                 var far:Number = 1e-9 * (1 + from.length / agent.size);
                 if (!(Math.abs(inside) > far) || !(Math.abs(volume) > 1e-6 * u.length * v.length))
                 {
-                    _isUnclear ||= from.length * from.length - Math.pow(from.dotProduct(unit), 2) < 4 * (u.lengthSquared + v.lengthSquared);
+                    _isUnclear ||= from.crossProduct(unit).lengthSquared < 4 * (u.lengthSquared + v.lengthSquared);
                 }
                 else if (inside > 0)
                 {

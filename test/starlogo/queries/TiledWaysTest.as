@@ -166,7 +166,8 @@ package starlogo.queries
                             mover.moveTo(0, 0, -sunk);
                             var way:Array = [_random.pick([0, 1e-6]), 0, -_random.logBetween(1e-12, 1e-9)];
                             step(mover, way, Effort.choose(200, 1000), false);
-                            expectShallow(mover, sunk);
+                            // The corner of four tiles may push a mover of triangles to the side, so that a hair of one tile adds to that of another.
+                            expectShallow(mover, sunk + HAIR);
                             expect(mover.z <= 0 && Math.abs(mover.x) < 0.01, "elsewhere", mover, way);
                         }
                     }

@@ -196,7 +196,9 @@ package starlogo.terrain
             var expected:Number = Math.min(1, _reference.timeOf(pieces, motion, near / 1e4));
             var hit:ShapeHit = queries.castAgent(agent, motion.x, motion.y, motion.z);
             var part:Number = queries.moveUntilTouch(agent, motion.x, motion.y, motion.z);
-            assertTrue(what + "as it is cast", Math.abs((hit == null ? 1 : hit.time) - part) < 1e-9);
+            // far out the places themselves are that coarse
+            var coarse:Number = 1e-9 + 1e-14 * Math.abs(_terrain.x) / motion.length;
+            assertTrue(what + "as it is cast", Math.abs((hit == null ? 1 : hit.time) - part) < coarse);
             // if the agent grazes the ground, the reference may come nearer and nearer to it
             if (!isNaN(expected))
             {

@@ -1,7 +1,6 @@
 package starlogo.hierarchy
 {
     import flash.geom.Vector3D;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
@@ -25,9 +24,6 @@ package starlogo.hierarchy
      */
     public final class BoxDistanceTraversal extends NodePairTraversal
     {
-        /** What stands for the second model, in the first model's space: see StructureLeaf. Null if it is a tree. */
-        public var structure:BoundingStructure = null;
-
         /** The closest points of the nearest pair, in the first model's space. */
         public var points:ClosestPoints = new ClosestPoints();
 
@@ -54,7 +50,6 @@ package starlogo.hierarchy
         private var _measured:ClosestPoints = new ClosestPoints();
         private var _boxA:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _boxB:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
-        private var _moved:BoundingStructure = _boxB.clone();
 
         /** @inheritDoc */
         override protected function begin(pose:RelativePose, a:BoxTree, b:BoxTree):void
@@ -181,7 +176,7 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafTest, out:NodePairBounds):void
+        override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafPairTest, out:NodePairBounds):void
         {
             var found:ClosestPoints = _measured;
             if (leaves == null)
@@ -206,15 +201,22 @@ package starlogo.hierarchy
         // Measures the distance of two nodes.
         private function measure(treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:NodePairBounds):void
         {
-            var second:BoundingStructure = structure;
-            if (second == null)
-            {
-                second = treeB.writeBox(b, _boxB).place(_pose.placement, _moved);
-                _pose.widen(second);
-            }
-            findClosest(treeA.writeBox(a, _boxA), second, _measured);
-            var distance:Number = _measured.distance;
-            out.current = Math.max(0, distance - Tolerances.NESTING * (levelsBelow(treeA.levelOf(a)) + levelsBelow(treeB.levelOf(b))) * (distance + _reach));
+            findClosest(treeA.writeBox(a, _boxA), _pose.placeWidened(treeB.writeBox(b, _boxB)), _measured);
+            reduce(_measured, treeA.levelOf(a), treeB.levelOf(b), _reach);
+            out.current = _measured.distance;
+        }
+
+        /**
+         * Reduces a measured distance of two nodes by more than its rounding error and the margins of nested nodes.
+         *
+         * @param levelA the level of a node; 0 for a structure
+         * @param levelB the level of the other
+         * @param reach how far both models together extend
+         */
+        internal static function reduce(measured:ClosestPoints, levelA:int, levelB:int, reach:Number):void
+        {
+            var distance:Number = measured.distance - Tolerances.NESTING * (levelsBelow(levelA) + levelsBelow(levelB)) * (measured.distance + reach);
+            measured.distance = distance > 0 ? distance : 0;
         }
 
         // The number of levels that a tree may have below a node on a level, plus one. A single structure counts as the last level.

@@ -47,7 +47,7 @@ package starlogo.hierarchy
          * @param depthB how many of its levels are visited
          * @param leaves decides about such nodes; null if their boxes decide
          */
-        public function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, leaves:LeafTest):Boolean
+        public function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, leaves:LeafPairTest):Boolean
         {
             var relative:Placement = pose.placement;
             var scale:Number = relative.size;

@@ -12,8 +12,8 @@ package starlogo.hierarchy
      * A model's tree of boxes (thesis §4.3). Its items are the model's triangles, or its vertices if it has no triangles.
      *
      * <p>The package hierarchy keeps, builds and visits such trees. A HierarchyBuilder makes a tree of a model's items. A NodePairTraversal visits
-     * pairs of nodes of two trees, and a MovingBoxTraversal visits the nodes that a box or ray meets. Read this class first, then
-     * HierarchyBuilder, then NodePairTraversal.</p>
+     * pairs of nodes of two trees, and a BoxSearch visits the nodes that a box or ray meets. Read this class first, then HierarchyBuilder, then
+     * BoxSearch, then NodePairTraversal.</p>
      *
      * <p>A node is an index into the columns. The root is 0. The two children of a node stand side by side, after their parent. Once the
      * tree is made, only <code>refit()</code> changes it: it gives all nodes new boxes. Clients see a node as a HierarchyNode.</p>
@@ -83,15 +83,6 @@ package starlogo.hierarchy
         {
             this.vertices = vertices;
             this.triangles = triangles;
-        }
-
-        /** A tree of one node, level 0, whose box has no extents. */
-        public static function ofOneNode():BoxTree
-        {
-            var tree:BoxTree = new BoxTree(new <Number>[0, 0, 0], null);
-            tree.addNode(0, 1, 0);
-            tree.finish();
-            return tree;
         }
 
         /** Whether the items are triangles; otherwise they are vertices. */
@@ -358,26 +349,13 @@ package starlogo.hierarchy
             var halfX:Number = 0.5 * (extents[int(at + 3)] - minX);
             var halfY:Number = 0.5 * (extents[int(at + 4)] - minY);
             var halfZ:Number = 0.5 * (extents[int(at + 5)] - minZ);
-            setBox(node, minX + halfX, minY + halfY, minZ + halfZ, halfX + margin, halfY + margin, halfZ + margin);
-        }
-
-        // Sets the numbers of a node's box.
-        private function setBox(node:int, x:Number, y:Number, z:Number, halfX:Number, halfY:Number, halfZ:Number):void
-        {
-            var at:int = 6 * node;
-            boxes[at] = x;
-            boxes[int(at + 1)] = y;
-            boxes[int(at + 2)] = z;
-            boxes[int(at + 3)] = halfX;
-            boxes[int(at + 4)] = halfY;
-            boxes[int(at + 5)] = halfZ;
-        }
-
-        /** Sets half of the extents of the only box, whose middle is the origin. Only for a tree of one node that stands for a structure. */
-        internal function setOnlyBox(halfX:Number, halfY:Number, halfZ:Number):void
-        {
-            setBox(0, 0, 0, 0, halfX, halfY, halfZ);
-            radius = Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
+            var to:int = 6 * node;
+            boxes[to] = minX + halfX;
+            boxes[int(to + 1)] = minY + halfY;
+            boxes[int(to + 2)] = minZ + halfZ;
+            boxes[int(to + 3)] = halfX + margin;
+            boxes[int(to + 4)] = halfY + margin;
+            boxes[int(to + 5)] = halfZ + margin;
         }
 
         /** For makers of trees: ends the making. The columns are copied, because lists that grew have room to spare. */

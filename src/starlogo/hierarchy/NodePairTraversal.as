@@ -10,8 +10,7 @@ package starlogo.hierarchy
      * below it can be better than the best pair so far. The nodes that decide are leaves or at their depth limit.
      *
      * <p>Which pair is best depends on the question, and each question has a subclass: when two moving trees first touch, how far two trees
-     * are apart, where a ray first meets a tree. Whether two standing trees overlap needs no bounds: see BoxTraversal. A structure is a
-     * tree of one node: see StructureLeaf.</p>
+     * are apart. Whether two standing trees overlap needs no bounds: see BoxTraversal.</p>
      *
      * @private
      */
@@ -42,7 +41,7 @@ package starlogo.hierarchy
          * @param leaves decides about such nodes; null if their boxes decide
          * @return whether there is such a pair
          */
-        public function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, leaves:LeafTest):Boolean
+        public function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, leaves:LeafPairTest):Boolean
         {
             var lowA:Vector.<int> = treeA.low;
             var lowB:Vector.<int> = treeB.low;
@@ -148,7 +147,7 @@ package starlogo.hierarchy
          * Sets <code>out.current</code> to the time or distance of a pair that decides. If it is not less than <code>out.least</code>, it
          * need not be exact.
          */
-        protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafTest, out:NodePairBounds):void
+        protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafPairTest, out:NodePairBounds):void
         {
         }
     }

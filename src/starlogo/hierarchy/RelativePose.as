@@ -28,6 +28,9 @@ package starlogo.hierarchy
          */
         public var motion:RelativeMotion = RelativeMotion.NONE;
 
+        // For each kind, a structure of the second model in the first model's space.
+        private var _placed:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
+
         public function RelativePose()
         {
             placement.isIdentity = false;
@@ -99,12 +102,28 @@ package starlogo.hierarchy
         }
 
         /**
-         * Enlarges a structure of the second model by the gap. The structure must be in the first model's space. This is a function of its
-         * own, because V8 then allocates no object for the gap.
+         * A structure of the second model in the first model's space. The next call for the same kind overwrites it.
+         *
+         * @param structure in the second model's space
          */
-        public function widen(structure:BoundingStructure):void
+        public function place(structure:BoundingStructure):BoundingStructure
         {
-            structure.widen(gap);
+            var kind:int = structure.kind;
+            var placed:BoundingStructure = structure.place(placement, _placed[kind]);
+            // Writing an object to a field costs Adobe's VM more than comparing it first.
+            if (_placed[kind] !== placed)
+            {
+                _placed[kind] = placed;
+            }
+            return placed;
+        }
+
+        /** The structure of <code>place()</code>, enlarged by the gap. V8 allocates no object for the gap, because only this function reads it. */
+        public function placeWidened(structure:BoundingStructure):BoundingStructure
+        {
+            var placed:BoundingStructure = place(structure);
+            placed.widen(gap);
+            return placed;
         }
     }
 }

@@ -4,8 +4,8 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.MovingBoxTraversal;
-    import starlogo.intersection.TriangleTest;
+    import starlogo.hierarchy.BoxSearch;
+    import starlogo.intersection.LeafTest;
 
     use namespace engine;
 
@@ -13,9 +13,9 @@ package starlogo.solid
      * Whether a point has an open side: from there, a ray along an axis meets no leaf of a tree. Then no surface is around the point. This
      * needs nothing but the tree. It is asked before the inside of a model is known, because a level is mostly open to the sky.
      */
-    internal final class AxisEscapeTest extends TriangleTest
+    internal final class AxisEscapeTest extends LeafTest
     {
-        private var _boxes:MovingBoxTraversal = new MovingBoxTraversal();
+        private var _boxes:BoxSearch = new BoxSearch();
 
         /** Whether a ray from the point along one of the six directions of the axes meets no leaf of the tree. */
         public function hasOpenSide(point:Vector3D, tree:BoxTree):Boolean
@@ -27,7 +27,7 @@ package starlogo.solid
             {
                 _boxes.setAxis(i >> 1, (i & 1) == 0 ? -1 : 1);
                 least = Infinity;
-                _boxes.find(tree, this);
+                _boxes.find(tree, int.MAX_VALUE, this);
                 if (least > 0)
                 {
                     return true;
@@ -37,7 +37,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function look(first:int, end:int):void
+        override public function look(node:int, first:int, end:int):void
         {
             least = -Infinity;
         }

@@ -28,8 +28,6 @@ package starlogo.solid
         /** The point that was found inside, if the last answer was true. It is in the space of the model around it. */
         public var innerPoint:Vector3D = new Vector3D();
 
-        // For each kind, a structure of the second model in the first model's space.
-        private var _moved:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
         private var _shape:ConvexShape = new ConvexShape();
 
         /**
@@ -62,7 +60,7 @@ package starlogo.solid
          */
         public function isStructureInside(outer:SolidHierarchy, inner:BoundingStructure, pose:RelativePose):Boolean
         {
-            var structure:BoundingStructure = _moved[inner.kind] = inner.place(pose.placement, _moved[inner.kind]);
+            var structure:BoundingStructure = pose.place(inner);
             isPointOfSecond = false;
             if (structure.kind == BoundingStructure.SPHERE)
             {

@@ -4,8 +4,8 @@ package starlogo.solid
     import starlogo.convex.FaceNormal;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.hierarchy.MovingBoxTraversal;
-    import starlogo.hierarchy.RayTraversal;
+    import starlogo.hierarchy.BoxSearch;
+    import starlogo.hierarchy.NodeRayTest;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayTriangleTest;
@@ -27,8 +27,8 @@ package starlogo.solid
         /** The number of the triangle that the last ray meets, as the model counts them; or -1. */
         public var triangle:int = -1;
 
-        private var _nodes:RayTraversal = new RayTraversal();
-        private var _boxes:MovingBoxTraversal = new MovingBoxTraversal();
+        private var _nodes:NodeRayTest = new NodeRayTest();
+        private var _boxes:BoxSearch = new BoxSearch();
         private var _triangles:RayTriangleTest = new RayTriangleTest();
         private var _start:Vector3D = new Vector3D();
 
@@ -114,10 +114,8 @@ package starlogo.solid
         {
             var solid:Solid = hierarchy.facets;
             _triangles.begin(ray, solid.corners, reachOf(hierarchy.tree.boxes), all);
-            _boxes.setPlace(ray.x, ray.y, ray.z, 0);
-            _boxes.setMotion(ray.directionX, ray.directionY, ray.directionZ);
-            _boxes.from = ray.from;
-            _boxes.find(solid.tree, _triangles);
+            _boxes.setRay(ray);
+            _boxes.find(solid.tree, int.MAX_VALUE, _triangles);
         }
 
         // Sets the normal of a ray to that of a triangle, against the ray. A triangle without area has no normal; then it is the opposite of the

@@ -5,8 +5,8 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.MovingBoxTraversal;
-    import starlogo.intersection.TriangleTest;
+    import starlogo.hierarchy.BoxSearch;
+    import starlogo.intersection.LeafTest;
     import starlogo.intersection.writeTriangleExtents;
 
     use namespace engine;
@@ -15,7 +15,7 @@ package starlogo.solid
      * A model's triangles, for exact tests: their corners, and the inside of the surface that they make. A SolidBuilder makes it. The
      * triangles are in the hierarchy's order. As a test, it counts the triangles that a ray along an axis crosses.
      */
-    internal final class Solid extends TriangleTest
+    internal final class Solid extends LeafTest
     {
         /** The number of points that partPoints has for each part. */
         public static const POINTS_PER_PART:int = 6;
@@ -65,7 +65,7 @@ package starlogo.solid
         private var _face:FaceNormal = new FaceNormal();
 
         private var _reach:Number; // a distance from the origin that contains all triangles
-        private var _boxes:MovingBoxTraversal = new MovingBoxTraversal();
+        private var _boxes:BoxSearch = new BoxSearch();
 
         // The axis of all rays, 0 for x, and the next two axes. It is the axis along which the model is shortest.
         private var _axis:int;
@@ -221,7 +221,7 @@ package starlogo.solid
             var margin:Number = surface.widestSeam + Tolerances.ROUNDING * _reach;
             _boxes.setPlace(x, y, z, margin);
             _boxes.setAxis(_axis, _isBackward ? -1 : 1);
-            _boxes.find(tree, this);
+            _boxes.find(tree, int.MAX_VALUE, this);
             for (var i:int = 0; i < woundCount; i++)
             {
                 var state:int = surface.pieceStates[wound[i]];
@@ -243,7 +243,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function look(first:int, end:int):void
+        override public function look(node:int, first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {

@@ -14,7 +14,7 @@ package starlogo.solid
      *
      * <p>The package solid says how two models meet whose hierarchies, and for exact tests whose triangles, decide: whether they overlap, when they
      * first touch, how far they are apart. A query for each of these (TreeOverlapQuery, TreeImpactQuery, TreeDistanceQuery) finds pairs of leaves
-     * that are near each other, and a test of the leaves' triangles decides about them. Read TreeOverlapQuery first, then LeafOverlapTest, then Solid,
+     * that are near each other, and a test of the leaves' triangles decides about them. Read TreeOverlapQuery first, then TrianglePairTest, then Solid,
      * which knows what is inside of a surface.</p>
      *
      * @private

@@ -1,13 +1,11 @@
 package starlogo.solid
 {
-    import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxDistanceTraversal;
-    import starlogo.hierarchy.LeafTest;
+    import starlogo.hierarchy.NodeDistanceTest;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.hierarchy.StructureLeaf;
 
     use namespace engine;
 
@@ -24,9 +22,10 @@ package starlogo.solid
         private var _boxes:BoxDistanceTraversal = new BoxDistanceTraversal();
 
         // The tests that decide about leaves.
-        private var _leaf:StructureLeaf = new StructureLeaf();
-        private var _trianglePairs:LeafDistanceTest = new LeafDistanceTest();
-        private var _triangles:LeafStructureDistance = new LeafStructureDistance();
+        private var _trianglePairs:TrianglePairDistance = new TrianglePairDistance();
+        private var _nodes:NodeDistanceTest = new NodeDistanceTest();
+        private var _triangles:TriangleDistanceTest = new TriangleDistanceTest();
+        private var _measured:ClosestPoints = new ClosestPoints();
 
         /** @param overlaps finds a point of two models that overlap */
         public function TreeDistanceQuery(overlaps:TreeOverlapQuery)
@@ -37,7 +36,7 @@ package starlogo.solid
         /** The number of pairs of nodes visited since resetCounts. */
         public function get nodeVisits():int
         {
-            return _boxes.nodeVisits;
+            return _boxes.nodeVisits + _nodes.boxes.nodeVisits + _triangles.boxes.nodeVisits;
         }
 
         /** The number of pairs of triangles, or of a triangle and a structure, measured since resetCounts. */
@@ -49,7 +48,7 @@ package starlogo.solid
         /** Sets all counts to 0. */
         public function resetCounts():void
         {
-            _boxes.nodeVisits = _trianglePairs.triangleTests = _triangles.triangleTests = 0;
+            _boxes.nodeVisits = _nodes.boxes.nodeVisits = _triangles.boxes.nodeVisits = _trianglePairs.triangleTests = _triangles.triangleTests = 0;
         }
 
         /**
@@ -61,16 +60,8 @@ package starlogo.solid
         public function findClosest(pair:TreePair, areTouching:Boolean, out:ClosestPoints):void
         {
             _pose.relate(pair.placementA, pair.placementB);
-            if (pair.b == null)
-            {
-                measureStructure(pair.a, pair.depthA, pair.structureB, pair.isExact);
-            }
-            else
-            {
-                measureTree(pair.a, pair.depthA, pair.b, pair.depthB, pair.isExact);
-            }
-            out.copyPoints(_boxes.points);
-            out.distance = _boxes.bounds.least * pair.placementA.size;
+            measure(pair, out);
+            out.distance *= pair.placementA.size;
             // a point of both is known already if the measured distance is 0
             var isPointNeeded:Boolean = areTouching && out.distance > 0;
             var placement:Placement = isPointNeeded ? _overlaps.findCommonPoint(pair, out) : pair.placementA;
@@ -78,31 +69,33 @@ package starlogo.solid
             out.place(placement);
         }
 
-        /** The number of the triangle that is nearest to a structure, as the model counts them. The pair's triangles decide. */
+        /** The number of the triangle that is nearest to a structure, as the model counts them. The pair must have triangles. */
         public function nearestTriangle(pair:TreePair):int
         {
             _pose.relate(pair.placementA, pair.placementB);
-            measureStructure(pair.a, pair.depthA, pair.structureB, true);
-            return _triangles.triangle < 0 ? -1 : pair.a.tree.order[_triangles.triangle];
+            var found:int = _triangles.find(pair.a, pair.structureB, _pose, _measured);
+            return found < 0 ? -1 : pair.a.tree.order[found];
         }
 
-        private function measureTree(a:SolidHierarchy, depthA:int, b:SolidHierarchy, depthB:int, isExact:Boolean):void
+        // Finds the distance and the closest points in the first model's space.
+        private function measure(pair:TreePair, out:ClosestPoints):void
         {
-            _boxes.structure = null;
-            _boxes.find(_pose, a.tree, depthA, b.tree, depthB, isExact ? _trianglePairs.begin(a, b, _pose) : null);
-        }
-
-        private function measureStructure(a:SolidHierarchy, depthA:int, b:BoundingStructure, isExact:Boolean):void
-        {
-            var decider:LeafTest = null;
-            if (isExact)
+            var a:SolidHierarchy = pair.a;
+            var b:SolidHierarchy = pair.b;
+            if (b != null)
             {
-                _triangles.begin(a, b, _pose);
-                decider = _triangles;
+                _boxes.find(_pose, a.tree, pair.depthA, b.tree, pair.depthB, pair.isExact ? _trianglePairs.begin(a, b, _pose) : null);
+                out.copyPoints(_boxes.points);
+                out.distance = _boxes.bounds.least;
             }
-            _leaf.begin(b, _pose);
-            _boxes.structure = _leaf.moved;
-            _boxes.find(_leaf.pose, a.tree, depthA, _leaf.tree, 1, decider);
+            else if (pair.isExact)
+            {
+                _triangles.find(a, pair.structureB, _pose, out);
+            }
+            else
+            {
+                _nodes.find(a.tree, pair.depthA, pair.structureB, _pose, out);
+            }
         }
     }
 }

@@ -8,9 +8,8 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.hierarchy.StructureLeaf;
+    import starlogo.hierarchy.NodeStructureTest;
     import starlogo.hierarchy.SweptBoxTraversal;
     import starlogo.intersection.contact.findPairContact;
 
@@ -36,14 +35,13 @@ package starlogo.solid
         private var _boxes:SweptBoxTraversal = new SweptBoxTraversal();
 
         // The tests that decide about leaves.
-        private var _leaf:StructureLeaf = new StructureLeaf();
-        private var _trianglePairs:LeafSweepTest = new LeafSweepTest();
-        private var _triangles:LeafStructureTest = new LeafStructureTest();
+        private var _trianglePairs:TrianglePairSweep = new TrianglePairSweep();
+        private var _nodes:NodeStructureTest = new NodeStructureTest();
+        private var _triangles:TriangleStructureTest = new TriangleStructureTest();
 
-        // For contacts: nodes, and for each kind, a structure of the second model in the first model's space.
+        // For contacts: nodes.
         private var _boxA:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _boxB:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
-        private var _moved:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
         private var _displacement:RelativeMotion = new RelativeMotion(0);
 
         /** @param overlaps tests the two where they stand */
@@ -56,7 +54,7 @@ package starlogo.solid
         /** The number of pairs of nodes visited since resetCounts. */
         public function get nodeVisits():int
         {
-            return _boxes.nodeVisits + _triangles.boxes.nodeVisits;
+            return _boxes.nodeVisits + _nodes.boxes.nodeVisits + _triangles.boxes.nodeVisits;
         }
 
         /** The number of pairs of triangles, or of a triangle and a structure, tested since resetCounts. */
@@ -68,7 +66,7 @@ package starlogo.solid
         /** Sets all counts to 0. */
         public function resetCounts():void
         {
-            _boxes.nodeVisits = _triangles.boxes.nodeVisits = 0;
+            _boxes.nodeVisits = _nodes.boxes.nodeVisits = _triangles.boxes.nodeVisits = 0;
             _trianglePairs.triangleTests = _triangles.triangleTests = 0;
         }
 
@@ -181,21 +179,15 @@ package starlogo.solid
             {
                 _boxes.find(_pose, a.tree, pair.depthA, b.tree, pair.depthB, isExact ? _trianglePairs.begin(a, b, _pose) : null);
                 _pose.motion.time = _boxes.bounds.least;
-                return;
             }
-            if (isExact)
+            else if (isExact)
             {
-                _triangles.begin(a, pair.structureB, _pose);
-                if (_triangles.isCompact)
-                {
-                    var found:Number = _triangles.find() ? _triangles.least : RelativeMotion.NEVER;
-                    _pose.motion.time = found;
-                    return;
-                }
+                _triangles.findTime(a, pair.structureB, _pose);
             }
-            _leaf.begin(pair.structureB, _pose);
-            _boxes.find(_leaf.pose, a.tree, pair.depthA, _leaf.tree, 1, isExact ? _triangles : _leaf.decider);
-            _pose.motion.time = _boxes.bounds.least;
+            else
+            {
+                _nodes.findTime(a.tree, pair.depthA, pair.structureB, _pose);
+            }
         }
 
         // The contact of the two that findFirstParts has found, at the motion's time.
@@ -203,13 +195,20 @@ package starlogo.solid
         {
             if (!pair.isExact)
             {
+                var a:int = pair.b == null ? _nodes.first : _boxes.firstA;
                 var b:BoundingStructure = pair.b == null ? pair.structureB : pair.b.tree.writeBox(_boxes.firstB, _boxB);
-                findContactOf(pair.a.tree.writeBox(_boxes.firstA, _boxA), pair.placementA, b, motion, out);
+                findContactOf(pair.a.tree.writeBox(a, _boxA), pair.placementA, b, motion, out);
                 return;
             }
-            var decider:LeafTest = pair.b == null ? _triangles : _trianglePairs;
             _pose.motion.time = motion.time;
-            decider.findContact(out);
+            if (pair.b == null)
+            {
+                _triangles.findContact(out);
+            }
+            else
+            {
+                _trianglePairs.findContact(out);
+            }
             moveToWorld(out, pair.placementA, motion);
         }
 
@@ -222,8 +221,7 @@ package starlogo.solid
             _displacement.startX = -time * way.x;
             _displacement.startY = -time * way.y;
             _displacement.startZ = -time * way.z;
-            _moved[b.kind] = b.place(_pose.placement, _moved[b.kind]);
-            findPairContact(a, _moved[b.kind], _displacement, out);
+            findPairContact(a, _pose.place(b), _displacement, out);
             out.x += time * way.x;
             out.y += time * way.y;
             out.z += time * way.z;

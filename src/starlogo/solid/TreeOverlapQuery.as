@@ -5,9 +5,9 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTraversal;
-    import starlogo.hierarchy.LeafTest;
+    import starlogo.hierarchy.LeafPairTest;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.hierarchy.StructureLeaf;
+    import starlogo.hierarchy.NodeStructureTest;
 
     use namespace engine;
 
@@ -17,7 +17,7 @@ package starlogo.solid
      *
      * <p>The thesis transforms both structures into the world for each pair of nodes (§4.5). Here one RelativePose for each pair of models
      * transforms the second model into the first model's space. There a traversal of pairs of nodes decides, depth-first, down to two nodes
-     * that are leaves or at their depth limit. A structure is a tree of one node. For exact tests, triangles decide about the leaves.</p>
+     * that are leaves or at their depth limit; or a search for the nodes near a structure. For exact tests, triangles decide about the leaves.</p>
      *
      * <p>The answers are nested. The leaves cover only the surface, so a ContainmentTest decides about a model inside a closed one.</p>
      *
@@ -31,15 +31,15 @@ package starlogo.solid
         private var _boxes:BoxTraversal = new BoxTraversal();
 
         // The tests that decide about leaves.
-        private var _leaf:StructureLeaf = new StructureLeaf();
-        private var _trianglePairs:LeafOverlapTest = new LeafOverlapTest();
-        private var _triangles:LeafStructureTest = new LeafStructureTest();
+        private var _trianglePairs:TrianglePairTest = new TrianglePairTest();
+        private var _nodes:NodeStructureTest = new NodeStructureTest();
+        private var _triangles:TriangleStructureTest = new TriangleStructureTest();
         private var _containment:ContainmentTest = new ContainmentTest();
 
         /** The number of pairs of nodes visited since resetCounts. */
         public function get nodeVisits():int
         {
-            return _boxes.nodeVisits + _triangles.boxes.nodeVisits;
+            return _boxes.nodeVisits + _nodes.boxes.nodeVisits + _triangles.boxes.nodeVisits;
         }
 
         /** The number of pairs of triangles, or of a triangle and a structure, tested since resetCounts. */
@@ -51,7 +51,7 @@ package starlogo.solid
         /** Sets all counts to 0. */
         public function resetCounts():void
         {
-            _boxes.nodeVisits = _triangles.boxes.nodeVisits = 0;
+            _boxes.nodeVisits = _nodes.boxes.nodeVisits = _triangles.boxes.nodeVisits = 0;
             _trianglePairs.triangleTests = _triangles.triangleTests = 0;
         }
 
@@ -64,24 +64,19 @@ package starlogo.solid
             pose.relate(pair.placementA, pair.placementB);
             if (b == null)
             {
-                return overlapsStructure(pair);
+                return touchesStructure(pair) || isOneInside(pair);
             }
-            var decider:LeafTest = pair.isExact ? _trianglePairs.begin(a, b, pose) : null;
+            var decider:LeafPairTest = pair.isExact ? _trianglePairs.begin(a, b, pose) : null;
             // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
             return _boxes.find(pose, a.tree, pair.depthA, b.tree, pair.depthB, decider)
                 || ((_boxes.rootsOverlapped || decider != null) && isOneInside(pair));
         }
 
-        // Whether the first model overlaps the structure that stands for the second one.
-        private function overlapsStructure(pair:TreePair):Boolean
+        // Whether a triangle or a node of the first model touches the structure that stands for the second one.
+        private function touchesStructure(pair:TreePair):Boolean
         {
-            if (pair.isExact)
-            {
-                return touchesTriangle(pair.a, pair.structureB) || isOneInside(pair);
-            }
-            _leaf.begin(pair.structureB, _pose);
-            return _boxes.find(_leaf.pose, pair.a.tree, pair.depthA, _leaf.tree, pair.depthB, _leaf.decider)
-                || ((_boxes.rootsOverlapped || _leaf.decider != null) && isOneInside(pair));
+            return pair.isExact ? _triangles.areTouching(pair.a, pair.structureB, _pose)
+                : _nodes.areTouching(pair.a.tree, pair.depthA, pair.structureB, _pose);
         }
 
         /**
@@ -98,11 +93,10 @@ package starlogo.solid
                 out.setPoint(_containment.innerPoint);
                 return _containment.isPointOfSecond ? pair.placementB : pair.placementA;
             }
-            if (pair.isExact && pair.b == null && touchesTriangle(pair.a, pair.structureB))
+            if (pair.isExact && pair.b == null && touchesStructure(pair))
             {
                 // No triangle crosses the surface of the box. So the box is around the triangles that touch it.
-                _leaf.begin(pair.structureB, _pose);
-                _triangles.takeCorner(_leaf.moved, out);
+                _triangles.takeCorner(_pose.placeWidened(pair.structureB), out);
             }
             return pair.placementA;
         }
@@ -110,18 +104,6 @@ package starlogo.solid
         private function isOneInside(pair:TreePair):Boolean
         {
             return pair.b == null ? _containment.isStructureInside(pair.a, pair.structureB, _pose) : _containment.isOneInside(pair.a, pair.b, _pose);
-        }
-
-        // Whether a triangle of a model touches a structure in the place of the second model.
-        private function touchesTriangle(a:SolidHierarchy, structureB:BoundingStructure):Boolean
-        {
-            _triangles.begin(a, structureB, _pose);
-            if (_triangles.isCompact)
-            {
-                return _triangles.find();
-            }
-            _leaf.begin(structureB, _pose);
-            return _boxes.find(_leaf.pose, a.tree, int.MAX_VALUE, _leaf.tree, 1, _triangles);
         }
     }
 }

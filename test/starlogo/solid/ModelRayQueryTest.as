@@ -8,7 +8,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.hierarchy.MovingBoxTraversal;
+    import starlogo.hierarchy.BoxSearch;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayTriangleTest;
     import starlogo.intersection.ray.rayStructure;
@@ -56,7 +56,7 @@ package starlogo.solid
             var hierarchy:SolidHierarchy = hierarchyOf(model);
             var solid:Solid = hierarchy.solid;
             var triangles:RayTriangleTest = new RayTriangleTest();
-            var boxes:MovingBoxTraversal = new MovingBoxTraversal();
+            var boxes:BoxSearch = new BoxSearch();
             var ray:Ray = new Ray();
             var origin:Vector3D = new Vector3D();
             var inside:Vector3D = pointInside(hierarchy);
@@ -91,9 +91,8 @@ package starlogo.solid
                 var direction:Vector3D = new Vector3D(x, y, z).subtract(origin);
                 ray.aim(origin, direction);
                 triangles.begin(ray, solid.corners, 1);
-                boxes.setPlace(ray.x, ray.y, ray.z, 0);
-                boxes.setMotion(ray.directionX, ray.directionY, ray.directionZ);
-                boxes.find(solid.tree, triangles);
+                boxes.setRay(ray);
+                boxes.find(solid.tree, int.MAX_VALUE, triangles);
                 if (!(triangles.triangle >= 0 && triangles.least <= direction.length + 1e-12))
                 {
                     assertTrue(model.name + ", " + i + (isFromInside ? " from inside, " : " from outside, ") + origin + " to " + new Vector3D(x, y, z) + ": " + triangles.least, false);

@@ -1,7 +1,7 @@
 package starlogo.intersection.ray
 {
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.TriangleTest;
+    import starlogo.intersection.LeafTest;
 
     /**
      * Finds the first triangle that a ray meets, or all of them, from either side (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", Journal
@@ -17,7 +17,7 @@ package starlogo.intersection.ray
      *
      * @private
      */
-    public final class RayTriangleTest extends TriangleTest
+    public final class RayTriangleTest extends LeafTest
     {
         // A triangle is seen edge on if its height across the ray is less than six times so many gaps. The place where the ray crosses its plane
         // is then a rounding error, so the places where the ray passes its edges count.
@@ -101,7 +101,7 @@ package starlogo.intersection.ray
          * <p>For each triangle, it shears the corners as seen from the line, finds the sides on which the ray passes the edges, and finds where
          * the ray crosses the plane.</p>
          */
-        override public function look(first:int, end:int):void
+        override public function look(node:int, first:int, end:int):void
         {
             var corners:Vector.<Number> = _corners;
             var u:int = _u;

@@ -4,14 +4,14 @@ package starlogo.solid
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.LeafTest;
+    import starlogo.hierarchy.LeafPairTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.areTrianglesApart;
 
     use namespace engine;
 
     /** Decides by triangles whether two leaves touch, for models that stand still. */
-    internal final class LeafOverlapTest extends LeafTest
+    internal final class TrianglePairTest extends LeafPairTest
     {
         private var _triangles:MovedTriangles = new MovedTriangles();
         private var _pair:ConvexPair = new ConvexPair();
@@ -19,7 +19,7 @@ package starlogo.solid
         private var _b:ConvexShape = new ConvexShape();
 
         /** Begins with two models that have triangles. The pose must relate them already. Returns this. */
-        public function begin(a:SolidHierarchy, b:SolidHierarchy, pose:RelativePose):LeafTest
+        public function begin(a:SolidHierarchy, b:SolidHierarchy, pose:RelativePose):LeafPairTest
         {
             _triangles.begin(a, b, pose);
             return this;

@@ -8,11 +8,10 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
-    import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.LeafTest;
-    import starlogo.hierarchy.MovingBoxTraversal;
+    import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.ConvexTriangle;
+    import starlogo.intersection.LeafTest;
     import starlogo.intersection.contact.Zonotope;
 
     use namespace engine;
@@ -21,19 +20,13 @@ package starlogo.solid
      * Decides whether a triangle of a model's leaf touches a solid structure, or when it does so. The ground tests its triangles
      * by the same ConvexTriangle. If the structure moves, separating axes rule out most triangles before.
      */
-    internal final class LeafStructureTest extends LeafTest
+    internal final class TriangleStructureTest extends LeafTest
     {
-        // The extents of a compact structure have at most this many times its volume. Those of a sphere have 1.91 times.
-        private static const COMPACT:Number = 2;
-
-        /**
-         * Whether the structure fills much of its extents, because it is not long and slanted. Then <code>find()</code> finds the leaves
-         * faster than a traversal that knows its axes.
-         */
-        public var isCompact:Boolean = false;
-
         /** Finds the leaves near the structure's extents. */
-        public var boxes:MovingBoxTraversal = new MovingBoxTraversal();
+        public var boxes:BoxSearch = new BoxSearch();
+
+        /** The number of triangles tested. The caller sets it to 0. */
+        public var triangleTests:int = 0;
 
         private var _solid:Solid;
         private var _planes:Vector.<Number>;
@@ -49,6 +42,11 @@ package starlogo.solid
         private var _core:Zonotope = new Zonotope();
         private var _radius:Number = 0;
 
+        // Axes that may separate a triangle from the moving structure: six numbers each. They are the axis, the least place along it that the
+        // structure comes to, the greatest place at time 0, and the speed along it, which is not negative. Then the end of these numbers.
+        private var _axes:Vector.<Number> = new Vector.<Number>(36, true);
+        private var _axesEnd:int = 0;
+
         // An axis that may separate the two.
         private var _axis:Vector3D = new Vector3D();
 
@@ -58,15 +56,36 @@ package starlogo.solid
         private var _corner:Vector3D = new Vector3D();
 
         /**
-         * Begins with a model that has triangles.
+         * Whether a triangle of a model touches a structure.
          *
-         * @param model the model's hierarchy
+         * @param model the model's hierarchy; has triangles
          * @param structure in the space of another model
-         * @param pose the other model's pose in the first one's space, and its motion from there, which is kept
+         * @param pose the other model's pose in the first one's space
          */
-        public function begin(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose):void
+        public function areTouching(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose):Boolean
         {
-            var motion:RelativeMotion = pose.motion;
+            begin(model, structure, pose, RelativeMotion.NONE);
+            least = 0;
+            boxes.find(_solid.tree, int.MAX_VALUE, this);
+            return _isFound;
+        }
+
+        /**
+         * Finds when a moving structure first touches a triangle of a model. The parameters are those of <code>areTouching()</code>. The pose's
+         * motion, which must not be RelativeMotion.NONE and is kept, receives the time.
+         */
+        public function findTime(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose):void
+        {
+            begin(model, structure, pose, pose.motion);
+            prepareMotion();
+            least = _motion.latest;
+            boxes.find(_solid.tree, int.MAX_VALUE, this);
+            var time:Number = least > 0 ? least : 0;
+            _motion.time = _isFound ? time : RelativeMotion.NEVER;
+        }
+
+        private function begin(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
+        {
             _isFound = false;
             _solid = model.facets;
             _motion = motion;
@@ -75,34 +94,20 @@ package starlogo.solid
             _test.structure.extentsInto(_extents);
             var extents:Vector.<Number> = _extents;
             var gap:Number = _test.shape.margin;
-            var halfX:Number = (extents[1] - extents[0]) / 2 + gap;
-            var halfY:Number = (extents[3] - extents[2]) / 2 + gap;
-            var halfZ:Number = (extents[5] - extents[4]) / 2 + gap;
-            isCompact = 8 * halfX * halfY * halfZ <= COMPACT * _test.structure.volume;
-            boxes.setPlace((extents[0] + extents[1]) / 2, (extents[2] + extents[3]) / 2, (extents[4] + extents[5]) / 2, 0);
-            boxes.halfX = halfX;
-            boxes.halfY = halfY;
-            boxes.halfZ = halfZ;
-            boxes.setMotion(motion.x, motion.y, motion.z);
-            boxes.from = motion.earliest;
+            boxes.setExtents(extents, gap);
+            boxes.setMotion(motion);
             var round:Number = _test.shape.radius;
-            _radius = round + gap + Tolerances.EXTENTS * (halfX + halfY + halfZ);
+            _radius = round + gap + Tolerances.EXTENTS * (boxes.halfX + boxes.halfY + boxes.halfZ);
             for (var i:int = 0; i < 6; i += 2)
             {
                 extents[i] += round;
                 extents[int(i + 1)] -= round;
             }
-            least = 0;
             _planes = _solid.planes;
             _core.setTo(_test.structure, RelativeMotion.NONE);
             _sweep.x = motion.x;
             _sweep.y = motion.y;
             _sweep.z = motion.z;
-            if (motion !== RelativeMotion.NONE)
-            {
-                least = motion.latest;
-                prepareMotion();
-            }
         }
 
         // Prepares what only a moving structure needs.
@@ -115,14 +120,47 @@ package starlogo.solid
             widen(0, motion.x);
             widen(2, motion.y);
             widen(4, motion.z);
-            // A structure that stands is a question of its contact: the order of the pairs of boxes chooses among the triangles that it touches.
-            isCompact &&= motion.x != 0 || motion.y != 0 || motion.z != 0;
             boxes.x = _core.x;
             boxes.y = _core.y;
             boxes.z = _core.z;
             boxes.halfX += margin;
             boxes.halfY += margin;
             boxes.halfZ += margin;
+            // along each of the core's segments, and across it; for a sphere or a capsule also along the way of the segment
+            var along:Vector.<Number> = _core.directions;
+            var share:Number = _core.end == 3 ? along[0] * motion.x + along[1] * motion.y + along[2] * motion.z : 0;
+            _axesEnd = 0;
+            for (var i:int = 0; i < _core.end; i += 3)
+            {
+                var x:Number = along[i];
+                var y:Number = along[int(i + 1)];
+                var z:Number = along[int(i + 2)];
+                addAxis(x, y, z);
+                addAxis(y * motion.z - z * motion.y, z * motion.x - x * motion.z, x * motion.y - y * motion.x);
+            }
+            if (_core.end < 9)
+            {
+                addAxis(motion.x - share * along[0], motion.y - share * along[1], motion.z - share * along[2]);
+            }
+        }
+
+        private function addAxis(x:Number, y:Number, z:Number):void
+        {
+            var axes:Vector.<Number> = _axes;
+            var at:int = _axesEnd;
+            var side:int = x * _motion.x + y * _motion.y + z * _motion.z < 0 ? -1 : 1;
+            _axis.setTo(side * x, side * y, side * z);
+            _core.measure(_axis);
+            var reach:Number = _core.reach + _radius * _axis.length;
+            var middle:Number = _axis.x * _core.x + _axis.y * _core.y + _axis.z * _core.z;
+            var speed:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
+            axes[at] = _axis.x;
+            axes[int(at + 1)] = _axis.y;
+            axes[int(at + 2)] = _axis.z;
+            axes[int(at + 3)] = middle - reach + _motion.earliest * speed;
+            axes[int(at + 4)] = middle + reach;
+            axes[int(at + 5)] = speed;
+            _axesEnd = at + 6;
         }
 
         // Widens the extents along an axis to those of the motion from its earliest to its latest time. The way is the whole motion's.
@@ -136,26 +174,8 @@ package starlogo.solid
             _extents[int(axis + 1)] += high;
         }
 
-        /** Searches the model. Returns whether a triangle is touched. If the structure moves, <code>least</code> becomes the time. */
-        public function find():Boolean
-        {
-            boxes.find(_solid.tree, this);
-            least = Math.max(0, least);
-            return _isFound;
-        }
-
         /** @inheritDoc */
-        override public function touch(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
-        {
-            var wasFound:Boolean = _isFound;
-            var before:Number = least;
-            look(treeA.first[a], treeA.end[a]);
-            least = Math.max(0, least);
-            return least < before || _isFound != wasFound;
-        }
-
-        /** @inheritDoc */
-        override public function look(first:int, end:int):void
+        override public function look(node:int, first:int, end:int):void
         {
             var isMoving:Boolean = _motion !== RelativeMotion.NONE;
             for (var i:int = first; i < end; i++)
@@ -200,8 +220,12 @@ package starlogo.solid
             return false;
         }
 
-        /** @inheritDoc */
-        override public function findContact(out:ContactPoint):void
+        /**
+         * Finds the contact of the triangle that is touched first, at the motion's time. It is in the model's space.
+         *
+         * @param out receives the contact, with a normal from the structure to the triangle
+         */
+        public function findContact(out:ContactPoint):void
         {
             _test.setTriangle(_solid.corners, _first);
             _sweep.time = _motion.time;
@@ -246,10 +270,27 @@ package starlogo.solid
             _sweep.earliest = earliest;
         }
 
-        // Whether an axis across the motion and an edge separates a triangle from the moving structure until <code>least</code>.
+        // Whether an axis separates a triangle from the moving structure until <code>least</code>.
         private function isPassed(at:int):Boolean
         {
             var corners:Vector.<Number> = _solid.corners;
+            var axes:Vector.<Number> = _axes;
+            var end:int = _axesEnd;
+            for (var i:int = 0; i < end; i += 6)
+            {
+                var x:Number = axes[i];
+                var y:Number = axes[int(i + 1)];
+                var z:Number = axes[int(i + 2)];
+                var p:Number = x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)];
+                var q:Number = x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)];
+                var r:Number = x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)];
+                var low:Number = axes[int(i + 3)];
+                var high:Number = axes[int(i + 4)] + least * axes[int(i + 5)];
+                if (p < low && q < low && r < low || p > high && q > high && r > high)
+                {
+                    return true;
+                }
+            }
             return isBeside(corners, at, at + 3, at + 6) || isBeside(corners, at + 3, at + 6, at) || isBeside(corners, at + 6, at, at + 3);
         }
 

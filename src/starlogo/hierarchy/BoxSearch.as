@@ -1,17 +1,19 @@
 package starlogo.hierarchy
 {
-    import starlogo.intersection.TriangleTest;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.intersection.LeafTest;
+    import starlogo.intersection.ray.Ray;
 
     /**
-     * Finds the leaves of a hierarchy of triangles that an axis-aligned box may meet on its way, the nearer of two children first. A ray is
-     * a box without extents. A box that stands has no motion.
+     * Finds the leaves of a tree that an axis-aligned box may meet on its way, or that are near it: the loop over a shape and a tree. The nearer
+     * of two children comes first. A ray is a box without extents. A box that stands has no motion.
      *
      * <p>A place on the way is a multiple of the motion. The box meets a node between two places on each axis (Kay and Kajiya, "Ray tracing
      * complex scenes", SIGGRAPH 1986).</p>
      *
      * @private
      */
-    public final class MovingBoxTraversal
+    public final class BoxSearch
     {
         // 1 divided by the least motion: a smaller one counts as 0. No way is longer than FARTHEST. Larger numbers might be infinite.
         private static const SLOWEST:Number = 1e100;
@@ -33,15 +35,13 @@ package starlogo.hierarchy
         public var halfY:Number = 0;
         public var halfZ:Number = 0;
 
-        /** The place where the way begins. */
-        public var from:Number = 0;
-
-        // The motion.
+        // The motion, and the place where the way begins.
         private var _motionX:Number = 0;
         private var _motionY:Number = 0;
         private var _motionZ:Number = 0;
+        private var _from:Number = 0;
 
-        // The nodes still to visit, and where the box meets them.
+        // The nodes still to visit, and where the box meets them, or how far it is from them.
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _enters:Vector.<Number> = new Vector.<Number>();
 
@@ -54,27 +54,57 @@ package starlogo.hierarchy
             halfX = halfY = halfZ = half;
         }
 
-        /** Sets the motion; 0 if the box stands. */
-        public function setMotion(x:Number, y:Number, z:Number):void
+        /**
+         * Sets the box to the extents of a structure.
+         *
+         * @param extents least x, greatest x, least y, ...
+         * @param margin how much larger the box is on each side
+         */
+        public function setExtents(extents:Vector.<Number>, margin:Number):void
         {
-            _motionX = x;
-            _motionY = y;
-            _motionZ = z;
+            x = (extents[0] + extents[1]) / 2;
+            y = (extents[2] + extents[3]) / 2;
+            z = (extents[4] + extents[5]) / 2;
+            halfX = (extents[1] - extents[0]) / 2 + margin;
+            halfY = (extents[3] - extents[2]) / 2 + margin;
+            halfZ = (extents[5] - extents[4]) / 2 + margin;
+        }
+
+        /** Sets the box and its motion to a ray. */
+        public function setRay(ray:Ray):void
+        {
+            setPlace(ray.x, ray.y, ray.z, 0);
+            setWay(ray.directionX, ray.directionY, ray.directionZ, ray.from);
+        }
+
+        /** Sets the motion. */
+        public function setMotion(motion:RelativeMotion):void
+        {
+            setWay(motion.x, motion.y, motion.z, motion.earliest);
         }
 
         /** Sets a motion along an axis. @param axis 0, 1 or 2 @param side 1, or -1 towards the smaller coordinates */
         public function setAxis(axis:int, side:int):void
         {
-            setMotion(axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0);
+            setWay(axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0, 0);
+        }
+
+        private function setWay(x:Number, y:Number, z:Number, from:Number):void
+        {
+            _motionX = x;
+            _motionY = y;
+            _motionZ = z;
+            _from = from;
         }
 
         /**
-         * Lets a test look at the leaves.
+         * Lets a test look at the leaves that the box may meet on its way.
          *
-         * @param tree a tree of triangles
+         * @param tree the tree
+         * @param depth how many of its levels are visited. Nodes at the last one count as leaves
          * @param test its <code>least</code> must be the place where the way ends; 0 if the box stands
          */
-        public function find(tree:BoxTree, test:TriangleTest):void
+        public function find(tree:BoxTree, depth:int, test:LeafTest):void
         {
             var margin:Number = MARGIN * tree.radius;
             var fromX:Number = x;
@@ -94,9 +124,10 @@ package starlogo.hierarchy
             var absZ:Number = inverseZ < 0 ? -inverseZ : inverseZ;
             var boxes:Vector.<Number> = tree.boxes;
             var children:Vector.<int> = tree.low;
+            var stop:Vector.<int> = tree.stop;
             var nodes:Vector.<int> = _nodes;
             var enters:Vector.<Number> = _enters;
-            var begin:Number = from;
+            var begin:Number = _from;
             var limit:Number = test.least < FARTHEST ? test.least : FARTHEST;
             var stands:Boolean = _motionX == 0 && _motionY == 0 && _motionZ == 0;
             var visits:int = 0;
@@ -105,14 +136,14 @@ package starlogo.hierarchy
             while (true)
             {
                 visits++;
-                var low:int = children[node];
-                if (low == 0)
+                if (stop[node] >= depth)
                 {
-                    test.look(tree.first[node], tree.end[node]);
+                    test.look(node, tree.first[node], tree.end[node]);
                     limit = test.least < limit ? test.least : limit;
                 }
                 else
                 {
+                    var low:int = children[node];
                     var at:int = 6 * low;
                     var middle:Number;
                     var half:Number;
@@ -202,6 +233,61 @@ package starlogo.hierarchy
                 while (enters[top] > limit);
                 node = nodes[top];
             }
+        }
+
+        /**
+         * Lets a test look at the leaves that are near the standing box.
+         *
+         * @param tree the tree
+         * @param depth how many of its levels are visited. Nodes at the last one count as leaves
+         * @param test its <code>least</code> must be the distance up to which leaves count
+         */
+        public function findNear(tree:BoxTree, depth:int, test:LeafTest):void
+        {
+            var nodes:Vector.<int> = _nodes;
+            var gaps:Vector.<Number> = _enters;
+            var margin:Number = MARGIN * tree.radius;
+            var top:int = 1;
+            nodes[0] = 0;
+            gaps[0] = 0;
+            while (top > 0)
+            {
+                top--;
+                var node:int = nodes[top];
+                if (gaps[top] > test.least)
+                {
+                    continue;
+                }
+                nodeVisits++;
+                if (tree.stop[node] >= depth)
+                {
+                    test.look(node, tree.first[node], tree.end[node]);
+                    continue;
+                }
+                node = tree.low[node];
+                nodes[top] = node;
+                nodes[int(top + 1)] = node + 1;
+                writeGap(tree.boxes, 6 * node, margin, gaps, top);
+                writeGap(tree.boxes, 6 * node + 6, margin, gaps, top + 1);
+                if (gaps[top] < gaps[int(top + 1)])
+                {
+                    var gap:Number = gaps[top];
+                    gaps[top] = gaps[int(top + 1)];
+                    gaps[int(top + 1)] = gap;
+                    nodes[top] = node + 1;
+                    nodes[int(top + 1)] = node;
+                }
+                top += 2;
+            }
+        }
+
+        // Writes how far the box is from the box of a node, less a margin.
+        private function writeGap(boxes:Vector.<Number>, at:int, margin:Number, out:Vector.<Number>, to:int):void
+        {
+            var x:Number = Math.max(0, Math.abs(boxes[at] - this.x) - boxes[int(at + 3)] - halfX);
+            var y:Number = Math.max(0, Math.abs(boxes[int(at + 1)] - this.y) - boxes[int(at + 4)] - halfY);
+            var z:Number = Math.max(0, Math.abs(boxes[int(at + 2)] - this.z) - boxes[int(at + 5)] - halfZ);
+            out[to] = Math.sqrt(x * x + y * y + z * z) - margin;
         }
     }
 }

@@ -5,13 +5,13 @@ package starlogo.solid
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.LeafTest;
+    import starlogo.hierarchy.LeafPairTest;
     import starlogo.hierarchy.RelativePose;
 
     use namespace engine;
 
     /** Finds the distance of the triangles in leaves. It measures only pairs whose extents are nearer than the nearest pair so far. */
-    internal final class LeafDistanceTest extends LeafTest
+    internal final class TrianglePairDistance extends LeafPairTest
     {
         private var _triangles:MovedTriangles = new MovedTriangles();
         private var _pair:ConvexPair = new ConvexPair();
@@ -28,13 +28,13 @@ package starlogo.solid
         private var _alongZ:Number;
         private var _begin:Number;
 
-        public function LeafDistanceTest()
+        public function TrianglePairDistance()
         {
             points = new ClosestPoints();
         }
 
         /** Begins with two models that have triangles. The pose must relate them already. Returns this. */
-        public function begin(a:SolidHierarchy, b:SolidHierarchy, pose:RelativePose):LeafTest
+        public function begin(a:SolidHierarchy, b:SolidHierarchy, pose:RelativePose):LeafPairTest
         {
             _triangles.begin(a, b, pose);
             points.distance = _squared = Infinity;

@@ -6,13 +6,13 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.LeafTest;
+    import starlogo.hierarchy.LeafPairTest;
     import starlogo.hierarchy.RelativePose;
 
     use namespace engine;
 
     /** Decides by triangles when two leaves first touch, for models that move. */
-    internal final class LeafSweepTest extends LeafTest
+    internal final class TrianglePairSweep extends LeafPairTest
     {
         private var _triangles:MovedTriangles = new MovedTriangles();
         private var _pair:ConvexPair = new ConvexPair();
@@ -31,7 +31,7 @@ package starlogo.solid
         private var _corners:Vector.<Number> = new Vector.<Number>();
 
         /** Begins with two models that have triangles. The pose must relate them already. Returns this. */
-        public function begin(a:SolidHierarchy, b:SolidHierarchy, pose:RelativePose):LeafTest
+        public function begin(a:SolidHierarchy, b:SolidHierarchy, pose:RelativePose):LeafPairTest
         {
             _triangles.begin(a, b, pose);
             _motion.x = pose.motion.x;
@@ -131,8 +131,12 @@ package starlogo.solid
             return p > low && q > low && r > low || p < high && q < high && r < high;
         }
 
-        /** @inheritDoc */
-        override public function findContact(out:ContactPoint):void
+        /**
+         * Finds the contact of the triangles that touch first, at the pose's time. It is in the first model's space.
+         *
+         * @param out receives the contact
+         */
+        public function findContact(out:ContactPoint):void
         {
             var pose:RelativePose = _triangles.pose;
             pose.placement.movePoints(_triangles.solidB.corners, _firstB, _firstB + 9, _corners);

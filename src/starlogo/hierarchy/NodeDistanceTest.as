@@ -1,0 +1,59 @@
+package starlogo.hierarchy
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.engine;
+    import starlogo.intersection.LeafTest;
+    import starlogo.intersection.distance.findClosest;
+
+    use namespace engine;
+
+    /** Finds the distance of a structure from the boxes of a tree. The results are nested, as those of BoxDistanceTraversal. @private */
+    public final class NodeDistanceTest extends LeafTest
+    {
+        /** Finds the nodes near the structure. */
+        public var boxes:BoxSearch = new BoxSearch();
+
+        private var _tree:BoxTree;
+        private var _structure:BoundingStructure;
+        private var _reach:Number = 0;
+        private var _measured:ClosestPoints = new ClosestPoints();
+        private var _nearest:ClosestPoints;
+        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+
+        /**
+         * Finds the distance and the closest points of a tree and a structure.
+         *
+         * @param depth how many of the tree's levels are visited
+         * @param structure in the space of another model
+         * @param pose the other model's pose in the tree's space
+         * @param out receives them, in the tree's space
+         */
+        public function find(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, out:ClosestPoints):void
+        {
+            _tree = tree;
+            _structure = pose.placeWidened(structure);
+            _structure.extentsInto(_extents);
+            boxes.setExtents(_extents, 0);
+            _reach = tree.radius + boxes.halfX + boxes.halfY + boxes.halfZ;
+            _nearest = out;
+            least = out.distance = Infinity;
+            boxes.findNear(tree, depth, this);
+        }
+
+        /** @inheritDoc */
+        override public function look(node:int, first:int, end:int):void
+        {
+            findClosest(_tree.writeBox(node, _box), _structure, _measured);
+            BoxDistanceTraversal.reduce(_measured, _tree.levelOf(node), 0, _reach);
+            if (_measured.distance < least)
+            {
+                least = _measured.distance;
+                _nearest.copyFrom(_measured);
+            }
+        }
+    }
+}

@@ -1,0 +1,98 @@
+package starlogo.hierarchy
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Box;
+    import starlogo.engine;
+    import starlogo.intersection.LeafTest;
+    import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossings;
+    import starlogo.intersection.ray.crossStructure;
+    import starlogo.intersection.ray.rayBox;
+
+    use namespace engine;
+
+    /**
+     * Finds where a ray first meets the boxes of a tree, or all places where it does.
+     *
+     * <p>The ray meets a node no earlier than the node's ancestors. So a greater depth never finds a smaller distance.</p>
+     *
+     * @private
+     */
+    public final class NodeRayTest extends LeafTest
+    {
+        private var _tree:BoxTree;
+        private var _ray:Ray;
+        private var _part:Ray = new Ray();
+        private var _all:RayCrossings = null;
+        private var _slack:Number = 0;
+        private var _boxes:BoxSearch = new BoxSearch();
+        private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+
+        // The node that the ray meets first, or -1.
+        private var _first:int = -1;
+
+        /**
+         * Narrows a ray to the part behind its first hit.
+         *
+         * @param tree the tree
+         * @param depth how many of its levels are visited
+         * @param ray in the tree's space; its beginning becomes the hit, with the normal there
+         * @return whether there is a hit; if not, the ray stays as it was
+         */
+        public function findHit(tree:BoxTree, depth:int, ray:Ray):Boolean
+        {
+            search(tree, depth, ray, 0, null);
+            if (_first < 0)
+            {
+                return false;
+            }
+            ray.faceBack();
+            rayBox(ray, tree.writeBox(_first, _box));
+            return true;
+        }
+
+        /**
+         * Adds where a ray enters and leaves each node that decides.
+         *
+         * @param tree the tree
+         * @param depth how many of its levels are visited
+         * @param ray in the tree's space; it is not changed
+         * @param slack how far a place may be wrong because of rounding
+         * @param out the crossings are added to it
+         */
+        public function findAll(tree:BoxTree, depth:int, ray:Ray, slack:Number, out:RayCrossings):void
+        {
+            search(tree, depth, ray, slack, out);
+        }
+
+        private function search(tree:BoxTree, depth:int, ray:Ray, slack:Number, all:RayCrossings):void
+        {
+            _tree = tree;
+            _ray = ray;
+            _slack = slack;
+            _all = all;
+            _first = -1;
+            least = ray.to;
+            _boxes.setRay(ray);
+            _boxes.find(tree, depth, this);
+        }
+
+        /** @inheritDoc */
+        override public function look(node:int, first:int, end:int):void
+        {
+            _tree.writeBox(node, _box);
+            if (_all != null)
+            {
+                crossStructure(_ray, _box, _slack, _part, null, _all);
+                return;
+            }
+            _part.copyFrom(_ray);
+            if (rayBox(_part, _box) && (_part.from < least || _first < 0))
+            {
+                _first = node;
+                // no node can be met before the ray's beginning
+                least = _part.from > _ray.from ? _part.from : -Infinity;
+            }
+        }
+    }
+}

@@ -1,0 +1,93 @@
+package starlogo.hierarchy
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+    import starlogo.intersection.LeafTest;
+    import starlogo.intersection.intersects;
+    import starlogo.intersection.sweep.findTimeOfImpact;
+
+    use namespace engine;
+
+    /**
+     * Decides whether a structure touches the boxes of a tree, or when it does so (thesis §5.2). The kernel of the two decides about a node.
+     *
+     * @private
+     */
+    public final class NodeStructureTest extends LeafTest
+    {
+        /** Finds the nodes near the structure. */
+        public var boxes:BoxSearch = new BoxSearch();
+
+        /** The node that the structure touches first; -1 if it touches none. */
+        public var first:int = -1;
+
+        private var _tree:BoxTree;
+        private var _structure:BoundingStructure;
+        private var _motion:RelativeMotion;
+        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+
+        /**
+         * Whether a structure touches a node that decides.
+         *
+         * @param depth how many of the tree's levels are visited
+         * @param structure in the space of another model
+         * @param pose the other model's pose in the tree's space
+         */
+        public function areTouching(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose):Boolean
+        {
+            least = 0;
+            search(tree, depth, structure, pose, RelativeMotion.NONE);
+            return first >= 0;
+        }
+
+        /**
+         * Finds when a moving structure first touches a node that decides. The parameters are those of <code>areTouching()</code>. The pose's
+         * motion, which must not be RelativeMotion.NONE, receives the time.
+         */
+        public function findTime(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose):void
+        {
+            least = pose.motion.latest;
+            search(tree, depth, structure, pose, pose.motion);
+            var time:Number = least > 0 ? least : 0;
+            pose.motion.time = first < 0 ? RelativeMotion.NEVER : time;
+        }
+
+        private function search(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
+        {
+            _tree = tree;
+            _structure = pose.placeWidened(structure);
+            _motion = motion;
+            first = -1;
+            _structure.extentsInto(_extents);
+            boxes.setExtents(_extents, 0);
+            boxes.setMotion(motion);
+            boxes.find(tree, depth, this);
+        }
+
+        /** @inheritDoc */
+        override public function look(node:int, first:int, end:int):void
+        {
+            _tree.writeBox(node, _box);
+            var time:Number = 0;
+            if (_motion === RelativeMotion.NONE)
+            {
+                time = intersects(_box, _structure) ? 0 : RelativeMotion.NEVER;
+            }
+            else
+            {
+                findTimeOfImpact(_structure, _box, _motion);
+                time = _motion.time;
+            }
+            if (time < least || time == least && this.first < 0)
+            {
+                this.first = node;
+                // no node can be touched earlier than at the beginning
+                least = time > 0 ? time : -Infinity;
+            }
+        }
+    }
+}

@@ -1,0 +1,27 @@
+package starlogo.intersection
+{
+    /**
+     * Tests leaves of a tree, in the order in which something may meet them on its way or from the nearest on. Abstract.
+     *
+     * @private
+     */
+    public class LeafTest
+    {
+        /**
+         * How far along the way leaves are tested, or how far away: where the nearest so far is met. Before the first one, the end of the way. A
+         * test that needs no more leaves sets it to -Infinity.
+         */
+        public var least:Number = 0;
+
+        /**
+         * Tests a leaf. The numbers of its triangles are a range.
+         *
+         * @param node the leaf's number
+         * @param first the first triangle's number
+         * @param end the number after the last one
+         */
+        public function look(node:int, first:int, end:int):void
+        {
+        }
+    }
+}

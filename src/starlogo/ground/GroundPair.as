@@ -113,6 +113,7 @@ package starlogo.ground
         public function findFirst(motion:RelativeMotion, out:ContactPoint):void
         {
             leastDepth = 0;
+            _hasPart = false;
             var touching:Number = 0;
             if (!overlapsAt(motion, 0))
             {

@@ -284,10 +284,10 @@ package starlogo.hierarchy
         // Writes how far the box is from the box of a node, less a margin.
         private function writeGap(boxes:Vector.<Number>, at:int, margin:Number, out:Vector.<Number>, to:int):void
         {
-            var x:Number = Math.max(0, Math.abs(boxes[at] - this.x) - boxes[int(at + 3)] - halfX);
-            var y:Number = Math.max(0, Math.abs(boxes[int(at + 1)] - this.y) - boxes[int(at + 4)] - halfY);
-            var z:Number = Math.max(0, Math.abs(boxes[int(at + 2)] - this.z) - boxes[int(at + 5)] - halfZ);
-            out[to] = Math.sqrt(x * x + y * y + z * z) - margin;
+            var gapX:Number = Math.max(0, Math.abs(boxes[at] - x) - boxes[int(at + 3)] - halfX);
+            var gapY:Number = Math.max(0, Math.abs(boxes[int(at + 1)] - y) - boxes[int(at + 4)] - halfY);
+            var gapZ:Number = Math.max(0, Math.abs(boxes[int(at + 2)] - z) - boxes[int(at + 5)] - halfZ);
+            out[to] = Math.sqrt(gapX * gapX + gapY * gapY + gapZ * gapZ) - margin;
         }
     }
 }

@@ -22,7 +22,7 @@ package starlogo.hierarchy
         public var boxes:BoxSearch = new BoxSearch();
 
         /** The node that the structure touches first; -1 if it touches none. */
-        public var first:int = -1;
+        public var firstNode:int = -1;
 
         private var _tree:BoxTree;
         private var _structure:BoundingStructure;
@@ -41,7 +41,7 @@ package starlogo.hierarchy
         {
             least = 0;
             search(tree, depth, structure, pose, RelativeMotion.NONE);
-            return first >= 0;
+            return firstNode >= 0;
         }
 
         /**
@@ -53,7 +53,7 @@ package starlogo.hierarchy
             least = pose.motion.latest;
             search(tree, depth, structure, pose, pose.motion);
             var time:Number = least > 0 ? least : 0;
-            pose.motion.time = first < 0 ? RelativeMotion.NEVER : time;
+            pose.motion.time = firstNode < 0 ? RelativeMotion.NEVER : time;
         }
 
         private function search(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
@@ -61,7 +61,7 @@ package starlogo.hierarchy
             _tree = tree;
             _structure = pose.placeWidened(structure);
             _motion = motion;
-            first = -1;
+            firstNode = -1;
             _structure.extentsInto(_extents);
             boxes.setExtents(_extents, 0);
             boxes.setMotion(motion);
@@ -82,9 +82,9 @@ package starlogo.hierarchy
                 findTimeOfImpact(_structure, _box, _motion);
                 time = _motion.time;
             }
-            if (time < least || time == least && this.first < 0)
+            if (time < least || time == least && firstNode < 0)
             {
-                this.first = node;
+                firstNode = node;
                 // no node can be touched earlier than at the beginning
                 least = time > 0 ? time : -Infinity;
             }

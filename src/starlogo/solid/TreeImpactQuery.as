@@ -195,7 +195,7 @@ package starlogo.solid
         {
             if (!pair.isExact)
             {
-                var a:int = pair.b == null ? _nodes.first : _boxes.firstA;
+                var a:int = pair.b == null ? _nodes.firstNode : _boxes.firstA;
                 var b:BoundingStructure = pair.b == null ? pair.structureB : pair.b.tree.writeBox(_boxes.firstB, _boxB);
                 findContactOf(pair.a.tree.writeBox(a, _boxA), pair.placementA, b, motion, out);
                 return;

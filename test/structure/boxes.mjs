@@ -28,7 +28,7 @@ const COLD = {
 	'starlogo.solid.CavityFinder': 'when a model loads',
 	'starlogo.solid.EdgeMatcher': 'when a model loads',
 	'starlogo.solid.PartExtremes': 'when a model loads',
-	'starlogo.solid.PieceFinder': 'when a model loads',
+	'starlogo.solid.ShellFinder': 'when a model loads',
 	'starlogo.solid.SolidBuilder': 'when a model loads',
 	'starlogo.solid.SolidHierarchyBuilder': 'when a model loads',
 	'starlogo.solid.SurfaceBuilder': 'when a model loads',

@@ -42,13 +42,13 @@ package starlogo.solid
                 return false;
             }
             // A getter is a call, and every pair that does not touch comes here.
-            var solidA:Solid = a.readySolid == null ? a.solid : a.readySolid;
-            var solidB:Solid = b.readySolid == null ? b.solid : b.readySolid;
+            var insideA:Interior = a.readyInterior == null ? a.interior : a.readyInterior;
+            var insideB:Interior = b.readyInterior == null ? b.interior : b.readyInterior;
             var treeA:BoxTree = a.tree;
             var treeB:BoxTree = b.tree;
             var size:Number = pose.placement.size;
-            return (solidA.isClosed && solidB.leastPartExtent * size <= 2 * treeA.radius && hasPartInside(treeA, solidA, solidB, pose.placement, false))
-                || (solidB.isClosed && solidA.leastPartExtent <= 2 * treeB.radius * size && hasPartInside(treeB, solidB, solidA, pose.placement, true));
+            return (insideA.isClosed && insideB.leastPartExtent * size <= 2 * treeA.radius && hasPartInside(treeA, insideA, insideB, pose.placement, false))
+                || (insideB.isClosed && insideA.leastPartExtent <= 2 * treeB.radius * size && hasPartInside(treeB, insideB, insideA, pose.placement, true));
         }
 
         /**
@@ -89,7 +89,7 @@ package starlogo.solid
         // Whether a part of the inner model is inside of the outer one. If isOfFirst, the inner model is the first one, otherwise the
         // second one. The numbers transform a point of the inner model into the outer model's space, relative to the middle of its root's
         // box.
-        private function hasPartInside(tree:BoxTree, outer:Solid, inner:Solid, relative:Placement, isOfFirst:Boolean):Boolean
+        private function hasPartInside(tree:BoxTree, outer:Interior, inner:Interior, relative:Placement, isOfFirst:Boolean):Boolean
         {
             var scale:Number = isOfFirst ? 1 / relative.size : relative.size;
             var m00:Number = relative.r00 * scale;
@@ -117,7 +117,7 @@ package starlogo.solid
             isPointOfSecond = isOfFirst;
             var points:Vector.<Number> = inner.partPoints;
             var length:int = points.length;
-            var stride:int = 3 * Solid.POINTS_PER_PART;
+            var stride:int = 3 * Interior.POINTS_PER_PART;
             var halfX:Number = box[3];
             var halfY:Number = box[4];
             var halfZ:Number = box[5];

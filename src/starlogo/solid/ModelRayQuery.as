@@ -82,7 +82,7 @@ package starlogo.solid
             searchTriangles(hierarchy, ray, out);
             for (var i:int = first; i < out.count; i++)
             {
-                setNormal(hierarchy.facets, out.triangles[i], ray);
+                setNormal(hierarchy.mesh, out.triangles[i], ray);
                 out.setNormal(i, ray);
                 out.triangles[i] = hierarchy.tree.order[out.triangles[i]];
             }
@@ -105,25 +105,25 @@ package starlogo.solid
             }
             triangle = hierarchy.tree.order[found];
             ray.from = _triangles.least;
-            setNormal(hierarchy.facets, found, ray);
+            setNormal(hierarchy.mesh, found, ray);
             return true;
         }
 
         // Tests the triangles near a ray: finds the first that it meets, or adds all crossings.
         private function searchTriangles(hierarchy:SolidHierarchy, ray:Ray, all:RayCrossings):void
         {
-            var solid:Solid = hierarchy.facets;
-            _triangles.begin(ray, solid.corners, reachOf(hierarchy.tree.boxes), all);
+            var mesh:TriangleMesh = hierarchy.mesh;
+            _triangles.begin(ray, mesh.corners, reachOf(hierarchy.tree.boxes), all);
             _boxes.setRay(ray);
-            _boxes.find(solid.tree, int.MAX_VALUE, _triangles);
+            _boxes.find(mesh.tree, int.MAX_VALUE, _triangles);
         }
 
         // Sets the normal of a ray to that of a triangle, against the ray. A triangle without area has no normal; then it is the opposite of the
         // ray's direction.
-        private function setNormal(solid:Solid, index:int, ray:Ray):void
+        private function setNormal(mesh:TriangleMesh, index:int, ray:Ray):void
         {
             ray.faceBack();
-            _face.setTriangle(solid.corners, 9 * index);
+            _face.setTriangle(mesh.corners, 9 * index);
             if (_face.length > 0)
             {
                 ray.setNormal(_face.x, _face.y, _face.z);

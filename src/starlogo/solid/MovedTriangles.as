@@ -15,8 +15,8 @@ package starlogo.solid
         /** The second model's pose in the first model's space. */
         public var pose:RelativePose = null;
 
-        public var solidA:Solid = null;
-        public var solidB:Solid = null;
+        public var meshA:TriangleMesh = null;
+        public var meshB:TriangleMesh = null;
 
         /** The largest gap across which triangles of these models touch. */
         public var gap:Number = 0;
@@ -43,8 +43,8 @@ package starlogo.solid
             {
                 this.pose = pose;
             }
-            solidA = a.facets;
-            solidB = b.facets;
+            meshA = a.mesh;
+            meshB = b.mesh;
             _first = -1;
             gap = pose.gap + Touching.marginOfSurface(a.tree.radius + b.tree.radius * pose.placement.size);
             outerGap = 2 * gap + Tolerances.EXTENTS * (Math.abs(pose.motion.x) + Math.abs(pose.motion.y) + Math.abs(pose.motion.z));
@@ -60,7 +60,7 @@ package starlogo.solid
                 return count;
             }
             _first = first;
-            pose.placement.movePoints(solidB.corners, 9 * first, 9 * (first + count), moved);
+            pose.placement.movePoints(meshB.corners, 9 * first, 9 * (first + count), moved);
             var corners:Vector.<Number> = moved;
             var spans:Vector.<Number> = extents;
             if (spans.length < 6 * count)

@@ -1,9 +1,9 @@
 package starlogo.solid
 {
-    /** Finds the outermost points of groups of triangles: of a surface's parts, or of its pieces. */
+    /** Finds the outermost points of groups of triangles: of a surface's parts, or of its shells. */
     internal final class PartExtremes
     {
-        /** For each group, the vertices with the smallest and largest x, y and z: see <code>Solid.partPoints</code>. */
+        /** For each group, the vertices with the smallest and largest x, y and z: see <code>Interior.partPoints</code>. */
         public var points:Vector.<Number> = new Vector.<Number>();
 
         /** For each group, the index of its points, or -1 if it has none yet. */
@@ -47,7 +47,7 @@ package starlogo.solid
         private function beginGroup(group:int, corner:int):void
         {
             pointsAt[group] = points.length;
-            for (var i:int = 0; i < Solid.POINTS_PER_PART; i++)
+            for (var i:int = 0; i < Interior.POINTS_PER_PART; i++)
             {
                 points.push(_corners[corner], _corners[corner + 1], _corners[corner + 2]);
             }

@@ -16,19 +16,20 @@ package starlogo.solid
         private static const TRIANGLES_PER_STEP:int = 400;
         private static const PARTS_PER_STEP:int = 50;
 
-        // After so many looks at pieces for each triangle, the parts that are left stay as they are. The answers are the same.
+        // After so many looks at shells for each triangle, the parts that are left stay as they are. The answers are the same.
         private static const LOOKS_PER_TRIANGLE:int = 20;
 
         private var _hierarchy:SolidHierarchy;
         private var _order:Vector.<int>;
-        private var _solid:Solid;
+        private var _mesh:TriangleMesh;
+        private var _interior:Interior = null;
         private var _surface:SurfaceTopology;
         private var _extremes:PartExtremes;
 
         // Null if the surface is known already.
         private var _builder:SurfaceBuilder = null;
 
-        // For each piece, its part; and the parts that are one because they overlap.
+        // For each shell, its part; and the parts that are one because they overlap.
         private var _partOf:Vector.<int>;
         private var _sets:DisjointSets;
         private var _looks:int = 0;
@@ -38,7 +39,7 @@ package starlogo.solid
         private var _placeCount:int = 0;
 
         /**
-         * @param hierarchy of triangles; receives the solid and the surface
+         * @param hierarchy of triangles; receives the triangles, their inside and the surface
          * @param findsInside whether to find the inside
          */
         public function SolidBuilder(hierarchy:SolidHierarchy, findsInside:Boolean)
@@ -46,10 +47,10 @@ package starlogo.solid
             _hierarchy = hierarchy;
             _order = hierarchy.tree.order;
             _surface = hierarchy.surface;
-            _solid = hierarchy.readyFacets;
-            if (_solid == null)
+            _mesh = hierarchy.readyMesh;
+            if (_mesh == null)
             {
-                _solid = new Solid(hierarchy.tree);
+                _mesh = new TriangleMesh(hierarchy.tree);
                 sliced(placeCorners).call(keepTriangles);
             }
             if (findsInside && _surface == null)
@@ -69,12 +70,12 @@ package starlogo.solid
 
         private function placeCorners(first:int, end:int):void
         {
-            _hierarchy.writeCorners(first, end, null, _solid.corners, 9 * first);
+            _hierarchy.writeCorners(first, end, null, _mesh.corners, 9 * first);
         }
 
         private function keepTriangles():void
         {
-            _hierarchy.readyFacets = _solid;
+            _hierarchy.readyMesh = _mesh;
         }
 
         private function newSurface():Steps
@@ -86,57 +87,55 @@ package starlogo.solid
 
         private function useSurface():void
         {
-            _solid.surface = _surface;
-            _solid.isClosed = _surface.isClosed;
-            _solid.windings = new Vector.<int>(_surface.pieceStates.length, true);
+            _interior = new Interior(_mesh, _surface);
             if (_surface.widestSeam > 0)
             {
                 _welding = new Welding(_hierarchy.tree.vertices);
-                _solid.placesAt = new Vector.<int>(_order.length, true);
+                _interior.placesAt = new Vector.<int>(_order.length, true);
                 add(_welding);
                 sliced(weld);
             }
-            sliced(_solid.placePlanes);
-            _partOf = new Vector.<int>(_surface.pieceStates.length, true);
-            _extremes = new PartExtremes(_solid.corners, _surface.partNumberEnd);
+            sliced(_mesh.placePlanes);
+            _partOf = new Vector.<int>(_surface.shellStates.length, true);
+            _extremes = new PartExtremes(_mesh.corners, _surface.partNumberEnd);
             if (_builder != null)
             {
                 _sets = new DisjointSets(_surface.partNumberEnd);
                 begin(newCavities);
-                sliced(measure).slices(_solid.isClosed && _surface.partNumberEnd > 1 ? _surface.partNumberEnd : 0, PARTS_PER_STEP, joinParts)
+                sliced(measure).slices(_interior.isClosed && _surface.partNumberEnd > 1 ? _surface.partNumberEnd : 0, PARTS_PER_STEP, joinParts)
                     .call(beginAgain);
                 sliced(numberParts);
             }
             sliced(measure).call(conclude);
         }
 
-        // A figure often consists of pieces that overlap. Another model contains all of them or none, unless that model is inside one of them. So
-        // overlapping pieces are joined to one part, and each pair of agents needs fewer points.
+        // A figure often consists of shells that overlap. Another model contains all of them or none, unless that model is inside one of them. So
+        // overlapping shells are joined to one part, and each pair of agents needs fewer points.
         private function joinParts(first:int, end:int):void
         {
             var points:Vector.<Number> = _extremes.points;
             for (var part:int = first; part < end && _looks < LOOKS_PER_TRIANGLE * _order.length; part++)
             {
                 var at:int = _extremes.pointsAt[part];
-                for (var i:int = at; i < at + 3 * Solid.POINTS_PER_PART; i += 3)
+                for (var i:int = at; i < at + 3 * Interior.POINTS_PER_PART; i += 3)
                 {
-                    _solid.wind(points[i], points[i + 1], points[i + 2]);
-                    _looks += _solid.woundCount;
-                    for (var k:int = 0; k < _solid.woundCount; k++)
+                    _interior.wind(points[i], points[i + 1], points[i + 2]);
+                    _looks += _interior.woundCount;
+                    for (var k:int = 0; k < _interior.woundCount; k++)
                     {
-                        if (_solid.isAround(_solid.wound[k]))
+                        if (_interior.isAround(_interior.wound[k]))
                         {
-                            _sets.join(_partOf[_solid.wound[k]], part);
+                            _sets.join(_partOf[_interior.wound[k]], part);
                         }
                     }
-                    _solid.unwind();
+                    _interior.unwind();
                 }
             }
         }
 
         private function beginAgain():void
         {
-            _extremes = new PartExtremes(_solid.corners, _surface.partNumberEnd);
+            _extremes = new PartExtremes(_mesh.corners, _surface.partNumberEnd);
         }
 
         private function numberParts(first:int, end:int):void
@@ -150,23 +149,23 @@ package starlogo.solid
         // Writes all triangles after the moved ones, and keeps those that are elsewhere than their corners.
         private function weld(first:int, end:int):void
         {
-            var places:Vector.<Number> = _solid.places;
+            var places:Vector.<Number> = _interior.places;
             for (var i:int = first; i < end; i++)
             {
                 _hierarchy.writeCorners(i, i + 1, _welding.welded, places, _placeCount);
                 var same:int = 0;
-                while (same < 9 && places[_placeCount + same] == _solid.corners[9 * i + same])
+                while (same < 9 && places[_placeCount + same] == _mesh.corners[9 * i + same])
                 {
                     same++;
                 }
-                _solid.placesAt[i] = same < 9 ? _placeCount : -1;
+                _interior.placesAt[i] = same < 9 ? _placeCount : -1;
                 _placeCount += same < 9 ? 9 : 0;
             }
         }
 
         private function newCavities():Steps
         {
-            return new CavityFinder(_solid, _builder.balances);
+            return new CavityFinder(_interior, _builder.balances);
         }
 
         private function measure(first:int, end:int):void
@@ -174,7 +173,7 @@ package starlogo.solid
             for (var i:int = first; i < end; i++)
             {
                 var part:int = _surface.parts[_order[i]];
-                var side:int = _solid.sideOf(i);
+                var side:int = _interior.sideOf(i);
                 if (side != 0)
                 {
                     _partOf[int(Math.abs(side) - 1)] = part;
@@ -185,12 +184,12 @@ package starlogo.solid
 
         private function conclude():void
         {
-            _solid.partPoints = _extremes.points;
-            for (var at:int = 0; at < _solid.partPoints.length; at += 3 * Solid.POINTS_PER_PART)
+            _interior.partPoints = _extremes.points;
+            for (var at:int = 0; at < _interior.partPoints.length; at += 3 * Interior.POINTS_PER_PART)
             {
-                _solid.leastPartExtent = Math.min(_solid.leastPartExtent, _extremes.extentAt(at));
+                _interior.leastPartExtent = Math.min(_interior.leastPartExtent, _extremes.extentAt(at));
             }
-            _hierarchy.readySolid = _solid;
+            _hierarchy.readyInterior = _interior;
             _hierarchy.surface = _surface;
         }
     }

@@ -9,12 +9,12 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * A model's tree, together with the solid that its triangles make. Only <code>refit()</code> changes them. The solid is prepared when it is first needed, or when the
-     * model is loaded. For the engine.
+     * A model's tree, together with its triangles and what is inside of them. Only <code>refit()</code> changes the tree. The triangles
+     * and their inside are prepared when they are first needed, or when the model is loaded. For the engine.
      *
      * <p>The package solid says how two models meet whose hierarchies, and for exact tests whose triangles, decide: whether they overlap, when they
      * first touch, how far they are apart. A query for each of these (TreeOverlapQuery, TreeImpactQuery, TreeDistanceQuery) finds pairs of leaves
-     * that are near each other, and a test of the leaves' triangles decides about them. Read TreeOverlapQuery first, then TrianglePairTest, then Solid,
+     * that are near each other, and a test of the leaves' triangles decides about them. Read TreeOverlapQuery first, then TrianglePairTest, then Interior,
      * which knows what is inside of a surface.</p>
      *
      * @private
@@ -29,11 +29,11 @@ package starlogo.solid
         /** @private The surface, or null if nothing is known of it. */
         engine var surface:SurfaceTopology = null;
 
-        /** The value of <code>solid</code>, or null if that is not prepared yet. Once it is prepared, <code>readyFacets</code> is the same object. */
-        internal var readySolid:Solid = null;
+        /** The value of <code>interior</code>, or null if that is not prepared yet. Once it is prepared, <code>readyMesh</code> is too. */
+        internal var readyInterior:Interior = null;
 
-        /** The value of <code>facets</code>, or null if that is not prepared yet. */
-        internal var readyFacets:Solid = null;
+        /** The value of <code>mesh</code>, or null if that is not prepared yet. */
+        internal var readyMesh:TriangleMesh = null;
 
         // Null until a client asks for it.
         private var _root:HierarchyNode = null;
@@ -58,23 +58,23 @@ package starlogo.solid
         }
 
         /**
-         * The triangles and their inside, as exact tests need them. If the builder has not prepared them, the first call does, which is
+         * What is inside of the triangles. If the builder has not prepared them, the first call does, which is
          * slow. Only for models with triangles.
          */
-        internal function get solid():Solid
+        internal function get interior():Interior
         {
             prepare();
-            return readySolid;
+            return readyInterior;
         }
 
-        /** The triangles, perhaps without their inside. Preparing them is faster than <code>solid</code>. */
-        internal function get facets():Solid
+        /** The triangles. Preparing them is faster than <code>interior</code>. */
+        internal function get mesh():TriangleMesh
         {
-            if (readyFacets == null)
+            if (readyMesh == null)
             {
                 finish(new SolidBuilder(this, false));
             }
-            return readyFacets;
+            return readyMesh;
         }
 
         /**
@@ -86,11 +86,11 @@ package starlogo.solid
             var box:Vector.<Number> = tree.boxes;
             var isOutside:Boolean = !hasTriangles || Math.abs(middle.x - box[0]) > box[3] - radius || Math.abs(middle.y - box[1]) > box[4] - radius
                 || Math.abs(middle.z - box[2]) > box[5] - radius;
-            if (!isOutside && readySolid == null)
+            if (!isOutside && readyInterior == null)
             {
                 isOutside = OPEN.hasOpenSide(middle, tree);
             }
-            return !isOutside && solid.isClosed && readySolid.isInside(middle);
+            return !isOutside && interior.isClosed && readyInterior.isInside(middle);
         }
 
         /**
@@ -131,13 +131,13 @@ package starlogo.solid
          */
         engine function get corners():Vector.<Number>
         {
-            return facets.corners;
+            return mesh.corners;
         }
 
         /** @private Prepares the triangles for exact tests if they are not prepared yet. */
         engine function prepare():void
         {
-            if (hasTriangles && readySolid == null)
+            if (hasTriangles && readyInterior == null)
             {
                 finish(new SolidBuilder(this, true));
             }
@@ -150,23 +150,23 @@ package starlogo.solid
         engine function refit():void
         {
             surface = null;
-            readySolid = null;
+            readyInterior = null;
             _root = null;
             if (tree.isMade)
             {
                 tree.refit();
             }
-            if (readyFacets != null)
+            if (readyMesh != null)
             {
-                writeCorners(0, tree.order.length, null, readyFacets.corners, 0);
-                readyFacets.refit();
+                writeCorners(0, tree.order.length, null, readyMesh.corners, 0);
+                readyMesh.refit();
             }
         }
 
         /** @private Whether the triangles are prepared for exact tests. */
         engine function get isPrepared():Boolean
         {
-            return readySolid != null;
+            return readyInterior != null;
         }
     }
 }

@@ -3,8 +3,8 @@ package starlogo.solid
     import starlogo.steps.StepSequence;
 
     /**
-     * Computes a model's SurfaceTopology, in steps: which vertices are at the same place, to within Tolerances.WELDING, which pieces the triangles
-     * form, and which pieces are connected. A CavityFinder and a SolidBuilder complete the surface.
+     * Computes a model's SurfaceTopology, in steps: which vertices are at the same place, to within Tolerances.WELDING, which shells the triangles
+     * form, and which shells are connected. A CavityFinder and a SolidBuilder complete the surface.
      */
     internal final class SurfaceBuilder extends StepSequence
     {
@@ -15,7 +15,7 @@ package starlogo.solid
 
         private var _triangles:Vector.<uint>;
         private var _welding:Welding;
-        private var _pieces:PieceFinder;
+        private var _shells:ShellFinder;
 
         // The connected vertices. For the representative of a set, one more than its part's number, or 0.
         private var _sets:DisjointSets;
@@ -34,14 +34,14 @@ package starlogo.solid
             _sets = new DisjointSets(vertices.length / 3);
             _numbers = new Vector.<int>(vertices.length / 3, true);
             var edges:EdgeMatcher = new EdgeMatcher(triangles, _welding);
-            _pieces = new PieceFinder(surface, edges);
-            add(_welding).slices(count, TRIANGLES_PER_STEP, joinSome).slices(count, TRIANGLES_PER_STEP, numberSome).add(edges).add(_pieces);
+            _shells = new ShellFinder(surface, edges);
+            add(_welding).slices(count, TRIANGLES_PER_STEP, joinSome).slices(count, TRIANGLES_PER_STEP, numberSome).add(edges).add(_shells);
         }
 
-        /** For each piece, the number of its triangles that are not reversed, minus the number of those that are. */
+        /** For each shell, the number of its triangles that are not reversed, minus the number of those that are. */
         public function get balances():Vector.<int>
         {
-            return _pieces.balances;
+            return _shells.balances;
         }
 
         private function joinSome(first:int, end:int):void

@@ -3,23 +3,23 @@ package starlogo.solid
     import flash.utils.ByteArray;
 
     /**
-     * The properties of a model's surface as a whole: its parts, its pieces, and which of these are closed. A SurfaceBuilder, a
+     * The properties of a model's surface as a whole: its parts, its shells, and which of these are closed. A SurfaceBuilder, a
      * CavityFinder and a SolidBuilder compute them, and a cooked file stores them.
      *
      * @private
      */
     public final class SurfaceTopology
     {
-        /** In pieceStates: the piece is closed, and a point is inside if the piece winds around it. */
+        /** In shellStates: the shell is closed, and a point is inside if the shell winds around it. */
         public static const SOLID:int = -1;
 
-        /** In pieceStates: the piece is closed and has one side only. A point is inside if the piece winds around it an odd number of times. */
+        /** In shellStates: the shell is closed and has one side only. A point is inside if the shell winds around it an odd number of times. */
         public static const ONE_SIDED:int = -2;
 
-        /** In pieceStates: the piece is not closed, and has no inside. */
+        /** In shellStates: the shell is not closed, and has no inside. */
         public static const OPEN:int = -3;
 
-        // The number of parts, the number of pieces, and the widest seam.
+        // The number of parts, the number of shells, and the widest seam.
         private static const HEAD_LENGTH:int = 16;
 
         /** Greater than any part's number. */
@@ -32,17 +32,17 @@ package starlogo.solid
         public var parts:Vector.<int>;
 
         /**
-         * For each triangle, one more than the number of its piece, or 0 for a triangle with two corners at one place. Pieces are connected over edges. The
-         * number is negative for triangles that have to be reversed, so that all of the piece have the same orientation.
+         * For each triangle, one more than the number of its shell, or 0 for a triangle with two corners at one place. Shells are connected over edges. The
+         * number is negative for triangles that have to be reversed, so that all of the shell have the same orientation.
          */
-        public var signedPieces:Vector.<int>;
+        public var signedShells:Vector.<int>;
 
         /**
-         * For each piece, SOLID, ONE_SIDED or OPEN. For a piece that bounds a cavity in another one, it is the number of that one. A
-         * point is inside of the surface if it is inside of a solid piece and not in a cavity of that piece. So pieces may overlap, whatever
+         * For each shell, SOLID, ONE_SIDED or OPEN. For a shell that bounds a cavity in another one, it is the number of that one. A
+         * point is inside of the surface if it is inside of a solid shell and not in a cavity of that shell. So shells may overlap, whatever
          * their orientation.
          */
-        public var pieceStates:Vector.<int> = new Vector.<int>();
+        public var shellStates:Vector.<int> = new Vector.<int>();
 
         /** The largest distance of two corners that were welded. */
         public var widestSeam:Number = 0;
@@ -53,13 +53,13 @@ package starlogo.solid
         public function SurfaceTopology(triangleCount:int)
         {
             parts = new Vector.<int>(triangleCount, true);
-            signedPieces = new Vector.<int>(triangleCount, true);
+            signedShells = new Vector.<int>(triangleCount, true);
         }
 
-        /** Whether a piece of the surface is closed, so that the surface has an inside. */
+        /** Whether a shell of the surface is closed, so that the surface has an inside. */
         public function get isClosed():Boolean
         {
-            for each (var state:int in pieceStates)
+            for each (var state:int in shellStates)
             {
                 if (state != OPEN)
                 {
@@ -84,27 +84,27 @@ package starlogo.solid
             }
             var surface:SurfaceTopology = new SurfaceTopology(triangleCount);
             surface.partNumberEnd = bytes.readInt();
-            var pieces:int = bytes.readInt();
+            var shells:int = bytes.readInt();
             surface.widestSeam = bytes.readDouble();
-            if (!(pieces >= 0 && pieces <= triangleCount && surface.partNumberEnd <= triangleCount
+            if (!(shells >= 0 && shells <= triangleCount && surface.partNumberEnd <= triangleCount
                         && surface.widestSeam >= 0 && surface.widestSeam < Infinity))
             {
                 return null;
             }
-            surface.pieceStates.length = pieces;
-            return readRuns(bytes, surface.pieceStates, OPEN, pieces - 1) && readRuns(bytes, surface.parts, 0, surface.partNumberEnd - 1)
-                && readRuns(bytes, surface.signedPieces, -pieces, pieces) ? surface : null;
+            surface.shellStates.length = shells;
+            return readRuns(bytes, surface.shellStates, OPEN, shells - 1) && readRuns(bytes, surface.parts, 0, surface.partNumberEnd - 1)
+                && readRuns(bytes, surface.signedShells, -shells, shells) ? surface : null;
         }
 
-        /** Writes the surface: the numbers of parts and pieces, the widest seam, and runs of equal numbers of the lists. */
+        /** Writes the surface: the numbers of parts and shells, the widest seam, and runs of equal numbers of the lists. */
         public function writeTo(out:ByteArray):void
         {
             out.writeInt(partNumberEnd);
-            out.writeInt(pieceStates.length);
+            out.writeInt(shellStates.length);
             out.writeDouble(widestSeam);
-            writeRuns(out, pieceStates);
+            writeRuns(out, shellStates);
             writeRuns(out, parts);
-            writeRuns(out, signedPieces);
+            writeRuns(out, signedShells);
         }
 
         private static function writeRuns(out:ByteArray, numbers:Vector.<int>):void

@@ -19,7 +19,7 @@ package starlogo.solid
         /** The number of triangles measured. The caller sets it to 0. */
         public var triangleTests:int = 0;
 
-        private var _solid:Solid;
+        private var _mesh:TriangleMesh;
         private var _test:ConvexTriangle = new ConvexTriangle();
 
         // The structure's extents: least x, greatest x, least y, ...
@@ -40,7 +40,7 @@ package starlogo.solid
          */
         public function find(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose, out:ClosestPoints):int
         {
-            _solid = model.facets;
+            _mesh = model.mesh;
             _test.begin(structure, pose.placement);
             _test.structure.extentsInto(_extents);
             _nearest = out;
@@ -57,10 +57,10 @@ package starlogo.solid
         {
             for (var i:int = first; i < end && least > 0; i++)
             {
-                if (squaredGap(_extents, _solid.corners, 9 * i) < least * least)
+                if (squaredGap(_extents, _mesh.corners, 9 * i) < least * least)
                 {
                     triangleTests++;
-                    _test.setTriangle(_solid.corners, 9 * i);
+                    _test.setTriangle(_mesh.corners, 9 * i);
                     if (_test.findCloser(_nearest))
                     {
                         least = _nearest.distance;

@@ -57,7 +57,7 @@ package starlogo.solid
         // Adds each triangle of a range of the first model, paired with a triangle of the second.
         private function addTriangle(first:int, end:int, triangle:int):void
         {
-            var solid:Solid = _triangles.solidA;
+            var mesh:TriangleMesh = _triangles.meshA;
             var corners:Vector.<Number> = _triangles.moved;
             var at:int = 9 * triangle;
             var extents:Vector.<Number> = _triangles.extents;
@@ -70,7 +70,7 @@ package starlogo.solid
             var maxZ:Number = extents[int(extent + 5)];
             var limit:Number = _squared;
             var isProjected:Boolean = false;
-            extents = solid.extents;
+            extents = mesh.extents;
             _b.setTriangle(corners, at);
             for (var i:int = first; i < end; i++)
             {
@@ -112,10 +112,10 @@ package starlogo.solid
                     projectTo(corners, at);
                     isProjected = true;
                 }
-                if (!isBeyond(solid.corners, 9 * i))
+                if (!isBeyond(mesh.corners, 9 * i))
                 {
                     triangleTests++;
-                    _a.setTriangle(solid.corners, 9 * i);
+                    _a.setTriangle(mesh.corners, 9 * i);
                     if (_pair.findCloser(_a, _b, points))
                     {
                         limit = _squared = points.distance * points.distance;

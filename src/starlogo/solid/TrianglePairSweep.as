@@ -37,7 +37,7 @@ package starlogo.solid
             _motion.x = pose.motion.x;
             _motion.y = pose.motion.y;
             _motion.z = pose.motion.z;
-            _off = _triangles.outerGap + _triangles.solidA.flatness;
+            _off = _triangles.outerGap + _triangles.meshA.flatness;
             return this;
         }
 
@@ -48,13 +48,13 @@ package starlogo.solid
             var first:int = treeA.first[a];
             var end:int = treeA.end[a];
             var gap:Number = _triangles.outerGap;
-            var solid:Solid = _triangles.solidA;
+            var mesh:TriangleMesh = _triangles.meshA;
             var motion:RelativeMotion = _motion;
             var latest:Number = least;
             least = RelativeMotion.NEVER;
             var corners:Vector.<Number> = _triangles.moved;
             var spans:Vector.<Number> = _triangles.extents;
-            var extents:Vector.<Number> = solid.extents;
+            var extents:Vector.<Number> = mesh.extents;
             // Higher indices come first, as in the traversal. So if several triangles touch at the same time, the result does not depend on
             // where leaves end.
             for (var k:int = count - 1; k >= 0; k--)
@@ -92,7 +92,7 @@ package starlogo.solid
                     {
                         continue;
                     }
-                    _a.setTriangle(solid.corners, 9 * i);
+                    _a.setTriangle(mesh.corners, 9 * i);
                     _pair.findTime(_b, _a, motion);
                     var impact:Number = motion.time;
                     if (impact < least)
@@ -114,8 +114,8 @@ package starlogo.solid
         // motion's latest time.
         private function staysOnOneSide(triangle:int, corner:int):Boolean
         {
-            var solid:Solid = _triangles.solidA;
-            var planes:Vector.<Number> = solid.planes;
+            var mesh:TriangleMesh = _triangles.meshA;
+            var planes:Vector.<Number> = mesh.planes;
             var corners:Vector.<Number> = _triangles.moved;
             var at:int = 4 * triangle;
             var x:Number = planes[at];
@@ -139,8 +139,8 @@ package starlogo.solid
         public function findContact(out:ContactPoint):void
         {
             var pose:RelativePose = _triangles.pose;
-            pose.placement.movePoints(_triangles.solidB.corners, _firstB, _firstB + 9, _corners);
-            _a.setTriangle(_triangles.solidA.corners, _firstA);
+            pose.placement.movePoints(_triangles.meshB.corners, _firstB, _firstB + 9, _corners);
+            _a.setTriangle(_triangles.meshA.corners, _firstA);
             _b.setTriangle(_corners, 0);
             _motion.time = pose.motion.time;
             _pair.findContact(_b, _a, _motion, out);

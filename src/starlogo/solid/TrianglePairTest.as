@@ -42,7 +42,7 @@ package starlogo.solid
         // Whether a triangle of the second model touches a triangle in a range of the first.
         private function touchesSome(triangle:int, first:int, end:int):Boolean
         {
-            var solid:Solid = _triangles.solidA;
+            var mesh:TriangleMesh = _triangles.meshA;
             var at:int = 6 * triangle;
             var extents:Vector.<Number> = _triangles.extents;
             var gap:Number = _triangles.outerGap;
@@ -63,9 +63,9 @@ package starlogo.solid
             var rx:Number = corners[int(corner + 6)];
             var ry:Number = corners[int(corner + 7)];
             var rz:Number = corners[int(corner + 8)];
-            extents = solid.extents;
-            var planes:Vector.<Number> = solid.planes;
-            var off:Number = gap + solid.flatness;
+            extents = mesh.extents;
+            var planes:Vector.<Number> = mesh.planes;
+            var off:Number = gap + mesh.flatness;
             _b.setTriangle(corners, corner);
             _b.margin += _triangles.gap;
             for (var i:int = first; i < end; i++)
@@ -91,11 +91,11 @@ package starlogo.solid
                 {
                     continue;
                 }
-                if (areTrianglesApart(solid.corners, 9 * i, _b))
+                if (areTrianglesApart(mesh.corners, 9 * i, _b))
                 {
                     continue;
                 }
-                _a.setTriangle(solid.corners, 9 * i);
+                _a.setTriangle(mesh.corners, 9 * i);
                 if (_pair.areTouching(_a, _b))
                 {
                     return true;

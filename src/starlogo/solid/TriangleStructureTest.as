@@ -28,7 +28,7 @@ package starlogo.solid
         /** The number of triangles tested. The caller sets it to 0. */
         public var triangleTests:int = 0;
 
-        private var _solid:Solid;
+        private var _mesh:TriangleMesh;
         private var _planes:Vector.<Number>;
         private var _motion:RelativeMotion;
         private var _sweep:RelativeMotion = new RelativeMotion();
@@ -66,7 +66,7 @@ package starlogo.solid
         {
             begin(model, structure, pose, RelativeMotion.NONE);
             least = 0;
-            boxes.find(_solid.tree, int.MAX_VALUE, this);
+            boxes.find(_mesh.tree, int.MAX_VALUE, this);
             return _isFound;
         }
 
@@ -79,7 +79,7 @@ package starlogo.solid
             begin(model, structure, pose, pose.motion);
             prepareMotion();
             least = _motion.latest;
-            boxes.find(_solid.tree, int.MAX_VALUE, this);
+            boxes.find(_mesh.tree, int.MAX_VALUE, this);
             var time:Number = least > 0 ? least : 0;
             _motion.time = _isFound ? time : RelativeMotion.NEVER;
         }
@@ -87,7 +87,7 @@ package starlogo.solid
         private function begin(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
             _isFound = false;
-            _solid = model.facets;
+            _mesh = model.mesh;
             _motion = motion;
             _test.begin(structure, pose.placement);
             _test.shape.margin += pose.gap + Touching.marginOfSurface(model.tree.radius);
@@ -103,7 +103,7 @@ package starlogo.solid
                 extents[i] += round;
                 extents[int(i + 1)] -= round;
             }
-            _planes = _solid.planes;
+            _planes = _mesh.planes;
             _core.setTo(_test.structure, RelativeMotion.NONE);
             _sweep.x = motion.x;
             _sweep.y = motion.y;
@@ -180,7 +180,7 @@ package starlogo.solid
             var isMoving:Boolean = _motion !== RelativeMotion.NONE;
             for (var i:int = first; i < end; i++)
             {
-                if (squaredGap(_extents, _solid.corners, 9 * i) > _radius * _radius)
+                if (squaredGap(_extents, _mesh.corners, 9 * i) > _radius * _radius)
                 {
                     continue;
                 }
@@ -190,7 +190,7 @@ package starlogo.solid
                     continue;
                 }
                 triangleTests++;
-                _test.setTriangle(_solid.corners, 9 * i);
+                _test.setTriangle(_mesh.corners, 9 * i);
                 if (isMoving ? !isTouchedEarlier() : !_test.areTouching())
                 {
                     continue;
@@ -227,7 +227,7 @@ package starlogo.solid
          */
         public function findContact(out:ContactPoint):void
         {
-            _test.setTriangle(_solid.corners, _first);
+            _test.setTriangle(_mesh.corners, _first);
             _sweep.time = _motion.time;
             _test.findContact(_sweep, out);
             out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
@@ -239,7 +239,7 @@ package starlogo.solid
          */
         public function takeCorner(structure:BoundingStructure, out:ClosestPoints):void
         {
-            _corner.setTo(_solid.corners[_first], _solid.corners[int(_first + 1)], _solid.corners[int(_first + 2)]);
+            _corner.setTo(_mesh.corners[_first], _mesh.corners[int(_first + 1)], _mesh.corners[int(_first + 2)]);
             if (structure.contains(_corner))
             {
                 out.setPoint(_corner);
@@ -255,7 +255,7 @@ package starlogo.solid
             _axis.y = planes[int(at + 1)];
             _axis.z = planes[int(at + 2)];
             _core.measure(_axis);
-            var reach:Number = _core.reach + _radius + _solid.flatness;
+            var reach:Number = _core.reach + _radius + _mesh.flatness;
             var from:Number = _axis.x * _core.x + _axis.y * _core.y + _axis.z * _core.z - planes[int(at + 3)];
             var speed:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
             var gap:Number = from < 0 ? -from : from;
@@ -273,7 +273,7 @@ package starlogo.solid
         // Whether an axis separates a triangle from the moving structure until <code>least</code>.
         private function isPassed(at:int):Boolean
         {
-            var corners:Vector.<Number> = _solid.corners;
+            var corners:Vector.<Number> = _mesh.corners;
             var axes:Vector.<Number> = _axes;
             var end:int = _axesEnd;
             for (var i:int = 0; i < end; i += 6)

@@ -95,11 +95,11 @@ package starlogo.solid
             return solidOf(vertices, triangles).isInside(new Vector3D(at[0], at[1], at[2]));
         }
 
-        private static function solidOf(vertices:Vector.<Number>, triangles:Vector.<uint>):Solid
+        private static function solidOf(vertices:Vector.<Number>, triangles:Vector.<uint>):Interior
         {
             var library:HierarchiesLibrary = new HierarchiesLibrary();
             library.add("model", vertices, triangles);
-            return library.hierarchy("model").solid;
+            return library.hierarchy("model").interior;
         }
     }
 }

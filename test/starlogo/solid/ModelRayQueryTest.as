@@ -40,7 +40,7 @@ package starlogo.solid
         {
             var closed:Array = models().filter(function(model:Model, ...rest):Boolean
                 {
-                    return hierarchyOf(model).solid.isClosed;
+                    return hierarchyOf(model).interior.isClosed;
                 });
             assertTrue("closed ones: " + closed.length, closed.length > 5);
             var count:int = Effort.choose(20000, 1000000) / closed.length + 1;
@@ -54,7 +54,7 @@ package starlogo.solid
         private function castThroughEdges(model:Model, count:int):void
         {
             var hierarchy:SolidHierarchy = hierarchyOf(model);
-            var solid:Solid = hierarchy.solid;
+            var mesh:TriangleMesh = hierarchy.mesh;
             var triangles:RayTriangleTest = new RayTriangleTest();
             var boxes:BoxSearch = new BoxSearch();
             var ray:Ray = new Ray();
@@ -72,13 +72,13 @@ package starlogo.solid
                     // some along an axis, towards vertices that have simple numbers
                     origin.setTo(_random.between(-2, 2), _random.between(-2, 2), _random.pick([-1, 2]) * _random.between(1, 2));
                 }
-                var corner:int = 9 * _random.integer(0, solid.corners.length / 9 - 1);
+                var corner:int = 9 * _random.integer(0, mesh.corners.length / 9 - 1);
                 var share:Number = i % 3 == 0 ? 0 : _random.next();
                 var from:int = corner + 3 * _random.integer(0, 2);
                 var to:int = from == corner + 6 ? corner : from + 3;
-                var x:Number = solid.corners[from] + share * (solid.corners[to] - solid.corners[from]);
-                var y:Number = solid.corners[from + 1] + share * (solid.corners[to + 1] - solid.corners[from + 1]);
-                var z:Number = solid.corners[from + 2] + share * (solid.corners[to + 2] - solid.corners[from + 2]);
+                var x:Number = mesh.corners[from] + share * (mesh.corners[to] - mesh.corners[from]);
+                var y:Number = mesh.corners[from + 1] + share * (mesh.corners[to + 1] - mesh.corners[from + 1]);
+                var z:Number = mesh.corners[from + 2] + share * (mesh.corners[to + 2] - mesh.corners[from + 2]);
                 if (i % 5 == 1)
                 {
                     origin.setTo(x, y, _random.pick([-3, 5]));
@@ -90,9 +90,9 @@ package starlogo.solid
                 isFromInside &&= i % 5 != 1 && i % 5 != 3;
                 var direction:Vector3D = new Vector3D(x, y, z).subtract(origin);
                 ray.aim(origin, direction);
-                triangles.begin(ray, solid.corners, 1);
+                triangles.begin(ray, mesh.corners, 1);
                 boxes.setRay(ray);
-                boxes.find(solid.tree, int.MAX_VALUE, triangles);
+                boxes.find(mesh.tree, int.MAX_VALUE, triangles);
                 if (!(triangles.triangle >= 0 && triangles.least <= direction.length + 1e-12))
                 {
                     assertTrue(model.name + ", " + i + (isFromInside ? " from inside, " : " from outside, ") + origin + " to " + new Vector3D(x, y, z) + ": " + triangles.least, false);
@@ -254,7 +254,7 @@ package starlogo.solid
             {
                 point.setTo(box[0] + box[3] * _random.between(-1, 1), box[1] + box[4] * _random.between(-1, 1), box[2] + box[5] * _random.between(-1, 1));
             }
-            while (!hierarchy.solid.isInside(point));
+            while (!hierarchy.interior.isInside(point));
             return point;
         }
 

@@ -17,9 +17,9 @@ package starlogo.solid
             {
                 return "none";
             }
-            var solid:Solid = hierarchy.solid;
-            return [solid.isClosed, solid.surface.signedPieces, solid.surface.pieceStates, solid.surface.widestSeam, solid.places, solid.placesAt, solid.leastPartExtent, solid.partPoints, solid.corners,
-                    solid.extents, solid.planes, axesOf(hierarchy.tree)].join("\n");
+            var solid:Interior = hierarchy.interior;
+            return [solid.isClosed, solid.surface.signedShells, solid.surface.shellStates, solid.surface.widestSeam, solid.places, solid.placesAt, solid.leastPartExtent, solid.partPoints, solid.mesh.corners,
+                    solid.mesh.extents, solid.mesh.planes, axesOf(hierarchy.tree)].join("\n");
         }
 
         private static function axesOf(tree:BoxTree):String

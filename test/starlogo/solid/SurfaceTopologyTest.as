@@ -50,7 +50,7 @@ package starlogo.solid
                         triangles.push(i);
                     }
                     var surface:SurfaceTopology = surfaceOf(vertices, triangles);
-                    assertEquals(model.name + ", " + rounding, "-1", surface.pieceStates.join());
+                    assertEquals(model.name + ", " + rounding, "-1", surface.shellStates.join());
                     assertEquals(1, surface.partNumberEnd);
                     assertTrue("seam: " + surface.widestSeam, surface.widestSeam > rounding / 2 && surface.widestSeam <= 4 * rounding);
                 }
@@ -77,7 +77,7 @@ package starlogo.solid
             assertTrue(surfaceOf(vertices, triangles).isClosed);
             assertEquals(0, surfaceOf(vertices, triangles).widestSeam);
             // without a triangle of the small one
-            assertEquals("-1,-3", surfaceOf(vertices, triangles.slice(0, triangles.length - 3)).pieceStates.join());
+            assertEquals("-1,-3", surfaceOf(vertices, triangles.slice(0, triangles.length - 3)).shellStates.join());
         }
 
         [Test]
@@ -119,7 +119,7 @@ package starlogo.solid
             var triangles:Vector.<uint> = new <uint>[0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5, 0, 5, 1, 1, 2, 4, 2, 3, 5, 3, 4, 1, 4, 5, 2, 5, 1, 3];
             var surface:SurfaceTopology = surfaceOf(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0, 1, 0, 1], triangles);
             assertTrue(surface.isClosed);
-            assertEquals("-2", surface.pieceStates.join());
+            assertEquals("-2", surface.shellStates.join());
         }
 
         [Test]
@@ -139,7 +139,7 @@ package starlogo.solid
                 }
             }
             var surface:SurfaceTopology = surfaceOf(vertices, triangles);
-            assertEquals("-1", surface.pieceStates.join());
+            assertEquals("-1", surface.shellStates.join());
             assertEquals(1, surface.partNumberEnd);
             for each (i in turnedIn(surface))
             {
@@ -150,7 +150,7 @@ package starlogo.solid
             assertFalse(surfaceOf(vertices, triangles.slice(0, triangles.length - 3)).isClosed);
             // a wall from one vertex to the next: three triangles at its edges
             surface = surfaceOf(vertices, triangles.concat(new <uint>[0, 1, 60 * 45, 1, 0, 60 * 45]));
-            assertEquals("-1,-1", surface.pieceStates.join());
+            assertEquals("-1,-1", surface.shellStates.join());
         }
 
         // Of so many columns and rows of squares, each of two triangles.
@@ -182,14 +182,14 @@ package starlogo.solid
         private static function turnedIn(surface:SurfaceTopology):Array
         {
             var turned:Array = [];
-            for (var piece:int = 1; piece <= surface.pieceStates.length; piece++)
+            for (var piece:int = 1; piece <= surface.shellStates.length; piece++)
             {
                 var groups:Array = [[], []];
-                for (var i:int = 0; i < surface.signedPieces.length; i++)
+                for (var i:int = 0; i < surface.signedShells.length; i++)
                 {
-                    if (Math.abs(surface.signedPieces[i]) == piece)
+                    if (Math.abs(surface.signedShells[i]) == piece)
                     {
-                        groups[surface.signedPieces[i] > 0 ? 0 : 1].push(i);
+                        groups[surface.signedShells[i] > 0 ? 0 : 1].push(i);
                     }
                 }
                 turned = turned.concat(groups[0].length < groups[1].length ? groups[0] : groups[1]);

@@ -1,30 +1,27 @@
 package starlogo.solid
 {
     import flash.geom.Vector3D;
-    import starlogo.convex.FaceNormal;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.intersection.LeafTest;
-    import starlogo.intersection.writeTriangleExtents;
 
     use namespace engine;
 
     /**
-     * A model's triangles, for exact tests: their corners, and the inside of the surface that they make. A SolidBuilder makes it. The
-     * triangles are in the hierarchy's order. As a test, it counts the triangles that a ray along an axis crosses.
+     * What is inside of the surface that a model's triangles make. A SolidBuilder makes it. As a test, it counts the triangles that a ray along an
+     * axis crosses.
      */
-    internal final class Solid extends LeafTest
+    internal final class Interior extends LeafTest
     {
         /** The number of points that partPoints has for each part. */
         public static const POINTS_PER_PART:int = 6;
 
-        /** The boxes around the triangles. */
-        public var tree:BoxTree;
+        /** The triangles. */
+        public var mesh:TriangleMesh;
 
-        /** The triangles' corners: nine numbers each. */
-        public var corners:Vector.<Number>;
+        /** The surface that they make. */
+        public var surface:SurfaceTopology;
 
         /** The corners of the triangles that were moved when seams were welded: nine numbers each. */
         public var places:Vector.<Number> = new Vector.<Number>();
@@ -32,13 +29,7 @@ package starlogo.solid
         /** For each triangle, the index of its first number in <code>places</code>, or -1. Null if no seam has a gap. */
         public var placesAt:Vector.<int> = null;
 
-        /** The surface that the triangles make, or null if it is not known. */
-        public var surface:SurfaceTopology = null;
-
-        /** How far a triangle's corners may be off its plane. */
-        public var flatness:Number;
-
-        /** Whether a piece of the surface is closed, so that it has an inside. */
+        /** Whether a shell of the surface is closed, so that it has an inside. */
         public var isClosed:Boolean = false;
 
         /**
@@ -50,21 +41,15 @@ package starlogo.solid
         /** The extent of the smallest part: the longest of its three extents. */
         public var leastPartExtent:Number = Infinity;
 
-        /** How often each piece winds around the point of the last <code>wind()</code>. */
+        /** How often each shell winds around the point of the last <code>wind()</code>. */
         public var windings:Vector.<int>;
 
-        /** The pieces that may wind around that point. */
+        /** The shells that may wind around that point. */
         public var wound:Vector.<int> = new Vector.<int>();
 
-        /** The number of pieces in <code>wound</code>. */
+        /** The number of shells in <code>wound</code>. */
         public var woundCount:int = 0;
 
-        // Null before they are first needed.
-        private var _planes:Vector.<Number> = null;
-        private var _extents:Vector.<Number> = null;
-        private var _face:FaceNormal = new FaceNormal();
-
-        private var _reach:Number; // a distance from the origin that contains all triangles
         private var _boxes:BoxSearch = new BoxSearch();
 
         // The axis of all rays, 0 for x, and the next two axes. It is the axis along which the model is shortest.
@@ -78,113 +63,32 @@ package starlogo.solid
         private var _c:Number;
         private var _isBackward:Boolean;
 
-        /** @param tree the boxes around the triangles */
-        public function Solid(tree:BoxTree)
+        /**
+         * @param mesh the triangles
+         * @param surface the surface that they make
+         */
+        public function Interior(mesh:TriangleMesh, surface:SurfaceTopology)
         {
-            this.tree = tree;
-            corners = new Vector.<Number>(9 * tree.order.length, true);
+            var box:Vector.<Number> = mesh.tree.boxes;
+            this.mesh = mesh;
+            this.surface = surface;
+            isClosed = surface.isClosed;
+            windings = new Vector.<int>(surface.shellStates.length, true);
             least = Infinity;
-            measure();
-        }
-
-        // Measures the box around all triangles.
-        private function measure():void
-        {
-            var box:Vector.<Number> = tree.boxes;
             _axis = box[3] <= box[4] && box[3] <= box[5] ? 0 : (box[4] <= box[5] ? 1 : 2);
             _axisB = (_axis + 1) % 3;
             _axisC = (_axis + 2) % 3;
-            _reach = tree.radius + Math.abs(box[0]) + Math.abs(box[1]) + Math.abs(box[2]);
-            flatness = Tolerances.PLANES * _reach;
         }
 
-        /** Takes over new corners, after the tree has new boxes. The inside is not known any more. */
-        public function refit():void
-        {
-            measure();
-            surface = null;
-            isClosed = false;
-            places = new Vector.<Number>();
-            placesAt = null;
-            partPoints = null;
-            leastPartExtent = Infinity;
-            if (_planes != null)
-            {
-                placePlanes(0, corners.length / 9);
-            }
-            if (_extents != null)
-            {
-                placeExtents();
-            }
-        }
-
-        /**
-         * The triangles' planes: x, y, z of the unit normal, and the distance from the origin along the normal. The distance is NaN if a corner
-         * is farther off the plane than <code>flatness</code>. For a triangle without area the normal is 0 too. Rays need no planes. If they are
-         * not placed yet, they are placed now.
-         */
-        public function get planes():Vector.<Number>
-        {
-            if (_planes == null)
-            {
-                placePlanes(0, corners.length / 9);
-            }
-            return _planes;
-        }
-
-        /**
-         * The triangles' extents: minX, minY, minZ, maxX, maxY, maxZ of each. Only pairs of trees need them. The first call places them.
-         */
-        public function get extents():Vector.<Number>
-        {
-            if (_extents == null)
-            {
-                _extents = new Vector.<Number>(6 * corners.length / 9, true);
-                placeExtents();
-            }
-            return _extents;
-        }
-
-        private function placeExtents():void
-        {
-            var count:int = corners.length / 9;
-            for (var i:int = 0; i < count; i++)
-            {
-                writeTriangleExtents(corners, 9 * i, _extents, 6 * i);
-            }
-        }
-
-        /** One more than the number of a triangle's piece, negative if the triangle is reversed; 0 if two of its corners are at one place. */
+        /** One more than the number of a triangle's shell, negative if the triangle is reversed; 0 if two of its corners are at one place. */
         public function sideOf(triangle:int):int
         {
-            return surface.signedPieces[tree.order[triangle]];
-        }
-
-        /** Places the planes of a range of triangles. Must be called for all triangles before the planes are read. */
-        public function placePlanes(first:int, end:int):void
-        {
-            _planes ||= new Vector.<Number>(4 * corners.length / 9, true);
-            var into:Vector.<Number> = _planes;
-            for (var i:int = first; i < end; i++)
-            {
-                var at:int = 9 * i;
-                var to:int = 4 * i;
-                into[to + 3] = NaN;
-                _face.setTriangle(corners, at);
-                if (_face.length > 0)
-                {
-                    into[to] = _face.x;
-                    into[to + 1] = _face.y;
-                    into[to + 2] = _face.z;
-                    _face.measure(corners, at, at + 9);
-                    into[to + 3] = _face.greatest - _face.least <= flatness ? _face.least : NaN;
-                }
-            }
+            return surface.signedShells[mesh.tree.order[triangle]];
         }
 
         /**
-         * Whether a point is inside of the surface. The point must not be on it. A point is inside if a solid piece winds around it, and no
-         * piece that bounds a cavity in that one. Only for a surface with a closed piece: ask <code>isClosed</code> before.
+         * Whether a point is inside of the surface. The point must not be on it. A point is inside if a solid shell winds around it, and no
+         * shell that bounds a cavity in that one. Only for a surface with a closed shell: ask <code>isClosed</code> before.
          */
         public function isInside(point:Vector3D):Boolean
         {
@@ -198,15 +102,15 @@ package starlogo.solid
             return isFound;
         }
 
-        /** Whether the point of the last <code>wind()</code> is inside of a piece, and not in a cavity of it. */
-        public function isAround(piece:int):Boolean
+        /** Whether the point of the last <code>wind()</code> is inside of a shell, and not in a cavity of it. */
+        public function isAround(shell:int):Boolean
         {
-            var state:int = surface.pieceStates[piece];
-            return state == SurfaceTopology.SOLID && windings[piece] != 0 || state == SurfaceTopology.ONE_SIDED && (windings[piece] & 1) != 0;
+            var state:int = surface.shellStates[shell];
+            return state == SurfaceTopology.SOLID && windings[shell] != 0 || state == SurfaceTopology.ONE_SIDED && (windings[shell] & 1) != 0;
         }
 
         /**
-         * Counts how often each piece winds around a point. A piece counts 0 if the point is in a cavity of it. A ray along an axis, towards
+         * Counts how often each shell winds around a point. A shell counts 0 if the point is in a cavity of it. A ray along an axis, towards
          * the nearer side of the box around all triangles, counts the triangles that it crosses.
          *
          * <p>Seen along the ray, an edge is crossed by a half-line across the ray, or it is not. The two triangles at the edge have the same
@@ -217,14 +121,14 @@ package starlogo.solid
             _a = _axis == 0 ? x : (_axis == 1 ? y : z);
             _b = _axis == 0 ? y : (_axis == 1 ? z : x);
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
-            _isBackward = _a < tree.boxes[_axis];
-            var margin:Number = surface.widestSeam + Tolerances.ROUNDING * _reach;
+            _isBackward = _a < mesh.tree.boxes[_axis];
+            var margin:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.reach;
             _boxes.setPlace(x, y, z, margin);
             _boxes.setAxis(_axis, _isBackward ? -1 : 1);
-            _boxes.find(tree, int.MAX_VALUE, this);
+            _boxes.find(mesh.tree, int.MAX_VALUE, this);
             for (var i:int = 0; i < woundCount; i++)
             {
-                var state:int = surface.pieceStates[wound[i]];
+                var state:int = surface.shellStates[wound[i]];
                 if (state >= 0 && windings[wound[i]] != 0)
                 {
                     windings[state] = 0;
@@ -251,10 +155,10 @@ package starlogo.solid
             }
         }
 
-        // Adds a triangle to its piece's winding number if the ray crosses it.
+        // Adds a triangle to its shell's winding number if the ray crosses it.
         private function cross(triangle:int):void
         {
-            var points:Vector.<Number> = corners;
+            var points:Vector.<Number> = mesh.corners;
             var at:int = 9 * triangle;
             if (placesAt != null && placesAt[triangle] >= 0)
             {
@@ -285,15 +189,15 @@ package starlogo.solid
                 return;
             }
             var side:int = sideOf(triangle);
-            var piece:int = side > 0 ? side - 1 : -side - 1;
-            if (piece >= 0)
+            var shell:int = side > 0 ? side - 1 : -side - 1;
+            if (shell >= 0)
             {
-                var winding:int = windings[piece];
+                var winding:int = windings[shell];
                 if (winding == 0)
                 {
-                    wound[woundCount++] = piece;
+                    wound[woundCount++] = shell;
                 }
-                windings[piece] = side > 0 ? winding + crossing : winding - crossing;
+                windings[shell] = side > 0 ? winding + crossing : winding - crossing;
             }
         }
 

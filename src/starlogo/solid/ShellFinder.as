@@ -3,29 +3,29 @@ package starlogo.solid
     import starlogo.steps.Steps;
 
     /**
-     * Finds the pieces of a surface: triangles that are connected over edges. It goes from triangle to triangle, and finds which of a
-     * piece's triangles have to be reversed so that all have the same orientation.
+     * Finds the shells of a surface: triangles that are connected over edges. It goes from triangle to triangle, and finds which of a
+     * shell's triangles have to be reversed so that all have the same orientation.
      */
-    internal final class PieceFinder implements Steps
+    internal final class ShellFinder implements Steps
     {
         private static const TRIANGLES_PER_STEP:int = 400;
 
-        /** For each piece, the number of its triangles that are not reversed, minus the number of those that are. */
+        /** For each shell, the number of its triangles that are not reversed, minus the number of those that are. */
         public var balances:Vector.<int> = new Vector.<int>();
 
         private var _surface:SurfaceTopology;
         private var _edges:EdgeMatcher;
         private var _first:int = 0;
 
-        // The triangles of all pieces so far. It is also the queue of triangles to visit.
+        // The triangles of all shells so far. It is also the queue of triangles to visit.
         private var _queue:Vector.<int> = new Vector.<int>();
         private var _next:int = 0;
 
         /**
-         * @param surface receives the pieces
+         * @param surface receives the shells
          * @param edges matched before the first step
          */
-        public function PieceFinder(surface:SurfaceTopology, edges:EdgeMatcher)
+        public function ShellFinder(surface:SurfaceTopology, edges:EdgeMatcher)
         {
             _surface = surface;
             _edges = edges;
@@ -34,22 +34,22 @@ package starlogo.solid
         /** @inheritDoc */
         public function step():Boolean
         {
-            var signedPieces:Vector.<int> = _surface.signedPieces;
+            var signedShells:Vector.<int> = _surface.signedShells;
             for (var i:int = 0; i < TRIANGLES_PER_STEP; i++)
             {
                 if (_next < _queue.length)
                 {
                     goOnFrom(_queue[_next++]);
                 }
-                else if (_first == signedPieces.length)
+                else if (_first == signedShells.length)
                 {
                     return false;
                 }
                 else
                 {
-                    if (signedPieces[_first] == 0 && _edges.hasEdges(_first))
+                    if (signedShells[_first] == 0 && _edges.hasEdges(_first))
                     {
-                        _surface.pieceStates.push(SurfaceTopology.SOLID);
+                        _surface.shellStates.push(SurfaceTopology.SOLID);
                         balances.push(0);
                         add(_first, balances.length);
                     }
@@ -61,36 +61,36 @@ package starlogo.solid
 
         private function add(triangle:int, side:int):void
         {
-            _surface.signedPieces[triangle] = side;
+            _surface.signedShells[triangle] = side;
             balances[int(balances.length - 1)] += side > 0 ? 1 : -1;
             _queue.push(triangle);
         }
 
         private function goOnFrom(triangle:int):void
         {
-            var piece:int = balances.length - 1;
-            var pieceStates:Vector.<int> = _surface.pieceStates;
+            var shell:int = balances.length - 1;
+            var shellStates:Vector.<int> = _surface.shellStates;
             for (var edge:int = 3 * triangle; edge < 3 * triangle + 3; edge++)
             {
                 var partner:int = _edges.partners[edge] - 1;
                 if (partner < 0)
                 {
-                    pieceStates[piece] = SurfaceTopology.OPEN;
+                    shellStates[shell] = SurfaceTopology.OPEN;
                     continue;
                 }
-                var side:int = _surface.signedPieces[triangle];
+                var side:int = _surface.signedShells[triangle];
                 if (_edges.beginOf(edge) == _edges.beginOf(partner))
                 {
                     side = -side;
                 }
                 var neighbour:int = partner / 3;
-                if (_surface.signedPieces[neighbour] == 0)
+                if (_surface.signedShells[neighbour] == 0)
                 {
                     add(neighbour, side);
                 }
-                else if (_surface.signedPieces[neighbour] != side && pieceStates[piece] == SurfaceTopology.SOLID)
+                else if (_surface.signedShells[neighbour] != side && shellStates[shell] == SurfaceTopology.SOLID)
                 {
-                    pieceStates[piece] = SurfaceTopology.ONE_SIDED;
+                    shellStates[shell] = SurfaceTopology.ONE_SIDED;
                 }
             }
         }

@@ -1,0 +1,119 @@
+package starlogo.solid
+{
+    import starlogo.convex.FaceNormal;
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.intersection.writeTriangleExtents;
+
+    use namespace engine;
+
+    /** A model's triangles, for exact tests: their corners, planes and extents, in the order of the tree. A SolidBuilder makes it. */
+    internal final class TriangleMesh
+    {
+        /** The boxes around the triangles. */
+        public var tree:BoxTree;
+
+        /** The triangles' corners: nine numbers each. */
+        public var corners:Vector.<Number>;
+
+        /** A distance from the origin that contains all triangles. */
+        public var reach:Number;
+
+        /** How far a triangle's corners may be off its plane. */
+        public var flatness:Number;
+
+        // Null before they are first needed.
+        private var _planes:Vector.<Number> = null;
+        private var _extents:Vector.<Number> = null;
+        private var _face:FaceNormal = new FaceNormal();
+
+        /** @param tree the boxes around the triangles */
+        public function TriangleMesh(tree:BoxTree)
+        {
+            this.tree = tree;
+            corners = new Vector.<Number>(9 * tree.order.length, true);
+            measure();
+        }
+
+        // Measures the box around all triangles.
+        private function measure():void
+        {
+            var box:Vector.<Number> = tree.boxes;
+            reach = tree.radius + Math.abs(box[0]) + Math.abs(box[1]) + Math.abs(box[2]);
+            flatness = Tolerances.PLANES * reach;
+        }
+
+        /** Takes over new corners, after the tree has new boxes. */
+        public function refit():void
+        {
+            measure();
+            if (_planes != null)
+            {
+                placePlanes(0, corners.length / 9);
+            }
+            if (_extents != null)
+            {
+                placeExtents();
+            }
+        }
+
+        /**
+         * The triangles' planes: x, y, z of the unit normal, and the distance from the origin along the normal. The distance is NaN if a corner
+         * is farther off the plane than <code>flatness</code>. For a triangle without area the normal is 0 too. Rays need no planes. If they are
+         * not placed yet, they are placed now.
+         */
+        public function get planes():Vector.<Number>
+        {
+            if (_planes == null)
+            {
+                placePlanes(0, corners.length / 9);
+            }
+            return _planes;
+        }
+
+        /**
+         * The triangles' extents: minX, minY, minZ, maxX, maxY, maxZ of each. Only pairs of trees need them. The first call places them.
+         */
+        public function get extents():Vector.<Number>
+        {
+            if (_extents == null)
+            {
+                _extents = new Vector.<Number>(6 * corners.length / 9, true);
+                placeExtents();
+            }
+            return _extents;
+        }
+
+        private function placeExtents():void
+        {
+            var count:int = corners.length / 9;
+            for (var i:int = 0; i < count; i++)
+            {
+                writeTriangleExtents(corners, 9 * i, _extents, 6 * i);
+            }
+        }
+
+        /** Places the planes of a range of triangles. Must be called for all triangles before the planes are read. */
+        public function placePlanes(first:int, end:int):void
+        {
+            _planes ||= new Vector.<Number>(4 * corners.length / 9, true);
+            var into:Vector.<Number> = _planes;
+            for (var i:int = first; i < end; i++)
+            {
+                var at:int = 9 * i;
+                var to:int = 4 * i;
+                into[to + 3] = NaN;
+                _face.setTriangle(corners, at);
+                if (_face.length > 0)
+                {
+                    into[to] = _face.x;
+                    into[to + 1] = _face.y;
+                    into[to + 2] = _face.z;
+                    _face.measure(corners, at, at + 9);
+                    into[to + 3] = _face.greatest - _face.least <= flatness ? _face.least : NaN;
+                }
+            }
+        }
+    }
+}

@@ -91,7 +91,7 @@ package starlogo.queries
          *
          * @param impact what <code>findFirst()</code> has found on this motion. It receives the time
          */
-        public function findTouch(from:Vector3D, motion:Vector3D, impact:Impact):void
+        public function findTouchTime(from:Vector3D, motion:Vector3D, impact:Impact):void
         {
             aim(from, motion);
             var whole:Body = _body.wholeAt(_end);

@@ -31,7 +31,7 @@ package starlogo.queries
 
         // The way of the question, how motions on it end, and where the row that is met first stops the body.
         private var _way:Way = new Way();
-        private var _motion:MotionResult = new MotionResult();
+        private var _result:MotionResult = new MotionResult();
         private var _slide:SlideResult = new SlideResult();
         private var _end:Vector3D = new Vector3D();
 
@@ -296,15 +296,15 @@ package starlogo.queries
             {
                 var row:int = rows.numbers[i];
                 _mover.beginAgainst(_way.body, row);
-                _mover.findTouch(_way.from, _way.motion, _lift, _motion);
-                mayLift ||= _motion.isLifted || (_motion.fraction == 0 && !_motion.isDeep);
-                if (_motion.row >= 0 && _found.add(row, _motion.fraction))
+                _mover.findTouch(_way.from, _way.motion, _lift, _result);
+                mayLift ||= _result.isLifted || (_result.fraction == 0 && !_result.isDeep);
+                if (_result.row >= 0 && _found.add(row, _result.fraction))
                 {
-                    _hits.add(row, _motion.fraction, -1).copyFrom(_motion.contact);
+                    _hits.add(row, _result.fraction, -1).copyFrom(_result.contact);
                     if (end != null)
                     {
-                        _mover.goIntoTouch(_motion);
-                        end.copyFrom(_motion.place);
+                        _mover.goIntoTouch(_result);
+                        end.copyFrom(_result.place);
                     }
                 }
             }

@@ -126,29 +126,11 @@ package starlogo.queries
                 out.row = _rest.rows[crossed];
                 out.fraction = 0;
             }
-            else if (isMotion && findFirst(_start, _impact))
+            else if (isMotion && findObstacle(_start, _impact))
             {
                 takeImpact(motion, out);
             }
             goAlong(motion, out.fraction, out.place);
-        }
-
-        // Finds the touch of the motion whose core meets the impact.
-        private function takeImpact(motion:Vector3D, out:MotionResult):void
-        {
-            _sweep.findTouch(_start, motion, _impact);
-            out.row = _impact.row;
-            out.contact.copyFrom(_impact.contact);
-            out.contact.depth = 0;
-            out.corePlace.setTo(_start.x + _impact.time * motion.x, _start.y + _impact.time * motion.y, _start.z + _impact.time * motion.z);
-            // without the lift the body would have touched earlier
-            _start.decrementBy(_from);
-            var time:Number = _impact.touchTime + out.contact.along(_start) / _impact.along;
-            out.fraction = time > 0 ? (time < 1 ? time : 1) : 0;
-            if (-out.fraction * _impact.along < _body.slop && _body.touches(out.row, _from))
-            {
-                out.fraction = 0;
-            }
         }
 
         /**
@@ -156,25 +138,25 @@ package starlogo.queries
          * touch, and it could not come back. It tries several places, from half a margin before the contact on. The margin is the gap across which
          * the two still touch. On a long way rounding may hide the touch. Then the body ends where its core touches the row.
          *
-         * @param motion the answer of <code>findTouch()</code>, whose place changes
+         * @param result the answer of <code>findTouch()</code>, whose place changes
          */
-        public function goIntoTouch(motion:MotionResult):void
+        public function goIntoTouch(result:MotionResult):void
         {
-            if (motion.row < 0 || motion.fraction == 0)
+            if (result.row < 0 || result.fraction == 0)
             {
                 return;
             }
-            var half:Number = _body.halfToleranceAt(motion.row, motion.place);
-            motion.contact.push(motion.place, half);
+            var half:Number = _body.halfToleranceAt(result.row, result.place);
+            result.contact.push(result.place, half);
             for (var i:int = 0; i < STEPS_INTO_TOUCH; i++)
             {
-                if (_body.touches(motion.row, motion.place))
+                if (_body.touches(result.row, result.place))
                 {
                     return;
                 }
-                motion.contact.push(motion.place, -half);
+                result.contact.push(result.place, -half);
             }
-            motion.place.copyFrom(motion.corePlace);
+            result.place.copyFrom(result.corePlace);
         }
 
         /** Computes a motion that ends the clearance before it touches a row. The parameters are those of <code>findTouch()</code>. */
@@ -210,7 +192,7 @@ package starlogo.queries
             var whole:Number = _rest.length;
             for (var iterations:int = 0; iterations < MOST_ITERATIONS && _rest.project(); iterations++)
             {
-                var isMet:Boolean = findFirst(place, _impact);
+                var isMet:Boolean = findObstacle(place, _impact);
                 out.clearRow = _impact.clearRow;
                 if (!isMet)
                 {
@@ -221,7 +203,7 @@ package starlogo.queries
                 {
                     _rest.beginCorner();
                 }
-                _sweep.findTouch(place, _rest.motion, _impact);
+                _sweep.findTouchTime(place, _rest.motion, _impact);
                 _rest.advance(place, Math.max(_impact.touchTime + _body.clearance / _impact.along, 0));
                 if (!_impact.isNormalFallback && (out.floorRow < 0 || _impact.contact.normalZ > out.floor.normalZ))
                 {
@@ -334,6 +316,24 @@ package starlogo.queries
             return (isOfAll || !isShallow) && !_body.narrow(row, place) && _body.overlaps(row, place);
         }
 
+        // Finds the touch of the motion whose core meets the impact.
+        private function takeImpact(motion:Vector3D, out:MotionResult):void
+        {
+            _sweep.findTouchTime(_start, motion, _impact);
+            out.row = _impact.row;
+            out.contact.copyFrom(_impact.contact);
+            out.contact.depth = 0;
+            out.corePlace.setTo(_start.x + _impact.time * motion.x, _start.y + _impact.time * motion.y, _start.z + _impact.time * motion.z);
+            // without the lift the body would have touched earlier
+            _start.decrementBy(_from);
+            var time:Number = _impact.touchTime + out.contact.along(_start) / _impact.along;
+            out.fraction = time > 0 ? (time < 1 ? time : 1) : 0;
+            if (-out.fraction * _impact.along < _body.slop && _body.touches(out.row, _from))
+            {
+                out.fraction = 0;
+            }
+        }
+
         // Finds the place at a part of the motion from its beginning before the lift, but no deeper in what it was lifted out of.
         private function goAlong(motion:Vector3D, part:Number, out:Vector3D):void
         {
@@ -373,7 +373,7 @@ package starlogo.queries
         }
 
         // Finds what the rest of the motion meets first. One-way rows that it passes do not count from then on.
-        private function findFirst(place:Vector3D, out:Impact):Boolean
+        private function findObstacle(place:Vector3D, out:Impact):Boolean
         {
             while (_sweep.findFirst(_obstacles, place, _rest.motion, out))
             {

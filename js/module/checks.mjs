@@ -16,7 +16,7 @@ const COMPACT = new Set(["flash.geom.Matrix3D"]);
 
 /** Classes whose fields are written by the engine's own loops, or by the engine alone. They are not checked. */
 const PLAIN = new Set([
-	"AxialStructure", "BoundingStructure", "Box", "CollisionStatistics", "Contact", "ErrorEvent", "Footing", "HierarchyNode", "Matrix3D", "Placement", "ProgressEvent",
+	"AxialStructure", "BoundingStructure", "Box", "CastHit", "CollisionStatistics", "Contact", "ErrorEvent", "Footing", "HierarchyNode", "Matrix3D", "Placement", "ProgressEvent",
 	"RayHit", "SearchCounts", "ShapeHit", "Sphere", "TextEvent", "Vector3D",
 ]);
 

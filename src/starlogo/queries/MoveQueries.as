@@ -40,7 +40,7 @@ package starlogo.queries
 
         // An agent's body; the point of a hit, as a structure and as a body.
         private var _body:Body = new Body();
-        private var _place:Sphere = new Sphere(new Vector3D(), 0);
+        private var _pointStructure:Sphere = new Sphere(new Vector3D(), 0);
         private var _point:Body = new Body();
 
         /**
@@ -93,10 +93,10 @@ package starlogo.queries
             findWay(agent, dx, dy, dz, filter, _way);
             collect(1, _end);
             var isMet:Boolean = _hits.endWithFirsts() > 0;
-            var part:Number = isMet ? _hits.keyOf(0) : 1;
+            var fraction:Number = isMet ? _hits.keyOf(0) : 1;
             if (contact != null)
             {
-                contact.time = part;
+                contact.time = fraction;
                 if (isMet)
                 {
                     var from:ContactPoint = _hits.contactOf(0);
@@ -110,7 +110,7 @@ package starlogo.queries
             {
                 moveAgent(agent, _end);
             }
-            return part;
+            return fraction;
         }
 
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
@@ -320,8 +320,8 @@ package starlogo.queries
             if (body.form == ModelShape.TREE)
             {
                 // agents at the edges of the largest world may be touched outside of it
-                _place.center.setTo(inWorld(hit.point.x), inWorld(hit.point.y), inWorld(hit.point.z));
-                _point.readStructure(_place);
+                _pointStructure.center.setTo(inWorld(hit.point.x), inWorld(hit.point.y), inWorld(hit.point.z));
+                _point.readStructure(_pointStructure);
                 hit.triangle = _seen.narrowPhase.trees.nearestTriangle(body, _point);
             }
             _triangle.write(body, hit);

@@ -263,12 +263,12 @@ package starlogo.queries
                 _lift.copyFrom(lift);
                 place.incrementBy(lift.way);
             }
-            _lift.most = MOST_SLOPS * _body.slop;
-            if (takeDeep(place, false) && !_recovery.liftOut(_obstacles, place, _lift))
+            _lift.mostDepth = MOST_SLOPS * _body.slop;
+            if (replaceDeep(place, false) && !_recovery.liftOut(_obstacles, place, _lift))
             {
                 place.copyFrom(_from);
                 _lift.clear();
-                takeDeep(place, true);
+                replaceDeep(place, true);
             }
             if (_body.isFlat && _rest.count == 0)
             {
@@ -282,7 +282,7 @@ package starlogo.queries
         // Lets planes take the places of rows that the core overlaps: of those whose overlap is not shallow, or of all. If the core does not
         // touch a row when it is narrower, the row stays, and the motion has that core. One-way rows that the body is within do not count any
         // more. Returns whether rows are left that the core overlapped.
-        private function takeDeep(place:Vector3D, isOfAll:Boolean):Boolean
+        private function replaceDeep(place:Vector3D, isOfAll:Boolean):Boolean
         {
             var isLeft:Boolean = false;
             var kept:int = 0;

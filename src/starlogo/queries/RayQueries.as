@@ -58,7 +58,7 @@ package starlogo.queries
 
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, hit:RayHit):RayHit
         {
-            begin(1, checked(origin), direction, maxDistance, filter);
+            begin(1, requireOrigin(origin), direction, maxDistance, filter);
             collect();
             return _hits.endWithFirsts() == 0 ? null : write(0, hit || new RayHit());
         }
@@ -67,7 +67,7 @@ package starlogo.queries
                 allSurfaces:Boolean):Vector.<RayHit>
         {
             var hits:Vector.<RayHit> = out || new Vector.<RayHit>();
-            begin(Collector.ALL, checked(origin), direction, maxDistance, filter);
+            begin(Collector.ALL, requireOrigin(origin), direction, maxDistance, filter);
             if (allSurfaces)
             {
                 collectSurfaces();
@@ -133,8 +133,8 @@ package starlogo.queries
             }
         }
 
-        // A ray's origin must be in the world. The middles that canSee uses may be a little outside, so it does not call this.
-        private static function checked(origin:Vector3D):Vector3D
+        // Returns a ray's origin, which must be in the world. The middles that canSee uses may be a little outside, so it does not call this.
+        private static function requireOrigin(origin:Vector3D):Vector3D
         {
             if (origin != null)
             {

@@ -14,7 +14,7 @@ package starlogo.queries
         public var way:Vector3D = new Vector3D();
 
         /** If a motion leads this much deeper into what the body was lifted out of, in patches, the body has left the surface. */
-        public var most:Number = 0;
+        public var mostDepth:Number = 0;
 
         // The contacts, and their number.
         private var _contacts:Vector.<ContactPoint> = new Vector.<ContactPoint>();
@@ -49,7 +49,7 @@ package starlogo.queries
         {
             clear();
             way.copyFrom(other.way);
-            most = other.most;
+            mostDepth = other.mostDepth;
             for (var i:int = 0; i < other._count; i++)
             {
                 add(other._contacts[i]);
@@ -69,7 +69,7 @@ package starlogo.queries
             {
                 var contact:ContactPoint = _contacts[i];
                 var deeper:Number = contact.normalX * (from.x - at.x) + contact.normalY * (from.y - at.y) + contact.normalZ * (from.z - at.z);
-                if (deeper > 0 && deeper < most)
+                if (deeper > 0 && deeper < mostDepth)
                 {
                     contact.push(at, deeper);
                 }

@@ -81,7 +81,7 @@ package starlogo.queries
             var walk:Walk = _walk;
             var standing:PlatformLink = begin(agent, dx, dy, options || DEFAULTS, walk);
             var footing:Footing = out || new Footing();
-            footing.stands = go(walk, footing);
+            footing.stands = goPieces(walk, footing);
             _moves.moveAgent(agent, walk.place, walk.turn);
             if (!footing.stands)
             {
@@ -152,10 +152,10 @@ package starlogo.queries
         {
             _mover.begin(walk.way.body, walk.way.rows, platform);
             _mover.slide(walk.start, walk.carry, SlideLimits.NONE, _slide);
-            if (_slide.fraction < 1 && missesInto(platform, walk, _slide.place))
+            if (_slide.fraction < 1 && leadsIntoPlatform(platform, walk, _slide.place))
             {
                 _mover.goBeforeTouch(walk.start, walk.carry, _straight);
-                if (!missesInto(platform, walk, _straight.place))
+                if (!leadsIntoPlatform(platform, walk, _straight.place))
                 {
                     _slide.place.copyFrom(_straight.place);
                 }
@@ -163,8 +163,8 @@ package starlogo.queries
             walk.start.copyFrom(_slide.place);
         }
 
-        // Whether the way from where the platform would carry the agent to a place leads into the platform.
-        private function missesInto(platform:int, walk:Walk, place:Vector3D):Boolean
+        // Whether the rest of the way that the platform carries the agent, from its end back to a place, leads into the platform.
+        private function leadsIntoPlatform(platform:int, walk:Walk, place:Vector3D):Boolean
         {
             _origin.copyFrom(walk.start);
             _origin.incrementBy(walk.carry);
@@ -184,7 +184,7 @@ package starlogo.queries
 
         // Pushes the agent out of what it overlaps, goes all pieces, and falls if the agent does not stand. Returns whether it stands at the end.
         // The footing receives how far it was pushed, and which part of the way it has come.
-        private function go(walk:Walk, footing:Footing):Boolean
+        private function goPieces(walk:Walk, footing:Footing):Boolean
         {
             var stands:Boolean = findGround(walk, walk.start, walk.close);
             var pushed:Number = 0;
@@ -204,7 +204,7 @@ package starlogo.queries
                     walk.start.copyFrom(walk.place);
                     stands = !isInAir && findGround(walk, walk.start, walk.close);
                 }
-                stands = goOn(walk, stands);
+                stands = goPiece(walk, stands);
             }
             x = walk.place.x - x;
             y = walk.place.y - y;
@@ -241,7 +241,7 @@ package starlogo.queries
         }
 
         // Goes a piece of the way, and down to the ground. Returns whether the agent stands at the end.
-        private function goOn(walk:Walk, stands:Boolean):Boolean
+        private function goPiece(walk:Walk, stands:Boolean):Boolean
         {
             if (!stands)
             {

@@ -69,6 +69,12 @@ package starlogo.convex
         /** Whether the core is a box. */
         public var isBox:Boolean = false;
 
+        /** Whether the edges are those of a box or a segment, which say nothing of faces. */
+        public function get areEdgesBare():Boolean
+        {
+            return isBox || edges === SEGMENT_EDGES;
+        }
+
         private var _core:ConvexCore = new ConvexCore();
 
         // The list of points for all shapes but hulls.

@@ -32,7 +32,11 @@ package starlogo.convex
             out.depth = Infinity;
             tryFaces(cores.b, cores, out);
             tryFaces(cores.a, cores, out);
-            if (cores.a.edges.length > 0 && cores.b.edges.length > 0)
+            if (cores.a.areEdgesBare && cores.b.areEdgesBare)
+            {
+                tryBareEdges(cores, out);
+            }
+            else if (cores.a.edges.length > 0 && cores.b.edges.length > 0)
             {
                 tryEdges(cores, out);
             }
@@ -68,16 +72,48 @@ package starlogo.convex
                 var vx:Number = p[k] - p[i];
                 var vy:Number = p[int(k + 1)] - p[int(i + 1)];
                 var vz:Number = p[int(k + 2)] - p[int(i + 2)];
-                var x:Number = uy * vz - uz * vy;
-                var y:Number = uz * vx - ux * vz;
-                var z:Number = ux * vy - uy * vx;
                 // a face without area has no normal
-                if (x * x + y * y + z * z > Tolerances.DIRECTION * Tolerances.DIRECTION * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz))
+                if (setAcross(ux, uy, uz, vx, vy, vz))
                 {
-                    _along.x = x;
-                    _along.y = y;
-                    _along.z = z;
                     tryDirection(cores, out);
+                }
+            }
+        }
+
+        // Sets the direction to try to the one across two vectors. Returns whether they are not parallel.
+        private function setAcross(ux:Number, uy:Number, uz:Number, vx:Number, vy:Number, vz:Number):Boolean
+        {
+            var x:Number = uy * vz - uz * vy;
+            var y:Number = uz * vx - ux * vz;
+            var z:Number = ux * vy - uy * vx;
+            _along.x = x;
+            _along.y = y;
+            _along.z = z;
+            return x * x + y * y + z * z > Tolerances.DIRECTION * Tolerances.DIRECTION * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz);
+        }
+
+        // The perpendicular of two edges of boxes or segments always points out of both, at one of the parallel edges.
+        private function tryBareEdges(cores:CorePair, out:ContactPoint):void
+        {
+            var p:Vector.<Number> = cores.a.points;
+            var q:Vector.<Number> = cores.b.points;
+            var edgesA:Vector.<int> = cores.a.edges;
+            var edgesB:Vector.<int> = cores.b.edges;
+            for (var i:int = 0; i < edgesA.length; i += 4)
+            {
+                var from:int = edgesA[i];
+                var to:int = edgesA[int(i + 1)];
+                var ux:Number = p[to] - p[from];
+                var uy:Number = p[int(to + 1)] - p[int(from + 1)];
+                var uz:Number = p[int(to + 2)] - p[int(from + 2)];
+                for (var k:int = 0; k < edgesB.length; k += 4)
+                {
+                    from = edgesB[k];
+                    to = edgesB[int(k + 1)];
+                    if (setAcross(ux, uy, uz, q[to] - q[from], q[int(to + 1)] - q[int(from + 1)], q[int(to + 2)] - q[int(from + 2)]))
+                    {
+                        tryDirection(cores, out);
+                    }
                 }
             }
         }
@@ -133,11 +169,7 @@ package starlogo.convex
             var vx:Number = v[k];
             var vy:Number = v[int(k + 1)];
             var vz:Number = v[int(k + 2)];
-            var x:Number = uy * vz - uz * vy;
-            var y:Number = uz * vx - ux * vz;
-            var z:Number = ux * vy - uy * vx;
-            var squared:Number = x * x + y * y + z * z;
-            if (squared <= Tolerances.DIRECTION * Tolerances.DIRECTION * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz))
+            if (!setAcross(ux, uy, uz, vx, vy, vz))
             {
                 return;
             }
@@ -146,16 +178,15 @@ package starlogo.convex
                 + ux * (v[int(k + 3)] + v[int(k + 6)]) + uy * (v[int(k + 4)] + v[int(k + 7)]) + uz * (v[int(k + 5)] + v[int(k + 8)]);
             if (side != 0)
             {
-                var least:Number = x * (v[int(k + 9)] - u[9] - cores.x) + y * (v[int(k + 10)] - u[10] - cores.y) + z * (v[int(k + 11)] - u[11] - cores.z);
+                var along:Vector3D = _along;
+                var least:Number = along.x * (v[int(k + 9)] - u[9] - cores.x) + along.y * (v[int(k + 10)] - u[10] - cores.y)
+                    + along.z * (v[int(k + 11)] - u[11] - cores.z);
                 least = side < 0 ? -least : least;
-                if (least > 0 && least * least >= out.depth * out.depth * squared)
+                if (least > 0 && least * least >= out.depth * out.depth * along.lengthSquared)
                 {
                     return;
                 }
             }
-            _along.x = x;
-            _along.y = y;
-            _along.z = z;
             tryDirection(cores, out);
         }
 

@@ -5,6 +5,7 @@ package
     import benchmark.DistanceBenchmark;
     import benchmark.FewMoveBenchmark;
     import benchmark.GroundBenchmark;
+    import benchmark.GroundContactsBenchmark;
     import benchmark.HullFitBenchmark;
     import benchmark.MoveBenchmark;
     import benchmark.PairBenchmark;
@@ -23,7 +24,7 @@ package
      */
     public class Benchmarks extends Sprite
     {
-        private static const BENCHMARKS:Array = [BroadPhaseBenchmark, FewMoveBenchmark, GroundBenchmark, TraversalBenchmark, PairBenchmark, DistanceBenchmark,
+        private static const BENCHMARKS:Array = [BroadPhaseBenchmark, FewMoveBenchmark, GroundBenchmark, GroundContactsBenchmark, TraversalBenchmark, PairBenchmark, DistanceBenchmark,
                 MoveBenchmark, QueriesBenchmark, RayBenchmark, ReadingBenchmark, CookedBenchmark, HullFitBenchmark];
 
         private var _pending:Array;

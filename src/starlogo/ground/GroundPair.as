@@ -41,6 +41,9 @@ package starlogo.ground
         /** A lower bound for the length of every way out of the last contact; 0 if none is known. */
         public var leastDepth:Number = 0;
 
+        /** Whether the last contact is known to be as deep as it says: a point of the model is that deep behind a triangle. */
+        public var isDepthSure:Boolean = false;
+
         private var _grid:HeightGrid;
         private var _hasTree:Boolean = false;
         private var _pieces:GroundPieces = new GroundPieces();
@@ -113,7 +116,7 @@ package starlogo.ground
         public function findFirst(motion:RelativeMotion, out:ContactPoint):void
         {
             leastDepth = 0;
-            _hasPart = false;
+            isDepthSure = _hasPart = false;
             var touching:Number = 0;
             if (!overlapsAt(motion, 0))
             {
@@ -179,7 +182,7 @@ package starlogo.ground
         {
             var time:Number = motion.time;
             leastDepth = 0;
-            _hasPart = false;
+            isDepthSure = _hasPart = false;
             if (motion.x != 0 || motion.y != 0 || motion.z != 0)
             {
                 findImpact(motion, out);
@@ -192,16 +195,17 @@ package starlogo.ground
             }
             _pieces.placeAt(motion, time);
             findDeepest(out, false);
-            if (_hasPart)
-            {
-                leastDepth = out.depth;
-            }
-            else
+            isDepthSure = _hasPart;
+            if (!_hasPart)
             {
                 findDeepest(out, true);
             }
             if (_hasPart)
             {
+                if (isDepthSure || isNeeded(out))
+                {
+                    leastDepth = out.depth;
+                }
                 moveToWorld(out);
             }
             else
@@ -323,7 +327,7 @@ package starlogo.ground
                     {
                         continue;
                     }
-                    var isDecided:Boolean = overlaps ? findOverlap() : isUnder && isNeeded();
+                    var isDecided:Boolean = overlaps ? findOverlap() : isUnder && isNeeded(_tried);
                     if (isDecided && (_tried.depth > deepest || _tried.depth == deepest && !_hasPart))
                     {
                         deepest = _tried.depth;
@@ -397,17 +401,17 @@ package starlogo.ground
             return Math.max(count, at + 1);
         }
 
-        // Whether any way out of the ground is at least about as long as the last contact is deep, because the piece's deepest point has to get out.
-        private function isNeeded():Boolean
+        // Whether any way out of the ground is at least about as long as a contact is deep, because the piece's deepest point has to get out.
+        private function isNeeded(contact:ContactPoint):Boolean
         {
-            var depth:Number = _tried.depth;
+            var depth:Number = contact.depth;
             if (!(depth >= 0))
             {
                 return false;
             }
-            var x:Number = _box.origin.x + _tried.x - depth / 2 * _tried.normalX;
-            var y:Number = _box.origin.y + _tried.y - depth / 2 * _tried.normalY;
-            var z:Number = _box.origin.z + _tried.z - depth / 2 * _tried.normalZ;
+            var x:Number = _box.origin.x + contact.x - depth / 2 * contact.normalX;
+            var y:Number = _box.origin.y + contact.y - depth / 2 * contact.normalY;
+            var z:Number = _box.origin.z + contact.z - depth / 2 * contact.normalZ;
             return depth == 0 || _grid.leastWayOut(x, y, z, depth) >= NEEDED * depth;
         }
 
@@ -418,16 +422,16 @@ package starlogo.ground
             _pieces.begin(RelativeMotion.NONE, 0);
             while (_pieces.nextPiece())
             {
-                while (_pieces.nextTriangle())
-                {
-                    if (_piece.areTouching())
-                    {
-                        return true;
-                    }
-                }
                 if (_pieces.isUnder(0))
                 {
                     return true;
+                }
+                while (_pieces.nextTriangle())
+                {
+                    if (!_piece.staysBeside(RelativeMotion.NONE) && _piece.areTouching())
+                    {
+                        return true;
+                    }
                 }
             }
             return false;

@@ -104,7 +104,7 @@ package starlogo.search
         {
             var pair:GroundPair = pairOf(a, b);
             pair.findFirst(motion, out);
-            leastDepth = pair.leastDepth;
+            takeBounds(pair);
         }
 
         /** @inheritDoc */
@@ -112,7 +112,7 @@ package starlogo.search
         {
             var pair:GroundPair = pairOf(a, b);
             pair.findContact(motion, out);
-            leastDepth = pair.leastDepth;
+            takeBounds(pair);
         }
 
         /** @inheritDoc */
@@ -161,6 +161,13 @@ package starlogo.search
             _farthest.setTo(a, _narrowPhase.treeLimits);
             _farthest.find(_inwards);
             way.depth = plane + _farthest.support;
+        }
+
+        // Takes what is known of the last contact.
+        private function takeBounds(pair:GroundPair):void
+        {
+            leastDepth = pair.leastDepth;
+            isDepthSure = pair.isDepthSure;
         }
 
         private static function gridOf(ground:Body):HeightGrid

@@ -18,6 +18,9 @@ package starlogo.search
         /** A lower bound for the length of every way out of the last contact; 0 if none is known. Only the ground knows one. */
         public var leastDepth:Number = 0;
 
+        /** Whether the two are known to touch wherever the first body goes less than the depth of the last contact along its normal. */
+        public var isDepthSure:Boolean = false;
+
         /** The search distance of <code>findExits()</code>: parts of the second body farther away do not count. */
         public var reach:Number = 0;
 

@@ -370,11 +370,15 @@ package starlogo.search
             return isShort ? cosine > LEAST_ACUTE_COSINE : cosine > LEAST_COSINE && cosine < MOST_COSINE;
         }
 
-        // Takes the push. If the two are free before its end, the depth is refined.
+        // Takes the push. If the two are free before its end, the depth is refined. The first push needs no look if the tests are sure of its length.
         private function takePush(out:ContactPoint):void
         {
             out.setNormal(_along.x, _along.y, _along.z);
             out.depth = _pushes.length;
+            if (!_isFirstLost && _tests.isDepthSure)
+            {
+                return;
+            }
             _along.distance = _pushes.length - Tolerances.SEPARATION / 4 * _pair.extent;
             if (_along.distance > 0 && !_pair.touchesAt(_along))
             {

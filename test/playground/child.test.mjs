@@ -329,11 +329,10 @@ test('a block that is dropped fast is not loose, one that is replaced lies besid
 	}
 	await page.keyboard.press('ArrowDown');
 	await page.keyboard.press('ArrowRight');
-	await rest(page, 100);
-	assert.ok(await scrolled() > first + 200, 'scripts give way to the drawer');
+	// scripts give way to the drawer
+	await page.waitForFunction((least) => globalThis.playground.editor.workspace.scrollX > least, first + 200);
 	await page.keyboard.press('Escape');
-	await rest(page, 200);
-	assert.equal(await scrolled(), first);
+	await page.waitForFunction((wanted) => Math.round(globalThis.playground.editor.workspace.scrollX) === wanted, first);
 	assert.deepEqual(said, []);
 	await leave();
 });

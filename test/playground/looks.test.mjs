@@ -7,6 +7,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { promisify } from 'node:util';
 import { gzipSync } from 'node:zlib';
+import { isChromium } from '../headless/browsers.mjs';
 import { SIZES, begin, dragBall, drop, hold, open, press, ready, root, saved, sharing } from './browser.mjs';
 
 let site;
@@ -381,7 +382,7 @@ test('Measure: the chart is whole on a phone, with the names of all systems', as
 	await leave();
 });
 
-test('for teachers: each lesson has a page that is printed on one sheet, the solution on a second one, its time, and a link that opens it', async () => {
+test('for teachers: each lesson has a page that is printed on one sheet, the solution on a second one, its time, and a link that opens it', { skip: isChromium ? false : 'Playwright prints in Chromium alone' }, async () => {
 	const { page, said } = await shared('teach');
 	const links = await page.locator('.sheet tbody tr').evaluateAll((rows) => rows.map((row) => [...row.querySelectorAll('a')].map((each) => each.getAttribute('href'))));
 	assert.equal(links.length, 11);

@@ -226,7 +226,7 @@ export function $loadAsync(loader, name, url, { upAxis = "z", scaling = "footpri
 	return new Promise((resolve, reject) => {
 		signal?.throwIfAborted();
 		loader.load(name, url, upAxis, scaling);
-		const load = loader._queue.newest(name);
+		const load = loader._loads.at(-1);
 		const stop = () => loader.drop(load);
 		signal?.addEventListener("abort", stop);
 		load.whenOver = (model, problem) => {

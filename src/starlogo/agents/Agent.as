@@ -90,7 +90,7 @@ package starlogo.agents
         /** @private The number of the breed's name. */
         engine var breedNumber:int;
 
-        /** @private Counts changes of the agent's shape and of the way it collides. */
+        /** @private Counts changes of the agent's shape and of the way it collides, but for its depth. */
         engine var shapeRevision:int = 0;
 
         /** @private The value of <code>traversalDepth</code>, without a call. */
@@ -166,7 +166,7 @@ package starlogo.agents
             return sCreated;
         }
 
-        /** A number that no other agent of this run has. The first is 1. Agents of the edges of the world have negative numbers. */
+        /** A number that no other agent of this run has. The first is 1. Those of the edges of the world have negative numbers. */
         public function get id():int
         {
             return number;
@@ -399,7 +399,8 @@ package starlogo.agents
 
         /**
          * The unit quaternion of the agent's rotation. If <code>setQuaternion()</code> has set the rotation, and its numbers had the length 1 up to
-         * a millionth, these are the same numbers to the last bit. Otherwise w is not negative. Given to <code>setQuaternion()</code> again, the
+         * a millionth, these are the same numbers to the last bit; if they had another length, these are the numbers divided by it. If angles or a
+         * matrix made the rotation, w is not negative. Given to <code>setQuaternion()</code> again, the
          * numbers make the same rotation to the last bit if <code>setQuaternion()</code> or <code>setMatrix()</code> has made it.
          *
          * @param out takes x, y, z, w; created if null

@@ -6,7 +6,7 @@ package starlogo.broadphase
      *
      * <p>The rows of a search are its members. A member has a slot, which is its index in the order of the cells.</p>
      *
-     * <p>A member is in one cell: the cell of its middle. Cells are as wide as the widest members. So if two members overlap, they are in
+     * <p>A member is in one cell: the cell of its middle. Cells are at least as wide as the widest members, and less than about twice as wide. So if two members overlap, they are in
      * the same cell or in neighbouring cells. A counting sort puts the members into the order of their cells, with copies of the data that
      * the search reads. So members that are near on the ground are near in memory. The members of a cell are tested against two runs of
      * slots. The first run is the rest of the cell and its right neighbour. The second run is three cells of the next row. So each pair is
@@ -17,8 +17,7 @@ package starlogo.broadphase
      * members. A cell's number is a hash. The number of cell counters depends on the number of members, not on the size of the world. Cells
      * far from each other may share a number, which only costs time. Cells that one pair can reach never share a number.</p>
      *
-     * <p>The bins do not know how the pairs are used. Each search begins anew; CellLists reads where the last one put its
-     * cells. The time of a search is
+     * <p>The bins do not know how the pairs are used. Each search begins anew. CellLists takes over the cells of the last one. The time of a search is
      * proportional to the number of members and overlapping pairs, the memory to the number of members. After the first search nothing is
      * allocated.</p>
      *

@@ -234,7 +234,7 @@ package starlogo.collision
             }
             if (a === b)
             {
-                throw new ArgumentError("two different agents are needed, not twice " + a + "");
+                throw new ArgumentError("two different agents are needed, not twice " + a);
             }
         }
     }

@@ -23,6 +23,7 @@ package starlogo.collision
          * @param out receives the pairs; overwritten, and created if null
          * @return out: a0, b0, a1, b1, ... Each pair is there once. The agent that comes first in the list comes first
          * @throws ArgumentError if an agent is null or listed twice, or its model is not known; out is then unchanged
+         * @throws RangeError if a structure is out of the world; out is then unchanged
          */
         function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>;
 

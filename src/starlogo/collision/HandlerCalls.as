@@ -163,7 +163,7 @@ package starlogo.collision
             }
         }
 
-        // takePair() has a loop of its own, because one more call for each pair takes a tenth of a frame in Adobe's VM.
+        // The loop is like that of takePair(), because one more call for each pair takes a tenth of a frame in Adobe's VM.
         // The handlers belong to the breeds that the two agents had when the touch began. An ended touch has no contact.
         private function endTouch(touch:Touch):void
         {

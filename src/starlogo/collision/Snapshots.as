@@ -259,7 +259,7 @@ package starlogo.collision
                 }
                 touches.start(pairs - left, agents[first], agents[second], firstBreed, secondBreed, flag == 1);
             }
-            // each agent is there once
+            // each pair is there once
             check(touches.count == pairs);
         }
 

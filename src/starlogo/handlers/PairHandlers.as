@@ -35,7 +35,7 @@ package starlogo.handlers
         /** Whether any handler is for starts or ends of touches. */
         public var tracksTouches:Boolean;
 
-        // Handlers before this place in <code>added</code> were removed. The number of removed handlers in the list.
+        // Handlers before this place in <code>added</code> were removed. How many handlers were removed since the list was made shorter.
         private var _firstKept:int = 0;
         private var _removedCount:int = 0;
 

@@ -133,7 +133,7 @@ package starlogo.handlers
             endedCount = 0;
         }
 
-        /** Returns the touch of a pair, of two agents with these breeds. If there is none, it begins. */
+        /** Returns the touch of two agents. If there is none, one of these breeds begins. */
         public function start(pair:int, first:Agent, second:Agent, firstBreed:int, secondBreed:int, isBothWays:Boolean = false):Touch
         {
             var index:int = indexOf(first, second);

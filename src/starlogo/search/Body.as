@@ -58,7 +58,7 @@ package starlogo.search
         internal var offsetY:Number = 0;
         internal var offsetZ:Number = 0;
 
-        // For the body of a row: the row's revision at which it was settled; and the placement as the row was read.
+        // For the body of a row: the row's revision at which it was settled. The body's own placement.
         internal var revision:int = 0;
         private var _kept:Placement;
 

@@ -61,23 +61,25 @@ package starlogo.search
             areAll = isNamed(Breeds.ANY) ? has(Breeds.ANY, Breeds.ANY) : 2 * _agentPairs == _agentBreeds * (_agentBreeds + 1);
         }
 
-        /** The number of a breed, from 0 on, or -1 if the breed is in no pair. */
+        /**
+         * The number of a breed, from 0 on, or -1 if no pair concerns it. If a pair has ANY_BREED, all breeds that no pair names have one number.
+         */
         public function indexOf(breed:String):int
         {
             return indexOfNumber(Breeds.numberOf(breed));
         }
 
         /** Whether a pair of breeds is of interest. Pass their numbers; the answer is false if one of them is -1. */
-        public function includes(index:int, otherIndex:int):Boolean
+        public function includes(number:int, otherNumber:int):Boolean
         {
-            if (!isNamed(index) || !isNamed(otherIndex))
+            if (!isNamed(number) || !isNamed(otherNumber))
             {
                 return false;
             }
-            var isOfAgents:Boolean = !Breeds.isReserved(index);
-            var isOtherOfAgents:Boolean = !Breeds.isReserved(otherIndex);
-            return has(index, otherIndex) || isOfAgents && isOtherOfAgents && areAll || isOtherOfAgents && has(index, Breeds.ANY)
-                || isOfAgents && has(otherIndex, Breeds.ANY);
+            var isOfAgents:Boolean = !Breeds.isReserved(number);
+            var isOtherOfAgents:Boolean = !Breeds.isReserved(otherNumber);
+            return has(number, otherNumber) || isOfAgents && isOtherOfAgents && areAll || isOtherOfAgents && has(number, Breeds.ANY)
+                || isOfAgents && has(otherNumber, Breeds.ANY);
         }
 
         /** @private The number of a breed in the class Breeds, or Breeds.ANY for ANY_BREED. */

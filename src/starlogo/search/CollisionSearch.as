@@ -15,7 +15,8 @@ package starlogo.search
      * rows that are near each other (thesis §3.7). CandidateFilter keeps those that touch, and PairOrder puts them into order. If few agents have
      * changed, KeptPairs begins with the pairs of the last search instead.
      *
-     * <p>A question about two agents makes bodies of them as they are now, so it does not change anything that a search keeps.</p>
+     * <p>A question about two agents takes the bodies of their rows if the agents have not changed since, and otherwise makes bodies of them as they are
+     * now. It changes no place and no motion of a search.</p>
      *
      * @private
      */

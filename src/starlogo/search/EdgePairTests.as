@@ -27,8 +27,8 @@ package starlogo.search
     {
         private var _narrowPhase:NarrowPhase;
 
-        // By edge: the direction out of the world, the edge's place in this direction, how far the body is beyond it (less than 0 if the body is
-        // before it), and how far the body's motion goes towards it. _nearest is the edge that the body of the last contact is furthest beyond.
+        // By edge: the direction out of the world, the edge's place in this direction, and how far the body is beyond it (less than 0 if the body is
+        // before it). _nearest is the edge that the body of the last contact is furthest beyond.
         private var _outwards:Vector.<Vector3D> = new <Vector3D>[new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), new Vector3D(0, -1, 0),
                 new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
         private var _places:Vector.<Number> = new Vector.<Number>(6, true);

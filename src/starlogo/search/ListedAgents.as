@@ -10,7 +10,7 @@ package starlogo.search
      * The list of a table, and the row of each of its agents. An agent keeps its row while it is listed. Free rows are used again.
      *
      * <p>A new list is first proposed and then accepted. Until it is accepted, the agents of the list before are the ones that are listed. A list
-     * that is refused is never accepted, so it changes nothing.</p>
+     * that is refused is never accepted. Its new agents may keep rows until the next list.</p>
      *
      * @private
      */
@@ -106,7 +106,7 @@ package starlogo.search
         /**
          * Finds rows for the agents of a list. An agent that is listed keeps its row. Call it alone to find out whether a list is refused.
          *
-         * @throws ArgumentError if an agent is null or listed twice. Nothing has changed then
+         * @throws ArgumentError if an agent is null or listed twice. The agents that are listed stay the same then
          */
         public function propose(list:Vector.<Agent>):void
         {

@@ -121,7 +121,7 @@ package starlogo.search
             out.depth = 0;
             pointAlong(out);
             _along.distance = -Math.max(Tolerances.SEPARATION / 4 * _pair.extent, _pair.rounding);
-            if (isComing(motion) && !_pair.touchesAt(_along))
+            if (!_pair.touchesAt(_along))
             {
                 out.pointAgainst(motion);
             }

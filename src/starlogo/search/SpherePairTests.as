@@ -120,7 +120,7 @@ package starlogo.search
 
         private function setTo(a:Body, b:Body):void
         {
-            // without Body.margin, because V8 makes objects for Numbers that are returned
+            // Body.margin written out: it would be two calls more for each pair
             var placeA:Placement = a.placement;
             var placeB:Placement = b.placement;
             var marginA:Number = Tolerances.PLACES * (Math.abs(placeA.x) + Math.abs(placeA.y) + Math.abs(placeA.z));

@@ -30,10 +30,8 @@ package starlogo.collision
      * <p>If an agent sweeps (<code>Agent.sweeps</code>), the pairs come by the time at which their motions make them touch. So a handler can stop a
      * paintball at its first touch by removing it from the list.</p>
      *
-     * <p>In a pair, the handlers of the agent that is first in the list run first. Of one agent's handlers, those for starts run first; otherwise they run
-     * in the order in which they were added.
-     * The two agents' breeds count as they are when the pair's turn comes.</p>
-     *
+     * <p>In a pair, the handlers of the agent that is first in the list run first: those for starts, then the others, each in the order in which they
+     * were added. The two agents' breeds count as they are when the pair's turn comes.</p>
      * <p>Any number of Collisions may share agents. A handler of one Collision may update another. But each Collision needs a collider of its own,
      * because a collider keeps the agents' positions of the last frame. The time for the calls is in proportion to the number of agents and
      * calls. If a handler removes an agent from the list, or gives it another place in it, this costs one search of the list.</p>
@@ -260,8 +258,7 @@ package starlogo.collision
          *     <code>agents = agents.filter(...)</code>, counts from the next frame on
          * @throws ArgumentError if an agent is null or listed twice, or its model is not known; no handler has then run
          * @throws RangeError if a structure is out of the world; no handler has then run
-         * @throws IllegalOperationError if called from one of its own handlers, or from the filter, or if there is a terrain or an edge that the
-         *     collision system cannot test
+         * @throws IllegalOperationError if called from a handler of its own or from the filter, or if the system knows no terrain and there is one
          * @throws Error the first error that a handler threw, after all handlers have run
          */
         public function update(agents:Vector.<Agent>):void

@@ -13,7 +13,7 @@ package starlogo
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
     import starlogo.models.cooked.argumentsFingerprint;
-    import starlogo.solid.SolidHierarchyBuilder;
+    import starlogo.solid.ModelTreeBuilder;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -157,7 +157,7 @@ package starlogo
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model
                     var entry:ModelEntry = _models.entryFor(model.name);
-                    entry.setHierarchy(build.hierarchy);
+                    entry.setHierarchy(build.treeBuilder);
                     entry.setStructures(build.structures);
                     entry.setModel(model);
                 });
@@ -264,9 +264,9 @@ package starlogo
                 throw new ArgumentError("model must not be null");
             }
             var settings:FitSettings = new FitSettings(loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null);
-            var hierarchy:SolidHierarchyBuilder = loadHierarchies ? _hierarchies.builderOf(model.vertices, model.triangles) : null;
+            var treeBuilder:ModelTreeBuilder = loadHierarchies ? _hierarchies.builderOf(model.vertices, model.triangles) : null;
             var structures:StructuresBuilder = loadTightestFit ? _boundingStructures.newBuild(model.name, model.vertices) : null;
-            return new ModelResultsBuilder(model, structures, hierarchy, settings, fitStore);
+            return new ModelResultsBuilder(model, structures, treeBuilder, settings, fitStore);
         }
     }
 }

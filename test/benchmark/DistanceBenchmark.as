@@ -10,7 +10,7 @@ package benchmark
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
-    import starlogo.solid.SolidHierarchy;
+    import starlogo.solid.ModelTree;
     import starlogo.solid.TreeDistanceQuery;
     import starlogo.solid.TreeOverlapQuery;
     import starlogo.solid.TreePair;
@@ -42,8 +42,8 @@ package benchmark
         /** The table. */
         public function run():String
         {
-            var bear:SolidHierarchy = built(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
-            var dragon:SolidHierarchy = built(new ColladaModel("dragon", Fixtures.text(FIXTURES[1])));
+            var bear:ModelTree = built(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
+            var dragon:ModelTree = built(new ColladaModel("dragon", Fixtures.text(FIXTURES[1])));
             addTrees("bears", bear, 1.5);
             addTrees("bears far away", bear, 20);
             addTrees("dragons", dragon, 0.7);
@@ -57,7 +57,7 @@ package benchmark
             return String(table);
         }
 
-        private function addTrees(name:String, tree:SolidHierarchy, spread:Number):void
+        private function addTrees(name:String, tree:ModelTree, spread:Number):void
         {
             var firsts:Vector.<Placement> = new Vector.<Placement>();
             var seconds:Vector.<Placement> = new Vector.<Placement>();
@@ -135,7 +135,7 @@ package benchmark
             return placement;
         }
 
-        private static function built(model:Model):SolidHierarchy
+        private static function built(model:Model):ModelTree
         {
             var library:HierarchiesLibrary = new HierarchiesLibrary();
             library.prepareExact = true;

@@ -16,7 +16,7 @@ package benchmark
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
-    import starlogo.solid.SolidHierarchy;
+    import starlogo.solid.ModelTree;
     import starlogo.solid.TreeImpactQuery;
     import starlogo.solid.TreeOverlapQuery;
     import starlogo.solid.TreePair;
@@ -43,7 +43,7 @@ package benchmark
         private var _impacts:TreeImpactQuery = new TreeImpactQuery(_overlaps);
         private var _pose:RelativePose = new RelativePose();
         private var _random:SeededRandom = new SeededRandom(2101);
-        private var _ball:SolidHierarchy;
+        private var _ball:ModelTree;
         private var _all:Vector.<Measurement> = new Vector.<Measurement>();
         private var _hashes:Array = [];
         private var _hits:Array = [];
@@ -53,7 +53,7 @@ package benchmark
         public function run():String
         {
             var bear:Model = new ObjModel("bear", Fixtures.text(FIXTURES[0]));
-            var boxes:SolidHierarchy = built(bear);
+            var boxes:ModelTree = built(bear);
             _ball = built(BuiltInModel.sphere());
             add("boxes, upright, far into each other", boxes, boxes, 0.4, 1, true, false);
             add("boxes, upright, near", boxes, boxes, 1.3, 1, true, false);
@@ -79,7 +79,7 @@ package benchmark
             return String(table);
         }
 
-        private function add(name:String, a:SolidHierarchy, b:SolidHierarchy, spread:Number, size:Number, isUpright:Boolean, exact:Boolean):void
+        private function add(name:String, a:ModelTree, b:ModelTree, spread:Number, size:Number, isUpright:Boolean, exact:Boolean):void
         {
             var first:Vector.<Placement> = places(spread, 1, isUpright);
             var second:Vector.<Placement> = places(spread, size, isUpright);
@@ -97,7 +97,7 @@ package benchmark
         }
 
         // Without what comes before and after the traversal.
-        private function addTraversal(name:String, a:SolidHierarchy):void
+        private function addTraversal(name:String, a:ModelTree):void
         {
             var traversal:BoxTraversal = new BoxTraversal();
             var first:Vector.<Placement> = places(1.3, 1, false);
@@ -113,7 +113,7 @@ package benchmark
                 });
         }
 
-        private function addStructures(name:String, a:SolidHierarchy, exact:Boolean):void
+        private function addStructures(name:String, a:ModelTree, exact:Boolean):void
         {
             var first:Vector.<Placement> = places(1.3, 1, true);
             var second:Vector.<Placement> = places(1.3, 1, true);
@@ -131,7 +131,7 @@ package benchmark
                 });
         }
 
-        private function addSwept(name:String, a:SolidHierarchy, b:SolidHierarchy, exact:Boolean):void
+        private function addSwept(name:String, a:ModelTree, b:ModelTree, exact:Boolean):void
         {
             var first:Vector.<Placement> = places(1.6, 1, false);
             var second:Vector.<Placement> = places(1.6, 1, false);
@@ -156,7 +156,7 @@ package benchmark
                 });
         }
 
-        private function addSweptStructures(name:String, a:SolidHierarchy, exact:Boolean):void
+        private function addSweptStructures(name:String, a:ModelTree, exact:Boolean):void
         {
             var first:Vector.<Placement> = places(1.6, 1, false);
             var second:Vector.<Placement> = places(1.6, 1, false);
@@ -265,7 +265,7 @@ package benchmark
             return all;
         }
 
-        private static function built(model:Model):SolidHierarchy
+        private static function built(model:Model):ModelTree
         {
             var library:HierarchiesLibrary = new HierarchiesLibrary();
             library.prepareExact = true;

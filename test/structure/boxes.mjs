@@ -22,7 +22,7 @@ const HOT = ['starlogo.agents', 'starlogo.bounding', 'starlogo.broadphase', 'sta
 const COLD = {
 	'starlogo.handlers.HandlerTable': 'made when handlers change',
 	'starlogo.handlers.PairHandlers': 'made when handlers change',
-	'starlogo.hierarchy.HierarchyBuilder': 'when a model loads',
+	'starlogo.hierarchy.BoxTreeBuilder': 'when a model loads',
 	'starlogo.hierarchy.TreeItems': 'when a model loads',
 	'starlogo.solid.DisjointSets': 'when a model loads',
 	'starlogo.solid.CavityFinder': 'when a model loads',
@@ -30,7 +30,7 @@ const COLD = {
 	'starlogo.solid.PartExtremes': 'when a model loads',
 	'starlogo.solid.ShellFinder': 'when a model loads',
 	'starlogo.solid.SolidBuilder': 'when a model loads',
-	'starlogo.solid.SolidHierarchyBuilder': 'when a model loads',
+	'starlogo.solid.ModelTreeBuilder': 'when a model loads',
 	'starlogo.solid.SurfaceBuilder': 'when a model loads',
 	'starlogo.solid.SurfaceTopology': 'when a model loads',
 	'starlogo.solid.Welding': 'when a model loads',

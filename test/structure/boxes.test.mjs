@@ -80,7 +80,7 @@ test('methods, private ones, those of a namespace and accessors are known by the
 });
 
 test('what runs once may box', () => {
-	const once = ['starlogo.hierarchy:HierarchyBuilder::private:divide()::void', 'starlogo.models:ObjReader:::read()::void',
+	const once = ['starlogo.hierarchy:BoxTreeBuilder::private:divide()::void', 'starlogo.models:ObjReader:::read()::void',
 		'starlogo.bounding:Box::starlogo.bounding:Box$cinit():', 'script0::script0$init():'];
 	assert.equal(boxesIn(once.map((header) => dumpOf(header, TERNARY)).join('')).size, 0);
 });

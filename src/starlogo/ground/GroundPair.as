@@ -8,7 +8,7 @@ package starlogo.ground
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.ConvexTriangle;
-    import starlogo.solid.SolidHierarchy;
+    import starlogo.solid.ModelTree;
 
     use namespace engine;
 
@@ -67,13 +67,13 @@ package starlogo.ground
          * Sets the model and the ground.
          *
          * @param grid the ground
-         * @param tree the model's hierarchy; null if a structure represents it
+         * @param tree the model's tree; null if a structure represents it
          * @param structure the structure, or the one around the tree, in the model's space
          * @param placement where the model stands
          * @param depth how many levels of the tree are visited
          * @param exact whether triangles decide in place of depths, if the tree has triangles
          */
-        public function setTo(grid:HeightGrid, tree:SolidHierarchy, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
+        public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
         {
             _grid = grid;
             _hasTree = tree != null;

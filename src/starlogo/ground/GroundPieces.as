@@ -9,7 +9,7 @@ package starlogo.ground
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxTree;
     import starlogo.intersection.ConvexTriangle;
-    import starlogo.solid.SolidHierarchy;
+    import starlogo.solid.ModelTree;
 
     use namespace engine;
 
@@ -32,7 +32,7 @@ package starlogo.ground
         public var triangles:GroundTriangles = new GroundTriangles();
 
         private var _grid:HeightGrid;
-        private var _tree:SolidHierarchy;
+        private var _tree:ModelTree;
         private var _structure:BoundingStructure;
         private var _depth:int;
         private var _isExact:Boolean;
@@ -59,7 +59,7 @@ package starlogo.ground
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /** Sets the model and the ground, as <code>GroundPair.setTo()</code> takes them. */
-        public function setTo(grid:HeightGrid, tree:SolidHierarchy, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
+        public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
         {
             _grid = grid;
             _tree = tree;

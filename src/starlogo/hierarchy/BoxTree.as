@@ -11,8 +11,8 @@ package starlogo.hierarchy
     /**
      * A model's tree of boxes (thesis §4.3). Its items are the model's triangles, or its vertices if it has no triangles.
      *
-     * <p>The package hierarchy keeps, builds and visits such trees. A HierarchyBuilder makes a tree of a model's items. A NodePairTraversal visits
-     * pairs of nodes of two trees, and a BoxSearch visits the nodes that a box or ray meets. Read this class first, then HierarchyBuilder, then
+     * <p>The package hierarchy keeps, builds and visits such trees. A BoxTreeBuilder makes a tree of a model's items. A NodePairTraversal visits
+     * pairs of nodes of two trees, and a BoxSearch visits the nodes that a box or ray meets. Read this class first, then BoxTreeBuilder, then
      * BoxSearch, then NodePairTraversal.</p>
      *
      * <p>A node is an index into the columns. The root is 0. The two children of a node stand side by side, after their parent. Once the
@@ -74,7 +74,7 @@ package starlogo.hierarchy
         private var _reach:Number = 0;
 
         /**
-         * Creates a tree without nodes. A HierarchyBuilder or a TreeReader makes them.
+         * Creates a tree without nodes. A BoxTreeBuilder or a TreeReader makes them.
          *
          * @param vertices x, y, z of each
          * @param triangles three vertex indices each, or null if the vertices are the items

@@ -3,8 +3,8 @@ package starlogo.libraries
     import starlogo.engine;
     import starlogo.geometry.VertexData;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.solid.SolidHierarchy;
-    import starlogo.solid.SolidHierarchyBuilder;
+    import starlogo.solid.ModelTree;
+    import starlogo.solid.ModelTreeBuilder;
     import starlogo.steps.finish;
 
     use namespace engine;
@@ -98,7 +98,7 @@ package starlogo.libraries
             refuse(name, VertexData.vertexProblem(vertices));
             var hasTriangles:Boolean = triangles != null && triangles.length > 0;
             refuse(name, hasTriangles ? VertexData.triangleProblem(triangles, vertices.length / 3) : null);
-            var builder:SolidHierarchyBuilder = builderOf(vertices.concat(), hasTriangles ? triangles.concat() : null);
+            var builder:ModelTreeBuilder = builderOf(vertices.concat(), hasTriangles ? triangles.concat() : null);
             finish(builder);
             models.entryFor(name).setHierarchy(builder);
         }
@@ -124,7 +124,7 @@ package starlogo.libraries
          *
          * @private
          */
-        engine function hierarchy(name:String):SolidHierarchy
+        engine function hierarchy(name:String):ModelTree
         {
             if (!has(name))
             {
@@ -140,9 +140,9 @@ package starlogo.libraries
          *
          * @private
          */
-        engine function builderOf(vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchyBuilder
+        engine function builderOf(vertices:Vector.<Number>, triangles:Vector.<uint>):ModelTreeBuilder
         {
-            return new SolidHierarchyBuilder(vertices, triangles, minVerticesToSplit, maxDepth, splitByMean, prepareExact);
+            return new ModelTreeBuilder(vertices, triangles, minVerticesToSplit, maxDepth, splitByMean, prepareExact);
         }
 
         private static function requirePositive(setting:String, value:int):void

@@ -3,8 +3,8 @@ package starlogo.libraries
     import starlogo.engine;
     import starlogo.models.Model;
     import starlogo.models.PoseListener;
-    import starlogo.solid.SolidHierarchy;
-    import starlogo.solid.SolidHierarchyBuilder;
+    import starlogo.solid.ModelTree;
+    import starlogo.solid.ModelTreeBuilder;
 
     use namespace engine;
 
@@ -28,8 +28,8 @@ package starlogo.libraries
         public var structures:ModelStructures = null;
 
         private var _table:ModelTable;
-        private var _builder:SolidHierarchyBuilder = null;
-        private var _hierarchy:SolidHierarchy = null;
+        private var _builder:ModelTreeBuilder = null;
+        private var _hierarchy:ModelTree = null;
 
         /** @param table counts replaced and removed data of all shapes */
         public function ModelEntry(table:ModelTable)
@@ -44,7 +44,7 @@ package starlogo.libraries
         }
 
         /** The hierarchy; null if there is none. If it is not built yet, it is built now. */
-        public function get hierarchy():SolidHierarchy
+        public function get hierarchy():ModelTree
         {
             if (_builder != null)
             {
@@ -74,7 +74,7 @@ package starlogo.libraries
         {
             if (hasHierarchy)
             {
-                (_builder == null ? _hierarchy : _builder.hierarchy).refit();
+                (_builder == null ? _hierarchy : _builder.modelTree).refit();
             }
             countChange(model);
         }
@@ -87,11 +87,11 @@ package starlogo.libraries
         }
 
         /** Sets the builder that has the hierarchy, or that builds it when it is first needed; null for none. */
-        public function setHierarchy(builder:SolidHierarchyBuilder):void
+        public function setHierarchy(builder:ModelTreeBuilder):void
         {
             countChange(_builder || _hierarchy);
             _builder = builder == null || builder.isDone ? null : builder;
-            _hierarchy = builder == null || !builder.isDone ? null : builder.hierarchy;
+            _hierarchy = builder == null || !builder.isDone ? null : builder.modelTree;
         }
 
         private function countChange(before:Object):void

@@ -11,8 +11,8 @@ package starlogo.libraries
     import starlogo.models.Model;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedWriter;
-    import starlogo.solid.SolidHierarchy;
-    import starlogo.solid.SolidHierarchyBuilder;
+    import starlogo.solid.ModelTree;
+    import starlogo.solid.ModelTreeBuilder;
     import starlogo.solid.SurfaceTopology;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -28,7 +28,7 @@ package starlogo.libraries
     public final class ModelResultsBuilder extends StepSequence
     {
         /** The builder that has the hierarchy or builds it when it is needed. Read it when no step is left. Null if none was wanted. */
-        public var hierarchy:SolidHierarchyBuilder;
+        public var treeBuilder:ModelTreeBuilder;
 
         private var _model:Model;
         private var _structures:StructuresBuilder;
@@ -43,17 +43,17 @@ package starlogo.libraries
         /**
          * @param model the model
          * @param structures finds its structures; null if none are wanted
-         * @param hierarchy builds its hierarchy; null if none is wanted
+         * @param treeBuilder builds its hierarchy; null if none is wanted
          * @param settings the settings of the libraries that want them
          * @param store null for none
          */
-        public function ModelResultsBuilder(model:Model, structures:StructuresBuilder, hierarchy:SolidHierarchyBuilder, settings:FitSettings,
+        public function ModelResultsBuilder(model:Model, structures:StructuresBuilder, treeBuilder:ModelTreeBuilder, settings:FitSettings,
                 store:FitStore)
         {
             _model = model;
             _structures = structures;
             _settings = settings;
-            this.hierarchy = hierarchy;
+            this.treeBuilder = treeBuilder;
             if (model.data.cooked != null)
             {
                 takeFrom(model.data.cooked);
@@ -67,7 +67,7 @@ package starlogo.libraries
             {
                 add(structures);
             }
-            if (hierarchy != null)
+            if (treeBuilder != null)
             {
                 begin(dividing);
             }
@@ -87,9 +87,9 @@ package starlogo.libraries
          */
         public function toCooked(wanted:Fingerprint):ByteArray
         {
-            if (hierarchy != null)
+            if (treeBuilder != null)
             {
-                hierarchy.finished.prepare();
+                treeBuilder.finished.prepare();
             }
             return write(wanted, CookedWriter.of(_model));
         }
@@ -97,8 +97,8 @@ package starlogo.libraries
         // Whether all results that are wanted are there.
         private function get isComplete():Boolean
         {
-            return (_structures == null || structures != null) && (hierarchy == null || hierarchy.isStored)
-                && (!_settings.wantsSurface || _model.triangles == null || hierarchy.hierarchy.surface != null);
+            return (_structures == null || structures != null) && (treeBuilder == null || treeBuilder.isStored)
+                && (!_settings.wantsSurface || _model.triangles == null || treeBuilder.modelTree.surface != null);
         }
 
         // Takes results that are missing from a file. Whether the geometry is the model's is not checked, because the file's checksum
@@ -115,14 +115,14 @@ package starlogo.libraries
             {
                 _structures.takeFrom(file, _settings, size);
             }
-            var tree:ByteArray = hierarchy == null ? null : _settings.read(file, CookedFile.HIERARCHY);
+            var tree:ByteArray = treeBuilder == null ? null : _settings.read(file, CookedFile.HIERARCHY);
             if (tree != null)
             {
                 var bytes:ByteArray = _settings.read(file, CookedFile.SURFACE);
                 var surface:SurfaceTopology = bytes == null || _model.triangles == null ? null : SurfaceTopology.read(bytes, _model.triangles.length / 3);
-                if (!hierarchy.isStored || surface != null && hierarchy.hierarchy.surface == null)
+                if (!treeBuilder.isStored || surface != null && treeBuilder.modelTree.surface == null)
                 {
-                    hierarchy.useStored(new TreeReader(tree, hierarchy.hierarchy.tree, hierarchy.maxDepth), surface);
+                    treeBuilder.useStored(new TreeReader(tree, treeBuilder.modelTree.tree, treeBuilder.maxDepth), surface);
                 }
             }
         }
@@ -146,12 +146,12 @@ package starlogo.libraries
         // A hierarchy that was read is not built until it is needed, unless prepareExact is set.
         private function dividing():Steps
         {
-            return hierarchy.isStored && !_settings.wantsSurface ? null : hierarchy;
+            return treeBuilder.isStored && !_settings.wantsSurface ? null : treeBuilder;
         }
 
         private function keep():void
         {
-            var isKept:Boolean = _isTaken && (hierarchy == null || hierarchy.isStored);
+            var isKept:Boolean = _isTaken && (treeBuilder == null || treeBuilder.isStored);
             if (_store != null && !isKept && _store.mayHold(_model))
             {
                 _store.keep(_geometry, _settings, write(_geometry, null));
@@ -168,9 +168,9 @@ package starlogo.libraries
                 contents[CookedFile.STRUCTURES] = CookedStructures.write(structures.smallest);
                 contents[CookedFile.HULL] = structures.hull == null ? null : CookedStructures.write(new <BoundingStructure>[structures.hull]);
             }
-            if (hierarchy != null)
+            if (treeBuilder != null)
             {
-                var made:SolidHierarchy = hierarchy.finished;
+                var made:ModelTree = treeBuilder.finished;
                 contents[CookedFile.HIERARCHY] = CookedFile.newBytes();
                 TreeWriter.write(made.tree, contents[CookedFile.HIERARCHY]);
                 if (made.isPrepared)

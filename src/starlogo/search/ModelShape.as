@@ -3,7 +3,7 @@ package starlogo.search
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.models.Model;
-    import starlogo.solid.SolidHierarchy;
+    import starlogo.solid.ModelTree;
 
     use namespace engine;
 
@@ -41,7 +41,7 @@ package starlogo.search
 
         // The structure, or the structure around the hierarchy; and the hierarchy, or null.
         engine var structure:BoundingStructure = null;
-        engine var hierarchy:SolidHierarchy = null;
+        engine var hierarchy:ModelTree = null;
 
         // Whether the shape stays upright and faces along the x axis, however its agent is turned.
         engine var isUpright:Boolean = false;
@@ -78,7 +78,7 @@ package starlogo.search
         }
 
         /** @private Uses the model's hierarchy as its shape. */
-        engine function setTree(hierarchy:SolidHierarchy):void
+        engine function setTree(hierarchy:ModelTree):void
         {
             this.hierarchy = hierarchy;
             structure = hierarchy.root.bounds;

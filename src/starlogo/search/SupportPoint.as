@@ -10,7 +10,7 @@ package starlogo.search
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.solid.SolidHierarchy;
+    import starlogo.solid.ModelTree;
 
     use namespace engine;
 
@@ -59,7 +59,7 @@ package starlogo.search
          */
         public function setTo(body:Body, limits:TreeLimits):void
         {
-            var tree:SolidHierarchy = body.shape.hierarchy;
+            var tree:ModelTree = body.shape.hierarchy;
             _body = body;
             _corners = tree != null && limits.exact && tree.hasTriangles ? tree.corners : null;
             _depth = _corners != null ? int.MAX_VALUE : tree == null ? 0 : limits.depthOf(body);

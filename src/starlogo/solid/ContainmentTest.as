@@ -35,7 +35,7 @@ package starlogo.solid
          *
          * @param pose the second model's pose in the first model's space
          */
-        public function isOneInside(a:SolidHierarchy, b:SolidHierarchy, pose:RelativePose):Boolean
+        public function isOneInside(a:ModelTree, b:ModelTree, pose:RelativePose):Boolean
         {
             if (!a.hasTriangles || !b.hasTriangles)
             {
@@ -58,7 +58,7 @@ package starlogo.solid
          * @param inner the structure that stands for the second model, in its space
          * @param pose the second model's pose in the first model's space
          */
-        public function isStructureInside(outer:SolidHierarchy, inner:BoundingStructure, pose:RelativePose):Boolean
+        public function isStructureInside(outer:ModelTree, inner:BoundingStructure, pose:RelativePose):Boolean
         {
             var structure:BoundingStructure = pose.place(inner);
             isPointOfSecond = false;

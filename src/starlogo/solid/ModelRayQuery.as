@@ -13,7 +13,7 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Finds where a ray first meets a model, or all places where it does: its hierarchy, visited to a depth, or its triangles. A ray that begins inside of a closed
+     * Finds where a ray first meets a model, or all places where it does: its tree, visited to a depth, or its triangles. A ray that begins inside of a closed
      * surface meets the model at once.
      *
      * <p>The answers are nested: no depth finds a hit farther away than a greater depth or the triangles do. The inside is tested at every
@@ -38,25 +38,25 @@ package starlogo.solid
         /**
          * Narrows a ray to the part behind its first hit.
          *
-         * @param hierarchy the model's hierarchy
+         * @param model the model
          * @param depth how many of its levels are visited
          * @param exact whether the triangles decide, or the leaves if there are none; the depth has no meaning then
          * @param ray in the model's space; its beginning becomes the hit, and its normal becomes the normal there, against the ray
          * @return whether there is a hit
          */
-        public function find(hierarchy:SolidHierarchy, depth:int, exact:Boolean, ray:Ray):Boolean
+        public function find(model:ModelTree, depth:int, exact:Boolean, ray:Ray):Boolean
         {
             triangle = -1;
-            if (beginsInside(hierarchy, ray))
+            if (beginsInside(model, ray))
             {
                 ray.faceBack();
                 return true;
             }
-            if (exact && hierarchy.hasTriangles)
+            if (exact && model.hasTriangles)
             {
-                return findTriangle(hierarchy, ray);
+                return findTriangle(model, ray);
             }
-            return _nodes.findHit(hierarchy.tree, exact ? int.MAX_VALUE : depth, ray);
+            return _nodes.findHit(model.tree, exact ? int.MAX_VALUE : depth, ray);
         }
 
         /**
@@ -66,54 +66,54 @@ package starlogo.solid
          * @param out the crossings are added to it
          * @return whether they are those of triangles, otherwise those of nodes
          */
-        public function findAll(hierarchy:SolidHierarchy, depth:int, exact:Boolean, ray:Ray, out:RayCrossings):Boolean
+        public function findAll(model:ModelTree, depth:int, exact:Boolean, ray:Ray, out:RayCrossings):Boolean
         {
             ray.faceBack();
-            if (beginsInside(hierarchy, ray))
+            if (beginsInside(model, ray))
             {
                 out.addBeginning(ray, 0, RayCrossings.INSIDE);
             }
-            if (!exact || !hierarchy.hasTriangles)
+            if (!exact || !model.hasTriangles)
             {
-                _nodes.findAll(hierarchy.tree, exact ? int.MAX_VALUE : depth, ray, Tolerances.ROUNDING * reachOf(hierarchy.tree.boxes), out);
+                _nodes.findAll(model.tree, exact ? int.MAX_VALUE : depth, ray, Tolerances.ROUNDING * reachOf(model.tree.boxes), out);
                 return false;
             }
             var first:int = out.count;
-            searchTriangles(hierarchy, ray, out);
+            searchTriangles(model, ray, out);
             for (var i:int = first; i < out.count; i++)
             {
-                setNormal(hierarchy.mesh, out.triangles[i], ray);
+                setNormal(model.mesh, out.triangles[i], ray);
                 out.setNormal(i, ray);
-                out.triangles[i] = hierarchy.tree.order[out.triangles[i]];
+                out.triangles[i] = model.tree.order[out.triangles[i]];
             }
             return true;
         }
 
-        private function beginsInside(hierarchy:SolidHierarchy, ray:Ray):Boolean
+        private function beginsInside(model:ModelTree, ray:Ray):Boolean
         {
             _start.setTo(ray.x + ray.from * ray.directionX, ray.y + ray.from * ray.directionY, ray.z + ray.from * ray.directionZ);
-            return hierarchy.isInside(_start, 0);
+            return model.isInside(_start, 0);
         }
 
-        private function findTriangle(hierarchy:SolidHierarchy, ray:Ray):Boolean
+        private function findTriangle(model:ModelTree, ray:Ray):Boolean
         {
-            searchTriangles(hierarchy, ray, null);
+            searchTriangles(model, ray, null);
             var found:int = _triangles.triangle;
             if (found < 0)
             {
                 return false;
             }
-            triangle = hierarchy.tree.order[found];
+            triangle = model.tree.order[found];
             ray.from = _triangles.least;
-            setNormal(hierarchy.mesh, found, ray);
+            setNormal(model.mesh, found, ray);
             return true;
         }
 
         // Tests the triangles near a ray: finds the first that it meets, or adds all crossings.
-        private function searchTriangles(hierarchy:SolidHierarchy, ray:Ray, all:RayCrossings):void
+        private function searchTriangles(model:ModelTree, ray:Ray, all:RayCrossings):void
         {
-            var mesh:TriangleMesh = hierarchy.mesh;
-            _triangles.begin(ray, mesh.corners, reachOf(hierarchy.tree.boxes), all);
+            var mesh:TriangleMesh = model.mesh;
+            _triangles.begin(ray, mesh.corners, reachOf(model.tree.boxes), all);
             _boxes.setRay(ray);
             _boxes.find(mesh.tree, int.MAX_VALUE, _triangles);
         }

@@ -36,7 +36,7 @@ package starlogo.solid
         private var _first:int = -1;
 
         /** Begins with two models that have triangles. The pose must relate them already. */
-        public function begin(a:SolidHierarchy, b:SolidHierarchy, pose:RelativePose):void
+        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose):void
         {
             // Writing an object to a field costs Adobe's VM more than comparing it first.
             if (this.pose !== pose)

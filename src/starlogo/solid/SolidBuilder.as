@@ -7,7 +7,7 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Prepares a hierarchy for exact tests, in steps. First come the corners of the triangles in the order of the tree.
+     * Prepares a model for exact tests, in steps. First come the corners of the triangles in the order of the tree.
      * Then comes their inside: the surface that they make, its cavities, and the outermost points of its parts. If the surface is known
      * already, most of the work is not needed.
      */
@@ -19,7 +19,7 @@ package starlogo.solid
         // After so many looks at shells for each triangle, the parts that are left stay as they are. The answers are the same.
         private static const LOOKS_PER_TRIANGLE:int = 20;
 
-        private var _hierarchy:SolidHierarchy;
+        private var _model:ModelTree;
         private var _order:Vector.<int>;
         private var _mesh:TriangleMesh;
         private var _interior:Interior = null;
@@ -39,18 +39,18 @@ package starlogo.solid
         private var _placeCount:int = 0;
 
         /**
-         * @param hierarchy of triangles; receives the triangles, their inside and the surface
+         * @param model has triangles; receives the triangles, their inside and the surface
          * @param findsInside whether to find the inside
          */
-        public function SolidBuilder(hierarchy:SolidHierarchy, findsInside:Boolean)
+        public function SolidBuilder(model:ModelTree, findsInside:Boolean)
         {
-            _hierarchy = hierarchy;
-            _order = hierarchy.tree.order;
-            _surface = hierarchy.surface;
-            _mesh = hierarchy.readyMesh;
+            _model = model;
+            _order = model.tree.order;
+            _surface = model.surface;
+            _mesh = model.readyMesh;
             if (_mesh == null)
             {
-                _mesh = new TriangleMesh(hierarchy.tree);
+                _mesh = new TriangleMesh(model.tree);
                 sliced(placeCorners).call(keepTriangles);
             }
             if (findsInside && _surface == null)
@@ -70,17 +70,17 @@ package starlogo.solid
 
         private function placeCorners(first:int, end:int):void
         {
-            _hierarchy.writeCorners(first, end, null, _mesh.corners, 9 * first);
+            _model.writeCorners(first, end, null, _mesh.corners, 9 * first);
         }
 
         private function keepTriangles():void
         {
-            _hierarchy.readyMesh = _mesh;
+            _model.readyMesh = _mesh;
         }
 
         private function newSurface():Steps
         {
-            _builder = new SurfaceBuilder(_hierarchy.tree.vertices, _hierarchy.tree.triangles);
+            _builder = new SurfaceBuilder(_model.tree.vertices, _model.tree.triangles);
             _surface = _builder.surface;
             return _builder;
         }
@@ -90,7 +90,7 @@ package starlogo.solid
             _interior = new Interior(_mesh, _surface);
             if (_surface.widestSeam > 0)
             {
-                _welding = new Welding(_hierarchy.tree.vertices);
+                _welding = new Welding(_model.tree.vertices);
                 _interior.placesAt = new Vector.<int>(_order.length, true);
                 add(_welding);
                 sliced(weld);
@@ -152,7 +152,7 @@ package starlogo.solid
             var places:Vector.<Number> = _interior.places;
             for (var i:int = first; i < end; i++)
             {
-                _hierarchy.writeCorners(i, i + 1, _welding.welded, places, _placeCount);
+                _model.writeCorners(i, i + 1, _welding.welded, places, _placeCount);
                 var same:int = 0;
                 while (same < 9 && places[_placeCount + same] == _mesh.corners[9 * i + same])
                 {
@@ -189,8 +189,8 @@ package starlogo.solid
             {
                 _interior.leastPartExtent = Math.min(_interior.leastPartExtent, _extremes.extentAt(at));
             }
-            _hierarchy.readyInterior = _interior;
-            _hierarchy.surface = _surface;
+            _model.readyInterior = _interior;
+            _model.surface = _surface;
         }
     }
 }

@@ -80,8 +80,8 @@ package starlogo.solid
         // Finds the distance and the closest points in the first model's space.
         private function measure(pair:TreePair, out:ClosestPoints):void
         {
-            var a:SolidHierarchy = pair.a;
-            var b:SolidHierarchy = pair.b;
+            var a:ModelTree = pair.a;
+            var b:ModelTree = pair.b;
             if (b != null)
             {
                 _boxes.find(_pose, a.tree, pair.depthA, b.tree, pair.depthB, pair.isExact ? _trianglePairs.begin(a, b, _pose) : null);

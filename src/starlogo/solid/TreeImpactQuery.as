@@ -169,8 +169,8 @@ package starlogo.solid
         // Finds the first two triangles or nodes that touch while the first model moves. Writes the time to the pose's motion.
         private function findFirstParts(pair:TreePair, motion:RelativeMotion):void
         {
-            var a:SolidHierarchy = pair.a;
-            var b:SolidHierarchy = pair.b;
+            var a:ModelTree = pair.a;
+            var b:ModelTree = pair.b;
             var isExact:Boolean = pair.isExact;
             setStart(pair, motion, 0);
             _pose.relate(_start, pair.placementB);

@@ -58,8 +58,8 @@ package starlogo.solid
         /** Whether two standing models overlap. */
         public function areOverlapping(pair:TreePair):Boolean
         {
-            var a:SolidHierarchy = pair.a;
-            var b:SolidHierarchy = pair.b;
+            var a:ModelTree = pair.a;
+            var b:ModelTree = pair.b;
             var pose:RelativePose = _pose;
             pose.relate(pair.placementA, pair.placementB);
             if (b == null)

@@ -13,18 +13,18 @@ package starlogo.solid
      */
     public final class TreePair
     {
-        /** The first model's hierarchy, its placement in the world, and how many levels of its hierarchy are visited. */
-        public var a:SolidHierarchy = null;
+        /** The first model's tree, its placement in the world, and how many levels of its tree are visited. */
+        public var a:ModelTree = null;
         public var placementA:Placement = null;
         public var depthA:int = 0;
 
-        /** The second model's hierarchy; null if a structure stands for that model. */
-        public var b:SolidHierarchy = null;
+        /** The second model's tree; null if a structure stands for that model. */
+        public var b:ModelTree = null;
 
         /** That structure, in the second model's space; ignored if b is not null. */
         public var structureB:BoundingStructure = null;
 
-        /** The second model's placement in the world, and how many levels of its hierarchy are visited. */
+        /** The second model's placement in the world, and how many levels of its tree are visited. */
         public var placementB:Placement = null;
         public var depthB:int = 0;
 
@@ -32,17 +32,17 @@ package starlogo.solid
         public var isExact:Boolean = false;
 
         /** Sets the first model. */
-        public function setFirst(hierarchy:SolidHierarchy, placement:Placement, depth:int):void
+        public function setFirst(model:ModelTree, placement:Placement, depth:int):void
         {
-            a = hierarchy;
+            a = model;
             placementA = placement;
             depthA = depth;
         }
 
-        /** Sets the second model. The structure, in its own space, stands for it if the hierarchy is null. */
-        public function setSecond(hierarchy:SolidHierarchy, structure:BoundingStructure, placement:Placement, depth:int):void
+        /** Sets the second model. The structure, in its own space, stands for it if the model is null. */
+        public function setSecond(model:ModelTree, structure:BoundingStructure, placement:Placement, depth:int):void
         {
-            b = hierarchy;
+            b = model;
             structureB = structure;
             placementB = placement;
             depthB = depth;

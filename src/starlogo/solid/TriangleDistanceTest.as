@@ -25,20 +25,20 @@ package starlogo.solid
         // The structure's extents: least x, greatest x, least y, ...
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        // The closest points so far, and the index of the nearest triangle in the hierarchy's order.
+        // The closest points so far, and the index of the nearest triangle in the tree's order.
         private var _nearest:ClosestPoints;
         private var _triangle:int = -1;
 
         /**
          * Finds the distance and the closest points of a model and a structure.
          *
-         * @param model the model's hierarchy; has triangles
+         * @param model the model; has triangles
          * @param structure in the space of another model
          * @param pose the other model's pose in the first one's space
          * @param out receives them, in the model's space
-         * @return the index of the nearest triangle in the hierarchy's order
+         * @return the index of the nearest triangle in the tree's order
          */
-        public function find(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose, out:ClosestPoints):int
+        public function find(model:ModelTree, structure:BoundingStructure, pose:RelativePose, out:ClosestPoints):int
         {
             _mesh = model.mesh;
             _test.begin(structure, pose.placement);

@@ -19,7 +19,7 @@ package starlogo.solid
         private var _b:ConvexShape = new ConvexShape();
 
         /** Begins with two models that have triangles. The pose must relate them already. Returns this. */
-        public function begin(a:SolidHierarchy, b:SolidHierarchy, pose:RelativePose):LeafPairTest
+        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose):LeafPairTest
         {
             _triangles.begin(a, b, pose);
             return this;

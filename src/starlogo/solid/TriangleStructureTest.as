@@ -58,11 +58,11 @@ package starlogo.solid
         /**
          * Whether a triangle of a model touches a structure.
          *
-         * @param model the model's hierarchy; has triangles
+         * @param model the model; has triangles
          * @param structure in the space of another model
          * @param pose the other model's pose in the first one's space
          */
-        public function areTouching(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose):Boolean
+        public function areTouching(model:ModelTree, structure:BoundingStructure, pose:RelativePose):Boolean
         {
             begin(model, structure, pose, RelativeMotion.NONE);
             least = 0;
@@ -74,7 +74,7 @@ package starlogo.solid
          * Finds when a moving structure first touches a triangle of a model. The parameters are those of <code>areTouching()</code>. The pose's
          * motion, which must not be RelativeMotion.NONE and is kept, receives the time.
          */
-        public function findTime(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose):void
+        public function findTime(model:ModelTree, structure:BoundingStructure, pose:RelativePose):void
         {
             begin(model, structure, pose, pose.motion);
             prepareMotion();
@@ -84,7 +84,7 @@ package starlogo.solid
             _motion.time = _isFound ? time : RelativeMotion.NEVER;
         }
 
-        private function begin(model:SolidHierarchy, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
+        private function begin(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
             _isFound = false;
             _mesh = model.mesh;

@@ -8,7 +8,7 @@ package starlogo.libraries
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
-    import starlogo.solid.SolidHierarchyBuilder;
+    import starlogo.solid.ModelTreeBuilder;
     import support.assertThrows;
     import support.assertWellFormed;
 
@@ -80,12 +80,12 @@ package starlogo.libraries
             plain = stepsOf(_library.builderOf(model.vertices, model.triangles));
             assertFalse(_library.hierarchy("at first need").isPrepared);
             _library.prepareExact = true;
-            var builder:SolidHierarchyBuilder = _library.builderOf(model.vertices, model.triangles);
+            var builder:ModelTreeBuilder = _library.builderOf(model.vertices, model.triangles);
             assertTrue("many steps more", stepsOf(builder) > plain + 8);
-            assertTrue(builder.hierarchy.isPrepared);
+            assertTrue(builder.modelTree.isPrepared);
         }
 
-        private static function stepsOf(builder:SolidHierarchyBuilder):int
+        private static function stepsOf(builder:ModelTreeBuilder):int
         {
             var count:int = 1;
             while (builder.step())

@@ -397,8 +397,8 @@ package starlogo.libraries
             {
                 return build.structures != null;
             }
-            build.hierarchy.finished;
-            return build.hierarchy.isStored;
+            build.treeBuilder.finished;
+            return build.treeBuilder.isStored;
         }
 
         private static function damage(cooked:Vector.<ByteArray>, index:int, random:SeededRandom):ByteArray

@@ -12,7 +12,7 @@ package starlogo.search
     import starlogo.models.CookedModel;
     import starlogo.models.Model;
     import starlogo.queries.AgentQueries;
-    import starlogo.solid.SolidHierarchy;
+    import starlogo.solid.ModelTree;
     import starlogo.terrain.WorldBounds;
     import support.ChainOfNodes;
     import support.Effort;
@@ -66,7 +66,7 @@ package starlogo.search
         {
             var count:int = 100000;
             var shape:ModelShape = new ModelShape("chain", Agent.ANY_KIND, 0);
-            shape.setTree(new SolidHierarchy(ChainOfNodes.read(count, count, ChainOfNodes.OF_THE_THESIS, false)));
+            shape.setTree(new ModelTree(ChainOfNodes.read(count, count, ChainOfNodes.OF_THE_THESIS, false)));
             var body:Body = new Body();
             body.readAgent(new Agent("chain"), shape);
             var limits:TreeLimits = new TreeLimits();

@@ -53,7 +53,7 @@ package starlogo.solid
         // From outside, past nothing but the surface; and from inside, where a ray that slipped through would meet nothing.
         private function castThroughEdges(model:Model, count:int):void
         {
-            var hierarchy:SolidHierarchy = hierarchyOf(model);
+            var hierarchy:ModelTree = hierarchyOf(model);
             var mesh:TriangleMesh = hierarchy.mesh;
             var triangles:RayTriangleTest = new RayTriangleTest();
             var boxes:BoxSearch = new BoxSearch();
@@ -106,7 +106,7 @@ package starlogo.solid
             var hits:int = 0;
             for each (var model:Model in [SolidModels.openCube(), read("/assets/kelp.obj"), new Model("cloud", BuiltInModel.sphere().vertices)])
             {
-                var hierarchy:SolidHierarchy = hierarchyOf(model);
+                var hierarchy:ModelTree = hierarchyOf(model);
                 for (var i:int = 0; i < Effort.choose(100, 1000); i++)
                 {
                     var ray:Ray = randomRay();
@@ -138,10 +138,10 @@ package starlogo.solid
         {
             var ray:Ray = new Ray();
             // one alone, and none that has an area
-            var one:SolidHierarchy = hierarchyOf(new Model("one", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2]));
+            var one:ModelTree = hierarchyOf(new Model("one", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2]));
             ray.aim(new Vector3D(one.tree.vertices[0], one.tree.vertices[1], -2), new Vector3D(0, 0, 1));
             assertEquals("through its corner", 2, distanceAt(one, 1, true, ray));
-            var line:SolidHierarchy = hierarchyOf(new Model("line", new <Number>[0, 0, 0, 1, 0, 0, 2, 0, 0], new <uint>[0, 1, 2]));
+            var line:ModelTree = hierarchyOf(new Model("line", new <Number>[0, 0, 0, 1, 0, 0, 2, 0, 0], new <uint>[0, 1, 2]));
             ray.aim(new Vector3D(0.1, 0, -2), new Vector3D(0, 0, 1));
             distanceAt(line, 1, true, ray);
             // many in one place, which no division tells apart
@@ -151,7 +151,7 @@ package starlogo.solid
             {
                 triangles.push(0, 1, 2);
             }
-            var pile:SolidHierarchy = hierarchyOf(new Model("pile", vertices, triangles));
+            var pile:ModelTree = hierarchyOf(new Model("pile", vertices, triangles));
             ray.aim(new Vector3D(-0.25, -0.25, -2), new Vector3D(0, 0, 1));
             assertTrue(distanceAt(pile, 1, true, ray) < 3);
             ray.aim(new Vector3D(-0.25, -0.25, -2), new Vector3D(0, 0, -1));
@@ -214,11 +214,11 @@ package starlogo.solid
             return /obj$/.test(address) ? new ObjModel(address, Fixtures.text(address)) : new ColladaModel(address, Fixtures.text(address));
         }
 
-        private static function hierarchyOf(model:Model):SolidHierarchy
+        private static function hierarchyOf(model:Model):ModelTree
         {
-            var builder:SolidHierarchyBuilder = new SolidHierarchyBuilder(model.vertices, model.triangles, 5, 10, false);
+            var builder:ModelTreeBuilder = new ModelTreeBuilder(model.vertices, model.triangles, 5, 10, false);
             finish(builder);
-            return builder.hierarchy;
+            return builder.modelTree;
         }
 
         // All end nodes, one after the other, with what is inside of their ancestors.
@@ -239,14 +239,14 @@ package starlogo.solid
             return Math.min(nearestEnd(node.left, depth - 1, ray, part.from, part.to), nearestEnd(node.right, depth - 1, ray, part.from, part.to));
         }
 
-        private function distanceAt(hierarchy:SolidHierarchy, depth:int, exact:Boolean, ray:Ray):Number
+        private function distanceAt(hierarchy:ModelTree, depth:int, exact:Boolean, ray:Ray):Number
         {
             ray.from = 0;
             ray.to = Infinity;
             return _rays.find(hierarchy, depth, exact, ray) ? ray.from : Infinity;
         }
 
-        private function pointInside(hierarchy:SolidHierarchy):Vector3D
+        private function pointInside(hierarchy:ModelTree):Vector3D
         {
             var box:Vector.<Number> = hierarchy.tree.boxes;
             var point:Vector3D = new Vector3D();

@@ -31,7 +31,7 @@ package starlogo.solid
         {
             for each (var model:Model in models())
             {
-                var hierarchy:SolidHierarchy = hierarchyOf(model, 6);
+                var hierarchy:ModelTree = hierarchyOf(model, 6);
                 var before:String = describe(hierarchy.root);
                 hierarchy.prepare();
                 assertEquals(model.name, before, describe(hierarchy.root));
@@ -43,7 +43,7 @@ package starlogo.solid
         {
             for each (var model:Model in models())
             {
-                var hierarchy:SolidHierarchy = hierarchyOf(model, 4);
+                var hierarchy:ModelTree = hierarchyOf(model, 4);
                 hierarchy.prepare();
                 var isListed:Vector.<Boolean> = new Vector.<Boolean>(hierarchy.tree.order.length, true);
                 for each (var triangle:int in hierarchy.tree.order)
@@ -64,7 +64,7 @@ package starlogo.solid
             {
                 triangles.push(0, 1, 2);
             }
-            var hierarchy:SolidHierarchy = hierarchyOf(new Model("pile", vertices, triangles), 10);
+            var hierarchy:ModelTree = hierarchyOf(new Model("pile", vertices, triangles), 10);
             assertTrue(hierarchy.root.isLeaf);
             hierarchy.prepare();
             assertTrue(hierarchy.root.isLeaf);
@@ -85,7 +85,7 @@ package starlogo.solid
                 vertices.push(i, 0, 0, 1e4 + (i < count - 1 ? 0 : 0.5), 0, 0, 5e3, 0.01, 0);
                 triangles.push(3 * i, 3 * i + 1, 3 * i + 2);
             }
-            var hierarchy:SolidHierarchy = hierarchyOf(new Model("needles", vertices, triangles), 10);
+            var hierarchy:ModelTree = hierarchyOf(new Model("needles", vertices, triangles), 10);
             assertEquals("one at a time", 1, hierarchy.root.left.triangleCount);
             hierarchy.prepare();
             check(hierarchy.tree, 0, hierarchy.mesh.extents);
@@ -177,9 +177,9 @@ package starlogo.solid
             return /obj$/.test(address) ? new ObjModel("bear", Fixtures.text(address)) : new ColladaModel("dragon", Fixtures.text(address));
         }
 
-        private static function hierarchyOf(model:Model, maxDepth:int):SolidHierarchy
+        private static function hierarchyOf(model:Model, maxDepth:int):ModelTree
         {
-            return new SolidHierarchyBuilder(model.vertices, model.triangles, 5, maxDepth, false).finished;
+            return new ModelTreeBuilder(model.vertices, model.triangles, 5, maxDepth, false).finished;
         }
     }
 }

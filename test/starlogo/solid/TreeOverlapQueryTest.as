@@ -55,7 +55,7 @@ package starlogo.solid
         [Test]
         public function trianglesTouchAcrossTheWholeGap():void
         {
-            var cube:SolidHierarchy = hierarchyOf(BuiltInModel.cube());
+            var cube:ModelTree = hierarchyOf(BuiltInModel.cube());
             var half:Number = cube.corners[0] < 0 ? -cube.corners[0] : cube.corners[0];
             var stands:Placement = new Placement();
             var beside:Placement = new Placement();
@@ -85,8 +85,8 @@ package starlogo.solid
         [Test]
         public function theCommonPointIsNotOfATriangleOfThePairBefore():void
         {
-            var bear:SolidHierarchy = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
-            var cube:SolidHierarchy = hierarchyOf(BuiltInModel.cube());
+            var bear:ModelTree = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
+            var cube:ModelTree = hierarchyOf(BuiltInModel.cube());
             var stands:Placement = new Placement();
             var pair:TreePair = new TreePair();
             var out:ClosestPoints = new ClosestPoints();
@@ -114,14 +114,14 @@ package starlogo.solid
             var random:SeededRandom = new SeededRandom(2117);
             var pose:RelativePose = new RelativePose();
             var boxes:BoxTraversal = new BoxTraversal();
-            var bear:SolidHierarchy = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
-            var ball:SolidHierarchy = hierarchyOf(BuiltInModel.sphere());
+            var bear:ModelTree = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
+            var ball:ModelTree = hierarchyOf(BuiltInModel.sphere());
             var count:int = Effort.choose(300, 30000);
             var hits:int = 0;
             for (var i:int = 0; i < count; i++)
             {
-                var a:SolidHierarchy = random.pick([bear, ball]);
-                var b:SolidHierarchy = random.pick([bear, ball]);
+                var a:ModelTree = random.pick([bear, ball]);
+                var b:ModelTree = random.pick([bear, ball]);
                 pose.relate(randomPlacement(random), randomPlacement(random));
                 var depthA:int = random.integer(1, 6);
                 var depthB:int = random.integer(1, 6);
@@ -173,8 +173,8 @@ package starlogo.solid
             library.minVerticesToSplit = 1;
             // two walls far apart, and nothing between them
             library.add("walls", new <Number>[-0.5, -0.5, 0, -0.5, 0.5, 0, -0.5, 0, 1, 0.5, -0.5, 0, 0.5, 0.5, 0, 0.5, 0, 1], new <uint>[0, 1, 2, 3, 4, 5]);
-            var walls:SolidHierarchy = library.hierarchy("walls");
-            var speck:SolidHierarchy = hierarchyOf(BuiltInModel.sphere());
+            var walls:ModelTree = library.hierarchy("walls");
+            var speck:ModelTree = hierarchyOf(BuiltInModel.sphere());
             var large:Placement = placed(1e6, 0, 0, 0);
             var small:Placement = placed(1e-6, 0, 0, 0.5e6);
             assertTrue("one box", treesOverlap(walls, large, 1, speck, small, 9, false));
@@ -183,7 +183,7 @@ package starlogo.solid
             assertFalse("two boxes, the other way round", treesOverlap(speck, small, 1, walls, large, 9, false));
         }
 
-        private function checkSpeck(random:SeededRandom, size:Number, giant:Number, cube:SolidHierarchy, ball:SolidHierarchy):void
+        private function checkSpeck(random:SeededRandom, size:Number, giant:Number, cube:ModelTree, ball:ModelTree):void
         {
             // a corner of the cube, a point of a face, well inside; beside it, far off: x, y, z, whether it collides, and is near
             var places:Array = [[0.5, 0.5, 1, true, true], [0.5, 0.1, 0.3, true, true], [0.1, 0.2, 0.3, true, true],
@@ -222,7 +222,7 @@ package starlogo.solid
             }
         }
 
-        private function treesOverlap(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, placementB:Placement, depthB:int,
+        private function treesOverlap(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int,
                 exact:Boolean):Boolean
         {
             _pair.setFirst(a, placementA, depthA);
@@ -231,7 +231,7 @@ package starlogo.solid
             return _overlaps.areOverlapping(_pair);
         }
 
-        private function structureOverlaps(a:SolidHierarchy, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement):Boolean
+        private function structureOverlaps(a:ModelTree, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement):Boolean
         {
             _pair.setFirst(a, placementA, depth);
             _pair.setSecond(null, structure, placementB, 1);
@@ -257,13 +257,13 @@ package starlogo.solid
             return placement;
         }
 
-        private static function hierarchyOf(model:Model):SolidHierarchy
+        private static function hierarchyOf(model:Model):ModelTree
         {
             sHierarchies[model.name] ||= built(model);
             return sHierarchies[model.name];
         }
 
-        private static function built(model:Model):SolidHierarchy
+        private static function built(model:Model):ModelTree
         {
             var library:HierarchiesLibrary = new HierarchiesLibrary();
             library.add(model.name, model.vertices, model.triangles);

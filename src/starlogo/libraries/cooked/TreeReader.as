@@ -115,7 +115,7 @@ package starlogo.libraries.cooked
         }
 
         // Reads a node. Returns whether its code is right: the children must divide its items between them, and a node without children must be
-        // small. Below the thesis's leaves, deep nodes must be divided as a HierarchyBuilder divides them, so that a file cannot make a tree as deep
+        // small. Below the thesis's leaves, deep nodes must be divided as a BoxTreeBuilder divides them, so that a file cannot make a tree as deep
         // as the number of its items.
         private function readNode(node:int, code:int):Boolean
         {

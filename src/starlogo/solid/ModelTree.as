@@ -19,7 +19,7 @@ package starlogo.solid
      *
      * @private
      */
-    public final class SolidHierarchy
+    public final class ModelTree
     {
         /** @private The tree of the model's triangles or vertices. */
         engine var tree:BoxTree;
@@ -39,7 +39,7 @@ package starlogo.solid
         private var _root:HierarchyNode = null;
 
         /** @param tree the tree of the model's triangles or vertices. Its nodes may be made later */
-        public function SolidHierarchy(tree:BoxTree)
+        public function ModelTree(tree:BoxTree)
         {
             this.tree = tree;
         }
@@ -94,7 +94,7 @@ package starlogo.solid
         }
 
         /**
-         * Writes the corners of a range of triangles, in the hierarchy's order.
+         * Writes the corners of a range of triangles, in the tree's order.
          *
          * @param first the first triangle's number in this order
          * @param end the number after the last one
@@ -126,7 +126,7 @@ package starlogo.solid
         }
 
         /**
-         * @private The corners of the triangles, in the order of the hierarchy: nine numbers each. Only for models with triangles. The first call
+         * @private The corners of the triangles, in the order of the tree: nine numbers each. Only for models with triangles. The first call
          *     prepares them.
          */
         engine function get corners():Vector.<Number>

@@ -2,7 +2,7 @@ package starlogo.solid
 {
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.HierarchyBuilder;
+    import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -15,10 +15,10 @@ package starlogo.solid
      *
      * @private
      */
-    public final class SolidHierarchyBuilder extends StepSequence
+    public final class ModelTreeBuilder extends StepSequence
     {
-        /** The hierarchy. It is complete after the last step. */
-        public var hierarchy:SolidHierarchy;
+        /** The tree. It is complete after the last step. */
+        public var modelTree:ModelTree;
 
         /** A node of the tree on this level is a leaf of the thesis. */
         public var maxDepth:int;
@@ -40,10 +40,10 @@ package starlogo.solid
          * @param splitByMean whether to split at the mean, down to the thesis's leaves
          * @param preparesExact whether to prepare the triangles for exact tests and rays now; otherwise the first of these does
          */
-        public function SolidHierarchyBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>, minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean,
+        public function ModelTreeBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>, minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean,
                 preparesExact:Boolean = false)
         {
-            hierarchy = new SolidHierarchy(new BoxTree(vertices, triangles));
+            modelTree = new ModelTree(new BoxTree(vertices, triangles));
             _minVerticesToSplit = minVerticesToSplit;
             this.maxDepth = maxDepth;
             _splitByMean = splitByMean;
@@ -63,7 +63,7 @@ package starlogo.solid
         public function useStored(tree:Steps, surface:SurfaceTopology):void
         {
             _stored = tree;
-            hierarchy.surface = surface;
+            modelTree.surface = surface;
         }
 
         /**
@@ -77,14 +77,14 @@ package starlogo.solid
             return !isDone;
         }
 
-        /** The complete hierarchy. The first call does all remaining work. */
-        public function get finished():SolidHierarchy
+        /** The complete tree. The first call does all remaining work. */
+        public function get finished():ModelTree
         {
             if (!isDone)
             {
                 finish(this);
             }
-            return hierarchy;
+            return modelTree;
         }
 
         /** Whether the nodes come from a stored tree. It becomes false if the tree does not fit the items. */
@@ -100,17 +100,17 @@ package starlogo.solid
 
         private function divide():Steps
         {
-            if (hierarchy.tree.isMade)
+            if (modelTree.tree.isMade)
             {
                 return null;
             }
             _stored = null;
-            return new HierarchyBuilder(hierarchy.tree, _minVerticesToSplit, maxDepth, _splitByMean);
+            return new BoxTreeBuilder(modelTree.tree, _minVerticesToSplit, maxDepth, _splitByMean);
         }
 
         private function newSolid():Steps
         {
-            return new SolidBuilder(hierarchy, true);
+            return new SolidBuilder(modelTree, true);
         }
     }
 }

@@ -13,7 +13,7 @@ package starlogo.hierarchy
     use namespace engine;
 
     /** Trees, as the library makes them. */
-    public class HierarchyBuilderTest
+    public class BoxTreeBuilderTest
     {
         private var _library:HierarchiesLibrary = new HierarchiesLibrary();
 

@@ -18,7 +18,7 @@ package starlogo.solid
     use namespace engine;
 
     /** The hierarchies of the game's models: well-formed, and right about what is inside. */
-    public class SolidHierarchyTest
+    public class ModelTreeTest
     {
         public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/kelp.obj", "/assets/fortress.obj", "/assets/spaceship.obj",
                 "/assets/tree.obj", "/assets/seagull.dae", "/assets/person.dae", "/assets/fireman.dae", "/assets/dragon.dae"];
@@ -46,12 +46,12 @@ package starlogo.solid
             var insides:int = 0;
             for each (var model:Model in SolidModels.all())
             {
-                var known:SolidHierarchy = hierarchyOf(model.vertices, model.triangles);
+                var known:ModelTree = hierarchyOf(model.vertices, model.triangles);
                 known.prepare();
                 for (var i:int = 0; i < 20; i++)
                 {
                     var point:Vector3D = new Vector3D(random.between(-0.5, 0.5), random.between(-0.5, 0.5), random.between(0, 1));
-                    var asked:SolidHierarchy = hierarchyOf(model.vertices, model.triangles);
+                    var asked:ModelTree = hierarchyOf(model.vertices, model.triangles);
                     var isInside:Boolean = known.isInside(point, 0);
                     assertEquals(model.name + " at " + point, isInside, asked.isInside(point, 0));
                     insides += isInside ? 1 : 0;
@@ -69,7 +69,7 @@ package starlogo.solid
             var first:uint = triangles[0];
             triangles[0] = triangles[1];
             triangles[1] = first;
-            var hierarchy:SolidHierarchy = hierarchyOf(model.vertices, triangles);
+            var hierarchy:ModelTree = hierarchyOf(model.vertices, triangles);
             var random:SeededRandom = new SeededRandom(154);
             var inside:int = 0;
             for (var i:int = 0; i < 300; i++)
@@ -90,7 +90,7 @@ package starlogo.solid
             var points:int = 3 * Interior.POINTS_PER_PART;
             for each (var expected:Array in [[SolidModels.crossed(), 1], [SolidModels.doll(), 2], [SolidModels.apart(), 3], [BuiltInModel.sphere(), 1]])
             {
-                var hierarchy:SolidHierarchy = hierarchyOf(expected[0].vertices, expected[0].triangles);
+                var hierarchy:ModelTree = hierarchyOf(expected[0].vertices, expected[0].triangles);
                 assertEquals(expected[0].name, expected[1] * points, hierarchy.interior.partPoints.length);
             }
             var apart:Model = SolidModels.apart();
@@ -138,7 +138,7 @@ package starlogo.solid
         }
 
         // Points from which a ray along an axis passes through an edge or a corner.
-        private static function checkAlongRays(hierarchy:SolidHierarchy, model:Model, random:SeededRandom):void
+        private static function checkAlongRays(hierarchy:ModelTree, model:Model, random:SeededRandom):void
         {
             var inside:int = 0;
             assertTrue("closed", hierarchy.interior.isClosed);
@@ -192,7 +192,7 @@ package starlogo.solid
         private static function compareWithSolidAngles(address:String, seed:uint):void
         {
             var model:Model = read(address);
-            var hierarchy:SolidHierarchy = hierarchyOf(model.vertices, model.triangles);
+            var hierarchy:ModelTree = hierarchyOf(model.vertices, model.triangles);
             assertTrue("closed", hierarchy.interior.isClosed);
             var random:SeededRandom = new SeededRandom(seed);
             var inside:int = 0;
@@ -210,7 +210,7 @@ package starlogo.solid
             assertTrue("inside: " + inside, inside > 20 && inside < 130);
         }
 
-        private static function hierarchyOf(vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchy
+        private static function hierarchyOf(vertices:Vector.<Number>, triangles:Vector.<uint>):ModelTree
         {
             var library:HierarchiesLibrary = new HierarchiesLibrary();
             library.add("model", vertices, triangles);

@@ -25,7 +25,7 @@ package starlogo.hierarchy
      *
      * @private
      */
-    public final class HierarchyBuilder extends StepSequence
+    public final class BoxTreeBuilder extends StepSequence
     {
         // The approximate work of a step, in items. Making a node counts as ITEMS_PER_NODE items.
         private static const ITEMS_PER_STEP:int = 1000;
@@ -55,7 +55,7 @@ package starlogo.hierarchy
          * @param maxDepth a node on this level is a leaf of the thesis
          * @param splitByMean whether to split at the mean, down to the thesis's leaves
          */
-        public function HierarchyBuilder(tree:BoxTree, minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean)
+        public function BoxTreeBuilder(tree:BoxTree, minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean)
         {
             _tree = tree;
             _minVerticesToSplit = minVerticesToSplit;

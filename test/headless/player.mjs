@@ -40,7 +40,8 @@ const crash = /unreachable|Unable to lock Ruffle core|panicked at|memory access 
  * @param {(text: string) => void} on.crash when the player itself fails
  * @param {(file: string, text: string) => void} on.writeFile when the SWF hands over a file
  * @param {(status: number) => void} on.exit when the SWF says that it is done
- * @returns {Promise<{screenshot: (file: string) => Promise<void>, close: () => Promise<void>}>}
+ * @returns {Promise<{screenshot: (file: string) => Promise<void>, frames: () => Promise<number>, close: () => Promise<void>}>} frames: how many
+ *     there were. It waits for the end of the frame that runs
  */
 export async function play(options, on) {
 	const swfFolder = path.dirname(path.resolve(options.swf));
@@ -57,6 +58,7 @@ export async function play(options, on) {
 		tab.on('pageerror', (error) => on.crash(String(error)));
 		tab.on('console', (message) => report(message.text(), on));
 		await tab.addInitScript(watchMemory);
+		await tab.addInitScript(countFrames);
 		await tab.exposeFunction('headlessWriteFile', on.writeFile);
 		await tab.exposeFunction('headlessExit', on.exit);
 		await tab.goto(server.url);
@@ -65,7 +67,11 @@ export async function play(options, on) {
 			parameters: options.parameters,
 			name: `Ruffle ${version}`,
 		});
-		return { screenshot: (file) => tab.screenshot({ path: file }).then(() => undefined), close };
+		return {
+			screenshot: (file) => tab.screenshot({ path: file }).then(() => undefined),
+			frames: () => tab.evaluate(() => window.frameCount),
+			close,
+		};
 	} catch (error) {
 		await close();
 		throw error;
@@ -93,6 +99,16 @@ function watchMemory() {
 	};
 	WebAssembly.instantiate = (...args) => instantiate(...args).then(keep);
 	WebAssembly.instantiateStreaming = (...args) => instantiateStreaming(...args).then(keep);
+}
+
+/** Runs in the page before the player. */
+function countFrames() {
+	window.frameCount = 0;
+	const next = () => {
+		window.frameCount++;
+		requestAnimationFrame(next);
+	};
+	requestAnimationFrame(next);
 }
 
 /** Runs in the page: starts the player. */

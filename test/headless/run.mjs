@@ -113,6 +113,12 @@ async function run(options) {
 		throw new RunError(`there is no SWF at ${options.swf}`, USAGE);
 	});
 	let lastSign = Date.now();
+	let frames = 0;
+	let framesBefore = 0;
+	const sign = () => {
+		lastSign = Date.now();
+		framesBefore = frames;
+	};
 	const writes = [];
 	let end;
 	const ended = new Promise((resolve, reject) => {
@@ -121,20 +127,29 @@ async function run(options) {
 	ended.catch(() => {}); // reported below, after the player has started
 	const player = await start(options, {
 		trace: (text) => {
-			lastSign = Date.now();
+			sign();
 			console.log(text);
 		},
 		error: (text) => end.fail(`the SWF threw: ${text}`),
 		crash: (text) => end.fail(`the player failed (out of memory, if the SWF allocates much in one call): ${text}`),
 		writeFile: (file, text) => {
-			lastSign = Date.now();
+			sign();
 			writes.push(save(options.out, file, text));
 		},
 		exit: end.resolve,
 	});
+	let isAsking = false;
+	const countFrames = async () => {
+		if (!isAsking && player.frames) {
+			isAsking = true;
+			frames = await player.frames().catch(() => frames);
+			isAsking = false;
+		}
+	};
 	const watch = setInterval(() => {
+		countFrames();
 		if (Date.now() - lastSign > options.stall * 1000) {
-			end.fail(`the SWF stalled: ${options.stall} s without a sign of life`);
+			end.fail(`the SWF stalled: ${options.stall} s without a sign of life${player.frames ? stalled(frames - framesBefore, options.stall) : ''}`);
 		}
 	}, 500);
 	try {
@@ -149,6 +164,15 @@ async function run(options) {
 		await player.close();
 		await Promise.all(writes);
 	}
+}
+
+/** Why a SWF gave no sign of life: what its frames tell. */
+function stalled(frames, seconds) {
+	if (frames === 0) {
+		return ', and no frame ended: one call takes longer, or has no end';
+	}
+	return frames < seconds ? `, but ${frames} frames: it is slow; give it more by --stall`
+		: `, but ${frames} frames: it waits for an event, or does not call Host.exit`;
 }
 
 /** Plays all parts, one after the other. Resolves with the first exit status that is not 0. */

@@ -1,0 +1,42 @@
+/** Tests of what the runner says of a SWF that gives no sign of life. */
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+const folder = path.join(root, 'bin/generated/stall-test');
+const skip = existsSync(process.env.CHROME || '/usr/bin/chromium') ? false : 'there is no Chromium';
+
+const STAGE = [0x78, 0x00, 0x05, 0x5f, 0x00, 0x00, 0x0f, 0xa0, 0x00]; // 550 x 400 pixels
+const RATE = [0x00, 0x18, 0x01, 0x00]; // 24 a second, one frame
+const SHOW = [0x40, 0x00];
+const END = [0x00, 0x00];
+const LOOP = [0x06, 0x03, 0x99, 0x02, 0x00, 0xfb, 0xff, 0x00]; // DoAction: a jump to itself
+
+/** Writes a SWF of version 6 with these tags. */
+function swf(name, ...tags) {
+	const body = [...STAGE, ...RATE, ...tags.flat(), ...SHOW, ...END];
+	const length = body.length + 8;
+	mkdirSync(folder, { recursive: true });
+	const file = path.join(folder, name);
+	writeFileSync(file, Buffer.from([0x46, 0x57, 0x53, 6, length, 0, 0, 0, ...body]));
+	return file;
+}
+
+function run(file, seconds) {
+	const { status, stderr } = spawnSync(process.execPath, [path.join(root, 'test/headless/run.mjs'), file, '--stall', String(seconds)], { encoding: 'utf8' });
+	return { status, stderr };
+}
+
+test('a SWF that waits is told from one whose call does not end', { skip }, () => {
+	rmSync(folder, { recursive: true, force: true });
+	const waiting = run(swf('waiting.swf'), 15);
+	assert.equal(waiting.status, 70);
+	assert.match(waiting.stderr, /stalled: 15 s without a sign of life, but [1-9]\d* frames: it /);
+	const looping = run(swf('looping.swf', LOOP), 5);
+	assert.equal(looping.status, 70);
+	assert.match(looping.stderr, /stalled: 5 s without a sign of life, and no frame ended: one call takes longer, or has no end/);
+});

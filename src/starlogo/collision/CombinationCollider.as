@@ -1,8 +1,8 @@
 package starlogo.collision
 {
     import starlogo.GreatLand;
-    import starlogo.search.TightestFits;
-    import starlogo.search.Trees;
+    import starlogo.search.TightestShapes;
+    import starlogo.search.TreeShapes;
 
     /**
      * Finds collisions precisely for the agents that ask for it, and fast for all others. Agents with the trait <code>hierarchical</code>
@@ -24,7 +24,7 @@ package starlogo.collision
          */
         public function CombinationCollider(greatLand:GreatLand)
         {
-            super(new Trees(greatLand, new TightestFits(greatLand)));
+            super(new TreeShapes(greatLand, new TightestShapes(greatLand)));
         }
     }
 }

@@ -3,7 +3,7 @@ package starlogo.collision
     import starlogo.GreatLand;
     import starlogo.engine;
     import starlogo.search.StructurePairTests;
-    import starlogo.search.TightestFits;
+    import starlogo.search.TightestShapes;
 
     use namespace engine;
 
@@ -24,7 +24,7 @@ package starlogo.collision
          */
         public function TightestFitCollider(greatLand:GreatLand)
         {
-            super(new TightestFits(greatLand));
+            super(new TightestShapes(greatLand));
             StructurePairTests.bringTo(narrowPhase);
         }
     }

@@ -14,7 +14,7 @@ package starlogo.debug
     import starlogo.models.Model;
     import starlogo.search.AgentShapes;
     import starlogo.search.ModelShape;
-    import starlogo.search.TightestFits;
+    import starlogo.search.TightestShapes;
     import starlogo.search.TreeLimits;
 
     use namespace engine;
@@ -81,7 +81,7 @@ package starlogo.debug
                 _lines = {};
             }
             // a system that is not the engine's tells nothing about its shapes
-            var choice:AgentShapes = collider == null ? new TightestFits(_greatLand) : collider.choice;
+            var choice:AgentShapes = collider == null ? new TightestShapes(_greatLand) : collider.choice;
             var level:int = collider == null || collider.narrowPhase.trees == null ? 0 : levelOf(agent, collider.narrowPhase.treeLimits);
             var key:String = level + " " + choice.kindOf(agent) + " " + agent.shape;
             if (_lines[key] == null)

@@ -4,8 +4,8 @@ package starlogo.queries
     import starlogo.collision.QuerySource;
     import starlogo.engine;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.TightestFits;
-    import starlogo.search.Trees;
+    import starlogo.search.TightestShapes;
+    import starlogo.search.TreeShapes;
 
     use namespace engine;
 
@@ -32,7 +32,7 @@ package starlogo.queries
          */
         public function LevelShapes(greatLand:GreatLand)
         {
-            _tests = new NarrowPhase(new Trees(greatLand, new TightestFits(greatLand)));
+            _tests = new NarrowPhase(new TreeShapes(greatLand, new TightestShapes(greatLand)));
         }
 
         /**

@@ -4,18 +4,18 @@ package starlogo.queries
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.GreatLand;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
     import starlogo.search.AgentShapes;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.TightestFits;
+    import starlogo.search.SphereShapes;
     import starlogo.search.StructurePairTests;
+    import starlogo.search.TightestShapes;
     import starlogo.search.TreePairTests;
-    import starlogo.search.Trees;
-    import starlogo.search.UnitSpheres;
+    import starlogo.search.TreeShapes;
     import support.AskedDistance;
     import support.DistanceReference;
     import support.Effort;
@@ -60,7 +60,7 @@ package starlogo.queries
         [Test]
         public function structures():void
         {
-            for each (var choice:AgentShapes in [new UnitSpheres(sGreatLand), new TightestFits(sGreatLand)])
+            for each (var choice:AgentShapes in [new SphereShapes(sGreatLand), new TightestShapes(sGreatLand)])
             {
                 var pairs:NarrowPhase = new NarrowPhase(choice);
                 StructurePairTests.bringTo(pairs);
@@ -76,7 +76,7 @@ package starlogo.queries
         [Test]
         public function trees():void
         {
-            var choice:AgentShapes = new Trees(sGreatLand);
+            var choice:AgentShapes = new TreeShapes(sGreatLand);
             var pairs:NarrowPhase = new NarrowPhase(choice);
             StructurePairTests.bringTo(pairs);
             TreePairTests.bringTo(pairs);
@@ -109,7 +109,7 @@ package starlogo.queries
         [Test]
         public function triangles():void
         {
-            var choice:AgentShapes = new Trees(sGreatLand);
+            var choice:AgentShapes = new TreeShapes(sGreatLand);
             var pairs:NarrowPhase = new NarrowPhase(choice);
             StructurePairTests.bringTo(pairs);
             TreePairTests.bringTo(pairs);

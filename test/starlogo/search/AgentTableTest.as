@@ -21,7 +21,7 @@ package starlogo.search
     public class AgentTableTest
     {
         private var _land:GreatLand = landOf(BuiltInModel.cube());
-        private var _table:AgentTable = new AgentTable(new ModelShapes(new TightestFits(_land)), new Bins().levels);
+        private var _table:AgentTable = new AgentTable(new ModelShapes(new TightestShapes(_land)), new Bins().levels);
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
         [Before]

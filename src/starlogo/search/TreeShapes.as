@@ -13,18 +13,18 @@ package starlogo.search
      *
      * @private
      */
-    public final class Trees extends AgentShapes
+    public final class TreeShapes extends AgentShapes
     {
         // A model of more triangles is probably a level.
         private static const MOST_TRIANGLES:int = 10000;
 
-        private var _fits:TightestFits;
+        private var _fits:TightestShapes;
 
         /**
          * @param greatLand the models' hierarchies and structures
          * @param fits the shapes of agents that are not hierarchical; null if all agents have hierarchies
          */
-        public function Trees(greatLand:GreatLand, fits:TightestFits = null)
+        public function TreeShapes(greatLand:GreatLand, fits:TightestShapes = null)
         {
             super(greatLand);
             requireGiven("greatLand", greatLand);

@@ -14,10 +14,10 @@ package starlogo.search
      *
      * @private
      */
-    public final class TightestFits extends AgentShapes
+    public final class TightestShapes extends AgentShapes
     {
         /** @param greatLand the models' structures */
-        public function TightestFits(greatLand:GreatLand)
+        public function TightestShapes(greatLand:GreatLand)
         {
             super(greatLand);
             requireGiven("greatLand", greatLand);

@@ -13,10 +13,10 @@ package starlogo.search
      *
      * @private
      */
-    public final class UnitSpheres extends AgentShapes
+    public final class SphereShapes extends AgentShapes
     {
         /** @param greatLand the models that agents may have; null to allow any name */
-        public function UnitSpheres(greatLand:GreatLand)
+        public function SphereShapes(greatLand:GreatLand)
         {
             super(greatLand);
         }

@@ -56,16 +56,16 @@ package starlogo.agents
          * Finds how the agent is carried.
          *
          * @param to where the agent below is now
-         * @param way receives the motion of the agent
+         * @param motion receives the motion of the agent
          * @return the turn about the z axis, in degrees
          */
-        public function carry(to:Placement, way:Vector3D):Number
+        public function carry(to:Placement, motion:Vector3D):Number
         {
             var from:Placement = below;
             var toX:Number = at.x - from.x;
             var toY:Number = at.y - from.y;
             var toZ:Number = at.z - from.z;
-            way.setTo(to.x - from.x, to.y - from.y, to.z - from.z);
+            motion.setTo(to.x - from.x, to.y - from.y, to.z - from.z);
             if (from.size == to.size && from.hasRotationOf(to))
             {
                 return 0;
@@ -74,9 +74,9 @@ package starlogo.agents
             var alongX:Number = scale * (from.r00 * toX + from.r10 * toY + from.r20 * toZ);
             var alongY:Number = scale * (from.r01 * toX + from.r11 * toY + from.r21 * toZ);
             var alongZ:Number = scale * (from.r02 * toX + from.r12 * toY + from.r22 * toZ);
-            way.x += to.r00 * alongX + to.r01 * alongY + to.r02 * alongZ - toX;
-            way.y += to.r10 * alongX + to.r11 * alongY + to.r12 * alongZ - toY;
-            way.z += to.r20 * alongX + to.r21 * alongY + to.r22 * alongZ - toZ;
+            motion.x += to.r00 * alongX + to.r01 * alongY + to.r02 * alongZ - toX;
+            motion.y += to.r10 * alongX + to.r11 * alongY + to.r12 * alongZ - toY;
+            motion.z += to.r20 * alongX + to.r21 * alongY + to.r22 * alongZ - toZ;
             return Trigonometry.arctangent(to.r10 * from.r00 + to.r11 * from.r01 + to.r12 * from.r02
                     - to.r00 * from.r10 - to.r01 * from.r11 - to.r02 * from.r12,
                     to.r00 * from.r00 + to.r01 * from.r01 + to.r02 * from.r02 + to.r10 * from.r10 + to.r11 * from.r11 + to.r12 * from.r12);

@@ -7,9 +7,9 @@ package starlogo.broadphase
      */
     public final class BinLevel
     {
-        // A level reaches this many widths from the origin. At that distance a position is rounded to 2^-29 of a width, and shapes within
+        // A level is used up to this many widths from the origin. At that distance a position is rounded to 2^-29 of a width, and shapes within
         // 2^-20 of a width touch.
-        internal static const REACH:Number = 1 << 24;
+        internal static const MAX_DISTANCE:Number = 1 << 24;
 
         private static const SLACK:Number = 1 / (1 << 18);
 
@@ -26,9 +26,9 @@ package starlogo.broadphase
 
         // The square of the largest distance from the world's origin at which the level can be used. It is a field because V8 makes an object for
         // each Number that is returned.
-        internal var reachSquared:Number;
+        internal var maxDistanceSquared:Number;
 
-        /** Two extents may be this far apart, in patches, and still be a pair. Rounding errors are smaller than this everywhere in reach. */
+        /** Two extents may be this far apart, in patches, and still be a pair. Rounding errors are smaller than this up to there. */
         public var slack:Number;
 
         // the number of members in the last search, and in CellLists since; and the index of the first cell's counter
@@ -49,7 +49,7 @@ package starlogo.broadphase
             this.number = number;
             this.width = width;
             cellsPerPatch = 1 / (width + 4 * width * SLACK);
-            reachSquared = width * width * REACH * REACH;
+            maxDistanceSquared = width * width * MAX_DISTANCE * MAX_DISTANCE;
             slack = width * SLACK;
         }
 
@@ -107,8 +107,8 @@ package starlogo.broadphase
         /** Whether a place is not so far out that it has no cell, and not near any either. */
         public function isWithin(x:Number, y:Number):Boolean
         {
-            var reach:Number = width * (Bins.BIAS / 2);
-            return x < reach && x > -reach && y < reach && y > -reach;
+            var farthest:Number = width * (Bins.BIAS / 2);
+            return x < farthest && x > -farthest && y < farthest && y > -farthest;
         }
     }
 }

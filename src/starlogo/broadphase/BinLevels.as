@@ -7,7 +7,7 @@ package starlogo.broadphase
      */
     public final class BinLevels
     {
-        // The width of the finest level, for points too. It reaches 256 patches, so points of SpaceLand need no coarser level. A power of two.
+        // The width of the finest level, for points too. It is used up to 256 patches from the origin, so points of SpaceLand need no coarser level. A power of two.
         private static const LEAST_WIDTH:Number = 1 / (1 << 16);
 
         // The levels by number, as extents refer to them. byWidth has them from the coarsest to the finest.
@@ -32,23 +32,23 @@ package starlogo.broadphase
             var middleY:Number = extents.y[row];
             var middleZ:Number = extents.z[row];
             var distanceSquared:Number = middleX * middleX + middleY * middleY + middleZ * middleZ;
-            if (level != null && 2 * half <= level.width && (4 * half > level.width || level.width == LEAST_WIDTH) && distanceSquared < level.reachSquared)
+            if (level != null && 2 * half <= level.width && (4 * half > level.width || level.width == LEAST_WIDTH) && distanceSquared < level.maxDistanceSquared)
             {
                 return false;
             }
             var width:Number = widthFor(2 * half);
-            var distant:Number = widthFor(Math.sqrt(distanceSquared) / BinLevel.REACH);
+            var distant:Number = widthFor(Math.sqrt(distanceSquared) / BinLevel.MAX_DISTANCE);
             extents.level[row] = levelOf(Math.max(width, distant)).number;
             return distant > width;
         }
 
         /**
-         * The square of the distance that all levels reach. Rows farther out must be fitted again. Levels without members count too,
+         * The square of the distance up to which all levels can be used. Rows farther out must be fitted again. Levels without members count too,
          * because rows outside the search have levels, and a search of motions uses other levels.
          */
-        public function get reachSquared():Number
+        public function get maxDistanceSquared():Number
         {
-            return byWidth.length == 0 ? Infinity : byWidth[byWidth.length - 1].reachSquared;
+            return byWidth.length == 0 ? Infinity : byWidth[byWidth.length - 1].maxDistanceSquared;
         }
 
         // The smallest power of two that is at least this large, and not less than LEAST_WIDTH.

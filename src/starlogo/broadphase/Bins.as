@@ -28,8 +28,8 @@ package starlogo.broadphase
         /** The first cells of a level are repeated after its last, so that the neighbours of the last cells are in one run too. */
         internal static const COPIED:int = 2;
 
-        // Added to a column or row, so that it is positive and the conversion to int rounds down. BIAS is even, and larger than any level's
-        // reach.
+        // Added to a column or row, so that it is positive and the conversion to int rounds down. BIAS is even, and larger than
+        // BinLevel.MAX_DISTANCE.
         internal static const BIAS:Number = 1 << 26;
 
         /** The levels of the members. */
@@ -287,7 +287,7 @@ package starlogo.broadphase
                 {
                     var middleX:Number = xs[slot];
                     var middleY:Number = ys[slot];
-                    var ownReach:Number = radii[slot] + margin;
+                    var ownRadius:Number = radii[slot] + margin;
                     var candidateCount:int = 0;
                     for (var other:int = slot + 1; other < runEnd; other++)
                     {
@@ -295,8 +295,8 @@ package starlogo.broadphase
                         if (distanceX <= farthest)
                         {
                             var distanceY:Number = ys[other] - middleY;
-                            var reach:Number = ownReach + radii[other];
-                            if (distanceX * distanceX + distanceY * distanceY <= reach * reach)
+                            var touchingDistance:Number = ownRadius + radii[other];
+                            if (distanceX * distanceX + distanceY * distanceY <= touchingDistance * touchingDistance)
                             {
                                 candidates[candidateCount] = rows[other];
                                 candidateCount++;
@@ -307,8 +307,8 @@ package starlogo.broadphase
                     {
                         distanceX = xs[other] - middleX;
                         distanceY = ys[other] - middleY;
-                        reach = ownReach + radii[other];
-                        if (distanceX * distanceX + distanceY * distanceY <= reach * reach)
+                        touchingDistance = ownRadius + radii[other];
+                        if (distanceX * distanceX + distanceY * distanceY <= touchingDistance * touchingDistance)
                         {
                             candidates[candidateCount] = rows[other];
                             candidateCount++;
@@ -342,7 +342,7 @@ package starlogo.broadphase
             {
                 var middleX:Number = xs[slot];
                 var middleY:Number = ys[slot];
-                var ownReach:Number = radii[slot] + margin;
+                var ownRadius:Number = radii[slot] + margin;
                 var column:int = (middleX - wide) * cellsPerPatch + BIAS;
                 var columns:int = int((middleX + wide) * cellsPerPatch + BIAS) - column + 1;
                 var line:int = (middleY - wide) * cellsPerPatch + BIAS;
@@ -356,8 +356,8 @@ package starlogo.broadphase
                     {
                         var distanceX:Number = xs[other] - middleX;
                         var distanceY:Number = ys[other] - middleY;
-                        var reach:Number = ownReach + radii[other];
-                        if (distanceX * distanceX + distanceY * distanceY <= reach * reach)
+                        var touchingDistance:Number = ownRadius + radii[other];
+                        if (distanceX * distanceX + distanceY * distanceY <= touchingDistance * touchingDistance)
                         {
                             candidates[candidateCount] = rows[other];
                             candidateCount++;

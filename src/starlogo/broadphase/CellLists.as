@@ -255,15 +255,15 @@ package starlogo.broadphase
             var radii:Vector.<Number> = _extents.radius;
             var x:Number = xs[row];
             var y:Number = ys[row];
-            var ownReach:Number = radii[row] + slack;
+            var ownRadius:Number = radii[row] + slack;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = _near[i];
                 var distanceX:Number = xs[other] - x;
                 var distanceY:Number = ys[other] - y;
-                var reach:Number = ownReach + radii[other];
-                if (distanceX * distanceX + distanceY * distanceY <= reach * reach && other != row && (other > row || marks[other] != mark))
+                var touchingDistance:Number = ownRadius + radii[other];
+                if (distanceX * distanceX + distanceY * distanceY <= touchingDistance * touchingDistance && other != row && (other > row || marks[other] != mark))
                 {
                     _near[kept] = other;
                     kept++;

@@ -105,7 +105,7 @@ package starlogo.collision
             return inside == null ? null : inside.innerCollider;
         }
 
-        override engine function findTests():NarrowPhase
+        override engine function findNarrowPhase():NarrowPhase
         {
             var collider:Collider = equivalentCollider;
             if (collider != null)

@@ -374,9 +374,9 @@ package starlogo.collision
             _hasFailed = false;
         }
 
-        override engine function findTests():NarrowPhase
+        override engine function findNarrowPhase():NarrowPhase
         {
-            return _system.findTests();
+            return _system.findNarrowPhase();
         }
 
         override engine function groundFor(own:Terrain):Terrain

@@ -15,7 +15,7 @@ package starlogo.collision
     public class QuerySource
     {
         /** Returns the shapes of agents and their tests. Throws an ArgumentError if they are not the engine's. */
-        engine function findTests():NarrowPhase
+        engine function findNarrowPhase():NarrowPhase
         {
             throw errorAbout(this);
         }

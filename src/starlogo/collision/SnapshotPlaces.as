@@ -22,7 +22,7 @@ package starlogo.collision
          */
         public static function write(table:AgentTable, list:Vector.<Agent>, bytes:ByteArray, keepsMotions:Boolean):void
         {
-            var places:RowPlaces = table.places.now;
+            var places:RowPlaces = table.places.last;
             for (var i:int = 0; i < list.length; i++)
             {
                 var row:int = table.list.rows[i];

@@ -22,7 +22,7 @@ package starlogo.queries
      */
     public final class LevelShapes extends QuerySource
     {
-        private var _tests:NarrowPhase;
+        private var _narrowPhase:NarrowPhase;
 
         /**
          * Sees agents as the models of a GreatLand.
@@ -32,7 +32,7 @@ package starlogo.queries
          */
         public function LevelShapes(greatLand:GreatLand)
         {
-            _tests = new NarrowPhase(new TreeShapes(greatLand, new TightestShapes(greatLand)));
+            _narrowPhase = new NarrowPhase(new TreeShapes(greatLand, new TightestShapes(greatLand)));
         }
 
         /**
@@ -43,12 +43,12 @@ package starlogo.queries
          */
         public function get maxDepth():int
         {
-            return _tests.treeLimits.maxDepth;
+            return _narrowPhase.treeLimits.maxDepth;
         }
 
         public function set maxDepth(value:int):void
         {
-            _tests.treeLimits.takeDepth(value);
+            _narrowPhase.treeLimits.takeDepth(value);
         }
 
         /**
@@ -58,18 +58,18 @@ package starlogo.queries
          */
         public function get exact():Boolean
         {
-            return _tests.treeLimits.exact;
+            return _narrowPhase.treeLimits.exact;
         }
 
         public function set exact(value:Boolean):void
         {
-            _tests.treeLimits.exact = value;
+            _narrowPhase.treeLimits.exact = value;
         }
 
         /** @private */
-        override engine function findTests():NarrowPhase
+        override engine function findNarrowPhase():NarrowPhase
         {
-            return _tests;
+            return _narrowPhase;
         }
     }
 }

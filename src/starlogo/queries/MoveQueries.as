@@ -29,8 +29,8 @@ package starlogo.queries
         private var _hits:Hits;
         private var _triangle:TriangleOfHit = new TriangleOfHit();
 
-        // The way of the question, how motions on it end, and where the row that is met first stops the body.
-        private var _way:Way = new Way();
+        // The motion of the question, how such motions end, and where the row that is met first stops the body.
+        private var _planned:PlannedMotion = new PlannedMotion();
         private var _result:MotionResult = new MotionResult();
         private var _slide:SlideResult = new SlideResult();
         private var _end:Vector3D = new Vector3D();
@@ -63,34 +63,34 @@ package starlogo.queries
 
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            _way.body.readStructure(structure);
+            _planned.body.readStructure(structure);
             return cast(null, dx, dy, dz, filter, hit);
         }
 
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            _way.body.readStructure(structure);
+            _planned.body.readStructure(structure);
             return castAll(null, dx, dy, dz, filter, out);
         }
 
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            readCast(agent, _way.body);
+            readCast(agent, _planned.body);
             return cast(agent, dx, dy, dz, filter, hit);
         }
 
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            readCast(agent, _way.body);
+            readCast(agent, _planned.body);
             return castAll(agent, dx, dy, dz, filter, out);
         }
 
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            readMover(agent, 0, _way.body);
-            findWay(agent, dx, dy, dz, filter, _way);
+            readMover(agent, 0, _planned.body);
+            plan(agent, dx, dy, dz, filter, _planned);
             collect(1, _end);
             var isMet:Boolean = _hits.endWithFirsts() > 0;
             var fraction:Number = isMet ? _hits.keyOf(0) : 1;
@@ -103,7 +103,7 @@ package starlogo.queries
                     contact.point.setTo(from.x, from.y, from.z);
                     contact.normal.setTo(from.normalX, from.normalY, from.normalZ);
                     contact.depth = from.depth;
-                    contact.approachSpeed = Math.max(0, -from.along(_way.motion));
+                    contact.approachSpeed = Math.max(0, -from.along(_planned.motion));
                 }
             }
             if (dx != 0 || dy != 0 || dz != 0)
@@ -116,11 +116,11 @@ package starlogo.queries
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
             _seen.requireMovable(agent, "slide");
-            readMover(agent, 0, _way.body);
+            readMover(agent, 0, _planned.body);
             // the agent may go anywhere within the length of its way
-            findWayWithin(agent, dx, dy, dz, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, filter, _way);
-            _mover.begin(_way.body, _way.rows);
-            _mover.slide(_way.from, _way.motion, SlideLimits.NONE, _slide);
+            planWithin(agent, dx, dy, dz, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, filter, _planned);
+            _mover.begin(_planned.body, _planned.rows);
+            _mover.slide(_planned.from, _planned.motion, SlideLimits.NONE, _slide);
             _mover.restoreClearance(_slide.place, _slide.clearRow);
             if (dx != 0 || dy != 0 || dz != 0)
             {
@@ -145,7 +145,7 @@ package starlogo.queries
         }
 
         /**
-         * Finds the rows near a way that may turn.
+         * Plans a motion that may turn: finds the rows near it.
          *
          * @param asker the agent that moves
          * @param range how far the body may go in any direction
@@ -153,10 +153,10 @@ package starlogo.queries
          * @param down how much farther it may go downwards
          * @param out has the body, and receives the rest
          */
-        public function findWayWithin(asker:Agent, dx:Number, dy:Number, dz:Number, range:Number, up:Number, down:Number, filter:AgentFilter,
-                out:Way):void
+        public function planWithin(asker:Agent, dx:Number, dy:Number, dz:Number, range:Number, up:Number, down:Number, filter:AgentFilter,
+                out:PlannedMotion):void
         {
-            if (beginWay(dx, dy, dz, out))
+            if (beginPlan(dx, dy, dz, out))
             {
                 _search.widen(range, up, down);
                 collectRows(asker, filter, out.rows);
@@ -190,7 +190,7 @@ package starlogo.queries
 
         private function cast(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            findWay(asker, dx, dy, dz, filter, _way);
+            plan(asker, dx, dy, dz, filter, _planned);
             collect(1, null);
             return _hits.endWithFirsts() == 0 ? null : write(0, hit || new ShapeHit());
         }
@@ -198,7 +198,7 @@ package starlogo.queries
         private function castAll(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
-            findWay(asker, dx, dy, dz, filter, _way);
+            plan(asker, dx, dy, dz, filter, _planned);
             collect(Collector.ALL, null);
             _hits.fit(hits, _hits.endWithFirsts());
             for (var i:int = 0; i < hits.length; i++)
@@ -224,18 +224,18 @@ package starlogo.queries
             }
         }
 
-        // Finds the rows on a straight way, whose body is known.
-        private function findWay(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Way):void
+        // Plans a straight motion, whose body is known: finds the rows near it.
+        private function plan(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:PlannedMotion):void
         {
-            if (beginWay(dx, dy, dz, out))
+            if (beginPlan(dx, dy, dz, out))
             {
                 _search.moveAlong(dx, dy, dz, 1);
                 collectRows(asker, filter, out.rows);
             }
         }
 
-        // Begins a way without rows. Returns false if the model of the body is loading.
-        private function beginWay(dx:Number, dy:Number, dz:Number, out:Way):Boolean
+        // Begins without rows. Returns false if the model of the body is loading.
+        private function beginPlan(dx:Number, dy:Number, dz:Number, out:PlannedMotion):Boolean
         {
             requireInWorld("a motion", dx, dy, dz);
             out.motion.setTo(dx, dy, dz);
@@ -271,8 +271,8 @@ package starlogo.queries
             if (collectLifted(wanted, end))
             {
                 // a floor may be many rows: what is lifted out of one of them does not run into the next
-                _mover.begin(_way.body, _way.rows);
-                if (_mover.findLift(_way.from, _way.motion, _lift))
+                _mover.begin(_planned.body, _planned.rows);
+                if (_mover.findLift(_planned.from, _planned.motion, _lift))
                 {
                     collectLifted(wanted, end);
                 }
@@ -282,21 +282,21 @@ package starlogo.queries
         // Does so with the body lifted. Returns whether a common lift of all rows could change the answer.
         private function collectLifted(wanted:int, end:Vector3D):Boolean
         {
-            var rows:NumberList = _way.rows;
+            var rows:NumberList = _planned.rows;
             var mayLift:Boolean = false;
             _found.begin(wanted, Infinity, null, null);
             _hits.begin();
             if (end != null)
             {
-                end.copyFrom(_way.from);
-                end.incrementBy(_way.motion);
-                _lift.keepDepth(end, _way.from);
+                end.copyFrom(_planned.from);
+                end.incrementBy(_planned.motion);
+                _lift.keepDepth(end, _planned.from);
             }
             for (var i:int = 0; i < rows.count && _found.limit > 0; i++)
             {
                 var row:int = rows.numbers[i];
-                _mover.beginAgainst(_way.body, row);
-                _mover.findTouch(_way.from, _way.motion, _lift, _result);
+                _mover.beginAgainst(_planned.body, row);
+                _mover.findTouch(_planned.from, _planned.motion, _lift, _result);
                 mayLift ||= _result.isLifted || (_result.fraction == 0 && !_result.isDeep);
                 if (_result.row >= 0 && _found.add(row, _result.fraction))
                 {

@@ -98,9 +98,9 @@ package starlogo.queries
         {
             start(from, motion, null, SlideLimits.NONE, _start);
             out.copyFrom(_lift);
-            out.way.copyFrom(_start);
-            out.way.decrementBy(_from);
-            return out.way.x != 0 || out.way.y != 0 || out.way.z != 0;
+            out.displacement.copyFrom(_start);
+            out.displacement.decrementBy(_from);
+            return out.displacement.x != 0 || out.displacement.y != 0 || out.displacement.z != 0;
         }
 
         /**
@@ -261,7 +261,7 @@ package starlogo.queries
             if (lift != null)
             {
                 _lift.copyFrom(lift);
-                place.incrementBy(lift.way);
+                place.incrementBy(lift.displacement);
             }
             _lift.mostDepth = MOST_SLOPS * _body.slop;
             if (replaceDeep(place, false) && !_recovery.liftOut(_obstacles, place, _lift))

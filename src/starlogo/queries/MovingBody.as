@@ -187,11 +187,11 @@ package starlogo.queries
             var other:Body = _seen.table.bodyOf(row);
             var whole:Body = wholeAt(place);
             var shallow:Number = SHALLOW * extentWith(other);
-            var tests:PairTests = _seen.narrowPhase.testsOf(whole, other);
-            tests.findContact(whole, other, RelativeMotion.NONE, out);
+            var pairTests:PairTests = _seen.narrowPhase.testsOf(whole, other);
+            pairTests.findContact(whole, other, RelativeMotion.NONE, out);
             if (isSure || out.depth > shallow)
             {
-                tests.separate(whole, other, RelativeMotion.NONE, out);
+                pairTests.separate(whole, other, RelativeMotion.NONE, out);
             }
             return out.depth <= shallow;
         }
@@ -218,7 +218,7 @@ package starlogo.queries
          * Whether a contact leads out of a row by a short way. The shortest way out of a tree may lead through a wall of the tree if it is
          * longer than the way to the middle of the body.
          */
-        public function isWayShort(row:int, contact:ContactPoint):Boolean
+        public function isExitShort(row:int, contact:ContactPoint):Boolean
         {
             return _seen.table.forms[row] != ModelShape.TREE || contact.depth <= Math.abs(contact.normalX) * _source.halfX
                 + Math.abs(contact.normalY) * _source.halfY + Math.abs(contact.normalZ) * _source.halfZ;

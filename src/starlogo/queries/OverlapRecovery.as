@@ -87,7 +87,7 @@ package starlogo.queries
                     continue;
                 }
                 _contact.depth += _body.clearance;
-                if (_body.isWayShort(row, _contact))
+                if (_body.isExitShort(row, _contact))
                 {
                     sum += _contact.depth;
                     if (_contact.depth > out.depth)

@@ -356,27 +356,27 @@ package starlogo.queries
             var x:Number = middles.x[slot];
             var y:Number = middles.y[slot];
             var z:Number = middles.z[slot];
-            var reachX:Number = 0;
-            var reachY:Number = 0;
-            var reachZ:Number = 0;
+            var halfX:Number = 0;
+            var halfY:Number = 0;
+            var halfZ:Number = 0;
             if (_sizes != null)
             {
                 var row:int = rows[slot];
-                reachX = _sizes.halfX[row];
-                reachY = _sizes.halfY[row];
-                reachZ = _sizes.halfZ[row];
-                var slack:Number = slackOf(x, y, z, reachX, reachY, reachZ);
-                reachX += slack;
-                reachY += slack;
-                reachZ += slack;
+                halfX = _sizes.halfX[row];
+                halfY = _sizes.halfY[row];
+                halfZ = _sizes.halfZ[row];
+                var slack:Number = slackOf(x, y, z, halfX, halfY, halfZ);
+                halfX += slack;
+                halfY += slack;
+                halfZ += slack;
             }
             var box:int = PER_BOX * slot;
-            rowBoxes[box] = x - reachX;
-            rowBoxes[int(box + 1)] = y - reachY;
-            rowBoxes[int(box + 2)] = z - reachZ;
-            rowBoxes[int(box + 3)] = x + reachX;
-            rowBoxes[int(box + 4)] = y + reachY;
-            rowBoxes[int(box + 5)] = z + reachZ;
+            rowBoxes[box] = x - halfX;
+            rowBoxes[int(box + 1)] = y - halfY;
+            rowBoxes[int(box + 2)] = z - halfZ;
+            rowBoxes[int(box + 3)] = x + halfX;
+            rowBoxes[int(box + 4)] = y + halfY;
+            rowBoxes[int(box + 5)] = z + halfZ;
         }
 
         /** The margin by which a box is widened. It is larger than the rounding errors of the box's middle and lengths. */

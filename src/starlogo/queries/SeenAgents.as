@@ -68,7 +68,7 @@ package starlogo.queries
             {
                 throw QuerySource.errorAbout(collisionOrShapes);
             }
-            _narrowPhase = _source.findTests();
+            _narrowPhase = _source.findNarrowPhase();
             _table = newTable(_narrowPhase);
         }
 
@@ -95,17 +95,17 @@ package starlogo.queries
         {
             requireGiven("agents", agents);
             requireUnlocked("update");
-            var tests:NarrowPhase = _source.findTests();
-            var next:AgentTable = tests === _narrowPhase ? _table : newTable(tests);
+            var found:NarrowPhase = _source.findNarrowPhase();
+            var next:AgentTable = found === _narrowPhase ? _table : newTable(found);
             next.read(agents);
             next.readWorldAgent(ListedAgents.GROUND, terrain == null ? null : terrain.agent);
             _table = next;
-            if (tests !== _narrowPhase)
+            if (found !== _narrowPhase)
             {
-                _narrowPhase = tests;
+                _narrowPhase = found;
                 for (var i:int = 0; i < _needs.length; i++)
                 {
-                    _needs[i](tests);
+                    _needs[i](found);
                 }
             }
             _places.clear();
@@ -210,7 +210,7 @@ package starlogo.queries
         /** @private Returns the tree of the places, and builds it first if it is stale. Throws an error before the first update. */
         engine function findPlaces():RowTree
         {
-            return build(_places, _table.places.now);
+            return build(_places, _table.places.last);
         }
 
         /** @private Returns the tree of the extents, and builds it first if it is stale. Throws an error before the first update. While a model is loading, its extents mean nothing. */
@@ -249,9 +249,9 @@ package starlogo.queries
             }
         }
 
-        private static function newTable(tests:NarrowPhase):AgentTable
+        private static function newTable(found:NarrowPhase):AgentTable
         {
-            return new AgentTable(new ModelShapes(tests.choice), null);
+            return new AgentTable(new ModelShapes(found.choice), null);
         }
     }
 }

@@ -10,8 +10,8 @@ package starlogo.queries
      */
     public final class StartLift
     {
-        /** The way. */
-        public var way:Vector3D = new Vector3D();
+        /** The displacement. */
+        public var displacement:Vector3D = new Vector3D();
 
         /** If a motion leads this much deeper into what the body was lifted out of, in patches, the body has left the surface. */
         public var mostDepth:Number = 0;
@@ -29,7 +29,7 @@ package starlogo.queries
         /** Forgets the way and the contacts. */
         public function clear():void
         {
-            way.setTo(0, 0, 0);
+            displacement.setTo(0, 0, 0);
             _count = 0;
         }
 
@@ -48,7 +48,7 @@ package starlogo.queries
         public function copyFrom(other:StartLift):void
         {
             clear();
-            way.copyFrom(other.way);
+            displacement.copyFrom(other.displacement);
             mostDepth = other.mostDepth;
             for (var i:int = 0; i < other._count; i++)
             {

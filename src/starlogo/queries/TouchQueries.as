@@ -98,9 +98,9 @@ package starlogo.queries
             {
                 if (_seen.narrowPhase.areTouching(body, table.bodyOf(row)))
                 {
-                    var toX:Number = table.places.now.x[row] - body.placement.x;
-                    var toY:Number = table.places.now.y[row] - body.placement.y;
-                    var toZ:Number = table.places.now.z[row] - body.placement.z;
+                    var toX:Number = table.places.last.x[row] - body.placement.x;
+                    var toY:Number = table.places.last.y[row] - body.placement.y;
+                    var toZ:Number = table.places.last.z[row] - body.placement.z;
                     // the ground has no place, so it comes last
                     _found.add(row, row == ListedAgents.GROUND ? Infinity : toX * toX + toY * toY + toZ * toZ);
                 }

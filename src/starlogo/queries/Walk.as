@@ -17,7 +17,7 @@ package starlogo.queries
         public var options:WalkOptions;
 
         /** Its body, and the rows near the walk. */
-        public var way:Way = new Way();
+        public var planned:PlannedMotion = new PlannedMotion();
 
         /** The number of pieces. A walk that is longer than the agent goes in pieces, because the ground may be even only so far. */
         public var pieces:int = 1;

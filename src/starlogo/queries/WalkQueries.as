@@ -94,7 +94,7 @@ package starlogo.queries
             standing.on = null;
             if (walk.row >= ListedAgents.LISTED)
             {
-                standing.read(footing.on, table.bodyOf(walk.row).placement, table.places.now.revisions[walk.row]);
+                standing.read(footing.on, table.bodyOf(walk.row).placement, table.places.last.revisions[walk.row]);
             }
             return footing;
         }
@@ -117,14 +117,14 @@ package starlogo.queries
             findNear(out, 0);
             out.piece.setTo(dx / out.pieces, dy / out.pieces, 0);
             out.length = whole / out.pieces;
-            out.extent = 2 * out.way.body.largestHalf;
+            out.extent = 2 * out.planned.body.largestHalf;
             out.close = CLOSE * out.extent;
-            out.start.copyFrom(out.way.from);
+            out.start.copyFrom(out.planned.from);
             if (platform >= 0)
             {
                 carryWith(platform, out);
             }
-            _mover.begin(out.way.body, out.way.rows);
+            _mover.begin(out.planned.body, out.planned.rows);
             return standing;
         }
 
@@ -150,7 +150,7 @@ package starlogo.queries
         // already, so only the rest of its way, which the agent misses, can lead into it.
         private function carryWith(platform:int, walk:Walk):void
         {
-            _mover.begin(walk.way.body, walk.way.rows, platform);
+            _mover.begin(walk.planned.body, walk.planned.rows, platform);
             _mover.slide(walk.start, walk.carry, SlideLimits.NONE, _slide);
             if (_slide.fraction < 1 && leadsIntoPlatform(platform, walk, _slide.place))
             {
@@ -177,9 +177,9 @@ package starlogo.queries
         private function findNear(walk:Walk, distance:Number):void
         {
             var options:WalkOptions = walk.options;
-            _moves.readMover(walk.agent, walk.turn, walk.way.body);
-            _moves.findWayWithin(walk.agent, walk.piece.x, walk.piece.y, 0, walk.range + distance, walk.pieces * options.stepHeight,
-                    walk.pieces * options.snap + options.fall, options.filter, walk.way);
+            _moves.readMover(walk.agent, walk.turn, walk.planned.body);
+            _moves.planWithin(walk.agent, walk.piece.x, walk.piece.y, 0, walk.range + distance, walk.pieces * options.stepHeight,
+                    walk.pieces * options.snap + options.fall, options.filter, walk.planned);
         }
 
         // Pushes the agent out of what it overlaps, goes all pieces, and falls if the agent does not stand. Returns whether it stands at the end.
@@ -210,7 +210,7 @@ package starlogo.queries
             y = walk.place.y - y;
             footing.pushed = pushed;
             footing.part = walk.length > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / (walk.pieces * walk.length)) : 1;
-            stands ||= walk.way.body.shape != null && fall(walk);
+            stands ||= walk.planned.body.shape != null && fall(walk);
             _mover.restoreClearance(walk.place, -1);
             return stands;
         }
@@ -224,7 +224,7 @@ package starlogo.queries
                 return 0;
             }
             findNear(walk, left);
-            _mover.begin(walk.way.body, walk.way.rows);
+            _mover.begin(walk.planned.body, walk.planned.rows);
             _slide.place.copyFrom(walk.start);
             for (var i:int = 0; i < MOST_PUSHES && left > 0 && _mover.findDeepest(_slide.place, _overlap) > 0; i++)
             {
@@ -349,7 +349,7 @@ package starlogo.queries
                 walk.place.copyFrom(_down.place);
                 return true;
             }
-            var longest:Number = Math.min(walk.options.fall, walk.way.body.placement.size);
+            var longest:Number = Math.min(walk.options.fall, walk.planned.body.placement.size);
             slideDown(walk, _down.place, Math.min(left, longest), longest / 2, _tried);
             return findGround(walk, walk.place.z - _tried.place.z < REST * walk.extent ? walk.place : _tried.place, walk.close);
         }
@@ -365,7 +365,7 @@ package starlogo.queries
                 walk.normal.setTo(contact.normalX, contact.normalY, contact.normalZ);
                 return true;
             }
-            var body:Body = walk.way.body;
+            var body:Body = walk.planned.body;
             var bottom:Number = body.z - body.halfZ - body.placement.z;
             if (contact.z > Math.min(walk.start.z, place.z) + bottom + walk.options.stepHeight + walk.close)
             {

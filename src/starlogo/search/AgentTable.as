@@ -120,9 +120,9 @@ package starlogo.search
                 findShapes();
                 takeShapes();
             }
-            places.now.read(row, agent);
             places.last.read(row, agent);
-            _rowExtents.moveRow(row, places.now);
+            places.before.read(row, agent);
+            _rowExtents.moveRow(row, places.last);
         }
 
         /** Reads the agent of the ground or of the edges of the world into its row, or empties the row. */
@@ -137,8 +137,8 @@ package starlogo.search
                     breeds[row] = agent.breedNumber;
                     setShape(row, ModelShapes.newShapeOfWorldAgent(WorldAgent(agent)));
                     findExtents(row);
-                    places.now.read(row, agent);
                     places.last.read(row, agent);
+                    places.before.read(row, agent);
                 }
             }
         }
@@ -152,7 +152,7 @@ package starlogo.search
             forgetReplaced();
             var row:int = list.rowOf(agent);
             var isOfNow:Boolean = row >= ListedAgents.LISTED || row >= 0 && shapes[row].worldAgent === agent;
-            if (isOfNow && agent.revision == places.now.revisions[row] && agent.placement.extentsRevision == _extentsRevisions[row])
+            if (isOfNow && agent.revision == places.last.revisions[row] && agent.placement.extentsRevision == _extentsRevisions[row])
             {
                 return bodyOf(row);
             }
@@ -168,9 +168,9 @@ package starlogo.search
         public function bodyOf(row:int):Body
         {
             var body:Body = _bodies[row];
-            if (!body.isOf(list.agents[row], places.now.revisions[row]))
+            if (!body.isOf(list.agents[row], places.last.revisions[row]))
             {
-                body.follow(list.agents[row], places.now, row);
+                body.follow(list.agents[row], places.last, row);
             }
             return body;
         }
@@ -179,7 +179,7 @@ package starlogo.search
         internal function placeBox(row:int):void
         {
             bodyOf(row).structure();
-            placedRevisions[row] = places.now.revisions[row];
+            placedRevisions[row] = places.last.revisions[row];
         }
 
         /**
@@ -190,12 +190,12 @@ package starlogo.search
         private function readChanged(agents:Vector.<Agent>, rows:Vector.<int>):Boolean
         {
             var byRow:Vector.<Agent> = list.agents;
-            var seen:Vector.<int> = places.now.revisions;
+            var seen:Vector.<int> = places.last.revisions;
             var extentsSeen:Vector.<int> = _extentsRevisions;
-            var nextRevisions:Vector.<int> = places.next.revisions;
-            var nextX:Vector.<Number> = places.next.x;
-            var nextY:Vector.<Number> = places.next.y;
-            var nextZ:Vector.<Number> = places.next.z;
+            var nextRevisions:Vector.<int> = places.beingRead.revisions;
+            var nextX:Vector.<Number> = places.beingRead.x;
+            var nextY:Vector.<Number> = places.beingRead.y;
+            var nextZ:Vector.<Number> = places.beingRead.z;
             var rowsRead:Vector.<int> = _read.numbers;
             var end:int = agents.length;
             var found:int = 0;
@@ -246,9 +246,9 @@ package starlogo.search
         // Takes the order of an accepted list, and empties the rows of agents that have left.
         private function followList():void
         {
-            for (var i:int = 0; i < list.departed.count; i++)
+            for (var i:int = 0; i < list.leftOrReordered.count; i++)
             {
-                var row:int = list.departed.numbers[i];
+                var row:int = list.leftOrReordered.numbers[i];
                 if (list.agents[row] == null)
                 {
                     empty(row);
@@ -305,25 +305,25 @@ package starlogo.search
          */
         public function seeAt(row:int, x:Number, y:Number, z:Number, hasMotion:Boolean):void
         {
-            var now:RowPlaces = places.now;
-            var seen:int = now.revisions[row];
-            if (now.x[row] != x || now.y[row] != y || now.z[row] != z)
+            var last:RowPlaces = places.last;
+            var seen:int = last.revisions[row];
+            if (last.x[row] != x || last.y[row] != y || last.z[row] != z)
             {
                 // the agent has moved since. One more revision makes this a motion, even if the game has put the agent there by a jump
                 list.agents[row].revision++;
-                now.x[row] = x;
-                now.y[row] = y;
-                now.z[row] = z;
-                _rowExtents.moveRow(row, now);
+                last.x[row] = x;
+                last.y[row] = y;
+                last.z[row] = z;
+                _rowExtents.moveRow(row, last);
             }
-            now.revisions[row] = hasMotion ? seen : RowPlaces.NOT_SEEN;
+            last.revisions[row] = hasMotion ? seen : RowPlaces.NOT_SEEN;
             setStale(row);
         }
 
         private function moveExtents():void
         {
             _rowExtents.farOut.count = 0;
-            _rowExtents.moveRows(places.changed, places.now, shapes);
+            _rowExtents.moveRows(places.changed, places.last, shapes);
             _rowExtents.assignLevels(_changed, shapes);
             for (var i:int = 0; i < _rowExtents.farOut.count; i++)
             {
@@ -382,7 +382,7 @@ package starlogo.search
             var before:ModelShape = shapes[row];
             if (before == null || shape == null || shape.model != before.model)
             {
-                places.now.revisions[row] = RowPlaces.NOT_SEEN;
+                places.last.revisions[row] = RowPlaces.NOT_SEEN;
             }
             shapes[row] = shape;
             boxes[row] = null;

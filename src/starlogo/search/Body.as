@@ -23,7 +23,7 @@ package starlogo.search
         private static const UPRIGHT:Placement = new Placement();
 
         // More than the number of agents in any list.
-        private static const UNLISTED:int = 1 << 30;
+        private static const FIRST_UNLISTED:int = 1 << 30;
 
         // The middle and half of the lengths of extents.
         private static var sExtents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -60,7 +60,7 @@ package starlogo.search
 
         // For the body of a row: the row's revision at which it was settled. The body's own placement.
         internal var revision:int = 0;
-        private var _kept:Placement;
+        private var _ownPlacement:Placement;
 
         // The structure in the world, and whether it is at the body's place. By kind: structures of other shapes, for later use; shapes for
         // structures without a model; the structures that readPlaced() makes.
@@ -72,15 +72,15 @@ package starlogo.search
 
         public function Body()
         {
-            _kept = placement;
+            _ownPlacement = placement;
         }
 
         /** Takes an agent's shape, rotation and size. The place does not change. */
         public function readShape(agent:Agent, shape:ModelShape):void
         {
-            if (placement !== _kept)
+            if (placement !== _ownPlacement)
             {
-                placement = _kept;
+                placement = _ownPlacement;
             }
             var size:Number = agent.placement.size;
             if (shape.form >= ModelShape.GROUND)
@@ -88,7 +88,7 @@ package starlogo.search
                 // the structures of the ground and of the edges are not scaled
                 size = 1;
             }
-            rank = UNLISTED + agent.number;
+            rank = FIRST_UNLISTED + agent.number;
             depth = agent.depthLimit;
             if (shape.isUpright && shape === this.shape && size == placement.size)
             {
@@ -229,8 +229,8 @@ package starlogo.search
         internal function follow(agent:Agent, places:RowPlaces, row:int):void
         {
             revision = places.revisions[row];
-            var at:Placement = agent.revision == revision && !shape.isUpright ? agent.placement : _kept;
-            if (at === _kept)
+            var at:Placement = agent.revision == revision && !shape.isUpright ? agent.placement : _ownPlacement;
+            if (at === _ownPlacement)
             {
                 at.x = places.x[row];
                 at.y = places.y[row];
@@ -246,7 +246,7 @@ package starlogo.search
         /** Whether the body is where its row is. The agent may have changed since. */
         internal function isOf(agent:Agent, seen:int):Boolean
         {
-            return revision == seen && (placement === _kept || agent.revision == seen);
+            return revision == seen && (placement === _ownPlacement || agent.revision == seen);
         }
 
         /** Moves the body to a place. */

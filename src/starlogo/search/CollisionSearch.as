@@ -34,7 +34,7 @@ package starlogo.search
         private var _order:PairOrder = new PairOrder();
 
         // Finds the pairs of a search in which little has changed.
-        private var _kept:KeptPairs;
+        private var _keptPairs:KeptPairs;
 
         private var _held:HeldWorld = new HeldWorld();
         private var _bodyA:Body = new Body();
@@ -56,7 +56,7 @@ package starlogo.search
             table = new AgentTable(_shapes, _bins.levels);
             _motions = new RowMotions(narrowPhase);
             _candidates = new CandidateFilter(table, narrowPhase, _motions, _conditions);
-            _kept = new KeptPairs(table, _candidates, _motions, _bins.levels, _order);
+            _keptPairs = new KeptPairs(table, _candidates, _motions, _bins.levels, _order);
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
@@ -87,17 +87,17 @@ package starlogo.search
             if (!mayKeep)
             {
                 // also if the search throws, because the table has been read
-                _kept.forget();
+                _keptPairs.forget();
                 findAll(out);
             }
-            else if (_kept.find(_conditions, out))
+            else if (_keptPairs.find(_conditions, out))
             {
-                _memberCount = _kept.memberCount;
+                _memberCount = _keptPairs.memberCount;
             }
             else
             {
                 findAll(out);
-                _kept.keep(_conditions, out, _memberRows, _memberCount);
+                _keptPairs.keep(_conditions, out, _memberRows, _memberCount);
             }
             _candidates.end();
             report(out.count, counts);
@@ -134,7 +134,7 @@ package starlogo.search
         /** The table was read without a search: the next search is one of all rows. */
         public function forgetSearch():void
         {
-            _kept.forget();
+            _keptPairs.forget();
             _conditions.isSwept = false;
         }
 

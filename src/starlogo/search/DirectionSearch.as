@@ -135,12 +135,12 @@ package starlogo.search
             }
             _along.distance = _touching;
             _pair.displace(_along);
-            var way:Number = _touching - _free;
-            _back.endAfter(way * _along.x, way * _along.y, way * _along.z);
-            _pair.tests.findImpact(_pair.first, _pair.second, _back, _left);
+            var length:Number = _touching - _free;
+            _back.endAfter(length * _along.x, length * _along.y, length * _along.z);
+            _pair.pairTests.findImpact(_pair.first, _pair.second, _back, _left);
             var time:Number = Math.min(_back.time, 1);
             out.setNormal(_along.x, _along.y, _along.z);
-            out.depth = _free + time * way;
+            out.depth = _free + time * length;
         }
 
         private function halve():void

@@ -17,7 +17,7 @@ package starlogo.search
         private static const LEAST_EXTENT:Number = 1e-100;
 
         /** The tests of the pair. */
-        public var tests:PairTests;
+        public var pairTests:PairTests;
 
         /** The first body, at the place that is tried. */
         public var first:Body = new Body();
@@ -35,10 +35,10 @@ package starlogo.search
         private var _from:Vector3D = new Vector3D();
         private var _place:Vector3D = new Vector3D();
 
-        /** @param tests decides whether the bodies touch */
-        public function DisplacedPair(tests:PairTests)
+        /** @param pairTests decides whether the bodies touch */
+        public function DisplacedPair(pairTests:PairTests)
         {
-            this.tests = tests;
+            this.pairTests = pairTests;
         }
 
         /** Begins where the motion of the first body relative to the second is at its time. The motion ends where the first body is. */
@@ -51,7 +51,7 @@ package starlogo.search
             _from.z = a.placement.z + (motion.startZ + time * motion.z);
             first.readShrunk(a, _from, 0);
             first.isOfLeaves = false;
-            var share:Number = isInGround ? CELL_SHARE : 1;
+            var share:Number = isSecondGround ? CELL_SHARE : 1;
             var half:Number = Math.max(share * b.largestHalf, a.largestHalf);
             rounding = a.margin + b.margin;
             // if both are points, the gap across which they still touch takes the place of the extent
@@ -59,7 +59,7 @@ package starlogo.search
         }
 
         /** Whether the second body is the ground. */
-        public function get isInGround():Boolean
+        public function get isSecondGround():Boolean
         {
             return second.form == ModelShape.GROUND;
         }
@@ -88,25 +88,25 @@ package starlogo.search
         public function touchesAt(displacement:Displacement):Boolean
         {
             displace(displacement);
-            return tests.areTouching(first, second);
+            return pairTests.areTouching(first, second);
         }
 
         /** Whether the two touch where the first one is. */
         public function areTouching():Boolean
         {
-            return tests.areTouching(first, second);
+            return pairTests.areTouching(first, second);
         }
 
         /** Finds the contact of the two where the first one is. */
         public function findContact(out:ContactPoint):void
         {
-            tests.findContact(first, second, RelativeMotion.NONE, out);
+            pairTests.findContact(first, second, RelativeMotion.NONE, out);
         }
 
         /** Finds the contact of the structures around the two where the first one is. */
         public function findOuterContact(out:ContactPoint):void
         {
-            tests.findOuterContact(first, second, out);
+            pairTests.findOuterContact(first, second, out);
         }
     }
 }

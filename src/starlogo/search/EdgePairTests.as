@@ -42,7 +42,7 @@ package starlogo.search
         private var _farthest:SupportPoint = new SupportPoint();
         private var _touch:ContactPoint = new ContactPoint();
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
-        private var _wayBack:WayOut = new WayOut();
+        private var _shortest:WayOut = new WayOut();
 
         /** @param narrowPhase knows how deep trees are visited */
         public function EdgePairTests(narrowPhase:NarrowPhase)
@@ -111,13 +111,13 @@ package starlogo.search
                 var one:int = _penetration[edge] >= _penetration[int(edge + 1)] ? edge : edge + 1;
                 if (_penetration[one] >= -_margin || one == _nearest)
                 {
-                    addWayBack(one, out);
+                    addEdge(one, out);
                 }
             }
-            _halfSpaces.solve(3, 0, _wayBack);
-            out.setNormal(_wayBack.way.x / _wayBack.length, _wayBack.way.y / _wayBack.length, _wayBack.way.z / _wayBack.length);
+            _halfSpaces.solve(3, 0, _shortest);
+            out.setNormal(_shortest.way.x / _shortest.length, _shortest.way.y / _shortest.length, _shortest.way.z / _shortest.length);
             var deepest:Number = Math.max(0, _penetration[_nearest]);
-            out.depth = _halfSpaces.count > 1 && deepest > 0 ? _wayBack.length : deepest;
+            out.depth = _halfSpaces.count > 1 && deepest > 0 ? _shortest.length : deepest;
         }
 
         /** @inheritDoc */
@@ -141,7 +141,7 @@ package starlogo.search
             out.settle(areTouching);
         }
 
-        // Finds how far the body is beyond each edge. A tree's own reach is computed only for edges that its extents come to, unless isForAll
+        // Finds how far the body is beyond each edge. A tree's own points are computed only for edges that its extents come to, unless isForAll
         // is true.
         private function read(body:Body, edges:Body, motion:RelativeMotion, isForAll:Boolean = false):void
         {
@@ -152,8 +152,8 @@ package starlogo.search
             {
                 // along(edge, 1, 1, 1) is 1 or -1: whether the direction out of the world is the axis or against it
                 _places[edge] = along(edge, 1, 1, 1) * worldAgent.edges[edge];
-                var reach:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
-                var beyond:Number = reach + (along(edge, body.x, body.y, body.z) - _places[edge]);
+                var radius:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
+                var beyond:Number = radius + (along(edge, body.x, body.y, body.z) - _places[edge]);
                 _penetration[edge] = beyond;
                 if (body.form == ModelShape.TREE && (isForAll || beyond >= -_margin || beyond - along(edge, motion.x, motion.y, motion.z) >= -_margin))
                 {
@@ -173,7 +173,7 @@ package starlogo.search
         // Adds the half-space before an edge, and moves the point into the middle of the overlap. For edges other than the nearest, the
         // way is longer by a tenth of the tolerance of a contact's depth, so that it leads away from each of the edges. For the nearest one it
         // is at least as long as that. A point has no extent; the patch counts in its place.
-        private function addWayBack(edge:int, out:ContactPoint):void
+        private function addEdge(edge:int, out:ContactPoint):void
         {
             var outwards:Vector3D = _outwards[edge];
             // the extents of a tree are larger than its shape

@@ -52,7 +52,7 @@ package starlogo.search
             _extents.halfX[0] = a.halfX;
             _extents.halfY[0] = a.halfY;
             _extents.halfZ[0] = a.halfZ;
-            var earlyOut:GroundEarlyOut = lookOf(b);
+            var earlyOut:GroundEarlyOut = earlyOutOf(b);
             var found:int = earlyOut.lookAt(_extents, a.form, 0);
             return found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && pairOf(a, b).overlapsAt(RelativeMotion.NONE, 0);
         }
@@ -78,7 +78,7 @@ package starlogo.search
         /** @inheritDoc */
         override public function keepRows(table:AgentTable, rows:Vector.<int>, count:int, b:Body):int
         {
-            var earlyOut:GroundEarlyOut = lookOf(b);
+            var earlyOut:GroundEarlyOut = earlyOutOf(b);
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
@@ -134,14 +134,14 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function findExits(a:Body, b:Body, ways:Vector.<ContactPoint>):int
+        override public function findExits(a:Body, b:Body, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
-            var count:int = pairOf(a, b).findExits(reach, ways);
+            var count:int = pairOf(a, b).findExits(maxDistance, exits);
             if (a.form == ModelShape.TREE)
             {
                 for (var i:int = 0; i < count; i++)
                 {
-                    measure(a, ways[i]);
+                    measure(a, exits[i]);
                 }
             }
             return count;
@@ -154,13 +154,13 @@ package starlogo.search
         }
 
         // Changes a contact's depth behind a plane from the depth of the structure around a tree to that of the tree itself.
-        private function measure(a:Body, way:ContactPoint):void
+        private function measure(a:Body, exit:ContactPoint):void
         {
-            var plane:Number = way.normalX * way.x + way.normalY * way.y + way.normalZ * way.z + way.depth / 2;
-            _inwards.setTo(-way.normalX, -way.normalY, -way.normalZ);
+            var plane:Number = exit.normalX * exit.x + exit.normalY * exit.y + exit.normalZ * exit.z + exit.depth / 2;
+            _inwards.setTo(-exit.normalX, -exit.normalY, -exit.normalZ);
             _farthest.setTo(a, _narrowPhase.treeLimits);
             _farthest.find(_inwards);
-            way.depth = plane + _farthest.support;
+            exit.depth = plane + _farthest.support;
         }
 
         // Takes what is known of the last contact.
@@ -175,7 +175,7 @@ package starlogo.search
             return ground.shape.worldAgent.grid;
         }
 
-        private function lookOf(ground:Body):GroundEarlyOut
+        private function earlyOutOf(ground:Body):GroundEarlyOut
         {
             _earlyOut.begin(gridOf(ground));
             return _earlyOut;

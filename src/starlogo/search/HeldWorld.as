@@ -11,7 +11,7 @@ package starlogo.search
     internal final class HeldWorld
     {
         // By row: what stands for the ground and for the edges while they are held.
-        private var _kept:Vector.<WorldAgent> = new <WorldAgent>[null, null];
+        private var _heldAgents:Vector.<WorldAgent> = new <WorldAgent>[null, null];
 
         // Whether another frame held the ground before.
         private var _wasHeld:Boolean;
@@ -28,15 +28,15 @@ package starlogo.search
                 }
                 // its own agent brings the tests
                 narrowPhase.testsOfWorldAgent(table.bodyOf(row));
-                var kept:WorldAgent = _kept[row] ||= new WorldAgent(worldAgent.breed);
-                kept.edges = worldAgent.edges;
+                var held:WorldAgent = _heldAgents[row] ||= new WorldAgent(worldAgent.breed);
+                held.edges = worldAgent.edges;
                 if (worldAgent.grid != null)
                 {
-                    kept.grid = worldAgent.grid.copyInto(kept.grid);
+                    held.grid = worldAgent.grid.copyInto(held.grid);
                     _wasHeld = worldAgent.grid.isHeld;
                     worldAgent.grid.isHeld = true;
                 }
-                table.shapes[row].worldAgent = kept;
+                table.shapes[row].worldAgent = held;
             }
         }
 

@@ -42,7 +42,7 @@ package starlogo.search
 
         // The conditions of the last search; and whether this one is like it, and few rows have changed. The ground and the edges then.
         private var _conditions:SearchConditions = new SearchConditions();
-        private var _isLikeLast:Boolean = false;
+        private var _isWorthKeeping:Boolean = false;
         private var _worldAgents:Vector.<WorldAgent> = new <WorldAgent>[null, null];
         private var _edges:Vector.<Number> = null;
         private var _groundRevision:int = 0;
@@ -88,7 +88,7 @@ package starlogo.search
          */
         public function keep(conditions:SearchConditions, pairs:FoundPairs, members:Vector.<int>, memberCount:int):void
         {
-            if (!_isLikeLast)
+            if (!_isWorthKeeping)
             {
                 return;
             }
@@ -109,16 +109,16 @@ package starlogo.search
             var isValid:Boolean = _isValid && pairs === _pairs && pairs.revision == _pairsRevision;
             // they are not if the search throws
             _isValid = false;
-            _isLikeLast = conditions.isLike(_conditions) && areFew(countRead(conditions.isSwept), conditions);
+            _isWorthKeeping = conditions.isLike(_conditions) && areFew(countRead(conditions.isSwept), conditions);
             _conditions.copyFrom(conditions);
-            if (!_isLikeLast || !isValid)
+            if (!_isWorthKeeping || !isValid)
             {
                 return false;
             }
             _searchNumber++;
             listChanged();
-            _isLikeLast = areFew(_changed.count, conditions);
-            if (!_isLikeLast)
+            _isWorthKeeping = areFew(_changed.count, conditions);
+            if (!_isWorthKeeping)
             {
                 return false;
             }
@@ -150,7 +150,7 @@ package starlogo.search
         // The number of rows that were read again, or have another place in the list.
         private function countRead(isSwept:Boolean):int
         {
-            var count:int = _table.places.changed.count + _table.list.departed.count;
+            var count:int = _table.places.changed.count + _table.list.leftOrReordered.count;
             if (isSwept)
             {
                 count += _table.places.changedBefore.count;
@@ -203,7 +203,7 @@ package starlogo.search
             }
             _cells.makeRows(length);
             mark(_table.places.changed);
-            mark(_table.list.departed);
+            mark(_table.list.leftOrReordered);
             if (_conditions.isSwept)
             {
                 mark(_table.places.changedBefore);

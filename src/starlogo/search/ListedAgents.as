@@ -50,7 +50,7 @@ package starlogo.search
          * The rows whose agents are missing from the list that was read last, or have another place in it. The agents of all other rows have the
          * same order in both lists.
          */
-        internal var departed:NumberList = new NumberList();
+        internal var leftOrReordered:NumberList = new NumberList();
 
         /** The rows that agents have got in the list that was proposed last. */
         internal var arrived:NumberList = new NumberList();
@@ -97,10 +97,10 @@ package starlogo.search
             return i == count && list.length == count;
         }
 
-        /** Begins to read another list: no row has departed from it yet. */
+        /** Begins to read another list: no row has left it yet. */
         internal function beginRead():void
         {
-            departed.count = 0;
+            leftOrReordered.count = 0;
         }
 
         /**
@@ -231,11 +231,11 @@ package starlogo.search
                 {
                     if (end > 1 && ranks[inOrder[int(end - 2)]] > rank)
                     {
-                        departed.add(row);
+                        leftOrReordered.add(row);
                         continue;
                     }
                     end--;
-                    departed.add(inOrder[end]);
+                    leftOrReordered.add(inOrder[end]);
                 }
                 inOrder[end] = row;
                 end++;
@@ -257,7 +257,7 @@ package starlogo.search
         {
             _rowsById.remove(agents[row].number, 0);
             agents[row] = null;
-            departed.add(row);
+            leftOrReordered.add(row);
             _free.add(row);
         }
     }

@@ -78,7 +78,7 @@ package starlogo.search
             var last:int = a.form > b.form ? a.form : b.form;
             if (last == BoundingStructure.SPHERE)
             {
-                spheres.tests++;
+                spheres.testCount++;
                 return spheres.areTouching(a, b);
             }
             if (last < ModelShape.TREE)
@@ -102,17 +102,17 @@ package starlogo.search
         {
             motion.endAfter(0, 0, 0);
             motion.time = 1;
-            var tests:PairTests = testsOf(a, b);
-            tests.findContact(a, b, motion, out);
-            tests.separate(a, b, motion, out);
+            var pairTests:PairTests = testsOf(a, b);
+            pairTests.findContact(a, b, motion, out);
+            pairTests.separate(a, b, motion, out);
         }
 
         /** Writes the numbers of tests, and sets them to 0. */
         public function takeCounts(out:SearchCounts):void
         {
             out.sweptPairs = sweptPairs;
-            out.sphereSphereTests = spheres.tests;
-            sweptPairs = spheres.tests = 0;
+            out.sphereSphereTests = spheres.testCount;
+            sweptPairs = spheres.testCount = 0;
             if (structures != null)
             {
                 structures.takeCounts(out);
@@ -151,20 +151,20 @@ package starlogo.search
         public static function areNear(extents:Extents, slack:Number, a:int, b:int):Boolean
         {
             var distance:Number = extents.z[a] - extents.z[b];
-            var reach:Number = extents.halfZ[a] + extents.halfZ[b] + slack;
-            if (distance > reach || distance < -reach)
+            var maxDistance:Number = extents.halfZ[a] + extents.halfZ[b] + slack;
+            if (distance > maxDistance || distance < -maxDistance)
             {
                 return false;
             }
             distance = extents.x[a] - extents.x[b];
-            reach = extents.halfX[a] + extents.halfX[b] + slack;
-            if (distance > reach || distance < -reach)
+            maxDistance = extents.halfX[a] + extents.halfX[b] + slack;
+            if (distance > maxDistance || distance < -maxDistance)
             {
                 return false;
             }
             distance = extents.y[a] - extents.y[b];
-            reach = extents.halfY[a] + extents.halfY[b] + slack;
-            return distance <= reach && distance >= -reach;
+            maxDistance = extents.halfY[a] + extents.halfY[b] + slack;
+            return distance <= maxDistance && distance >= -maxDistance;
         }
 
         /** The tests for two bodies, by their forms. The ground or the edges of the world are the second of the two. */

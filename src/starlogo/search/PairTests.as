@@ -21,9 +21,6 @@ package starlogo.search
         /** Whether the two are known to touch wherever the first body goes less than the depth of the last contact along its normal. */
         public var isDepthSure:Boolean = false;
 
-        /** The search distance of <code>findExits()</code>: parts of the second body farther away do not count. */
-        public var reach:Number = 0;
-
         /** Whether two bodies touch. The answer must be the same in either order, to the last bit. */
         public function areTouching(a:Body, b:Body):Boolean
         {
@@ -110,12 +107,13 @@ package starlogo.search
         }
 
         /**
-         * Finds contacts with which other ways out of the second body may begin, within <code>reach</code>.
+         * Finds contacts with which other ways out of the second body may begin.
          *
-         * @param ways receives the contacts, each with another direction
+         * @param maxDistance parts of the second body farther away do not count
+         * @param exits receives the contacts, each with another direction
          * @return their number
          */
-        public function findExits(a:Body, b:Body, ways:Vector.<ContactPoint>):int
+        public function findExits(a:Body, b:Body, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
             return 0;
         }

@@ -53,7 +53,7 @@ package starlogo.search
         // surfaces touch.
         private static const SLACK:Number = 0.001;
 
-        private var _tests:PairTests;
+        private var _pairTests:PairTests;
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
 
@@ -79,11 +79,11 @@ package starlogo.search
         private var _down:RelativeMotion = new RelativeMotion();
         private var _offset:Vector3D = new Vector3D();
 
-        /** @param tests decides whether bodies touch, and when. It is for pairs with a tree, or with the ground */
-        public function PenetrationSearch(tests:PairTests)
+        /** @param pairTests decides whether bodies touch, and when. It is for pairs with a tree, or with the ground */
+        public function PenetrationSearch(pairTests:PairTests)
         {
-            _tests = tests;
-            _pair = new DisplacedPair(tests);
+            _pairTests = pairTests;
+            _pair = new DisplacedPair(pairTests);
             _directions = new DirectionSearch(_pair);
         }
 
@@ -103,12 +103,12 @@ package starlogo.search
             }
             else
             {
-                findTouch(motion, out);
+                findGrazing(motion, out);
             }
             _pair.putBack();
             OverlapMiddle.setAlong(_pair.first, b, out);
             OverlapMiddle.keepWithin(_pair.first, out);
-            if (!_pair.isInGround)
+            if (!_pair.isSecondGround)
             {
                 OverlapMiddle.keepWithin(b, out);
             }
@@ -116,7 +116,7 @@ package starlogo.search
 
         // Handles two bodies that do not touch at the time, because of rounding. The depth is 0. The normal points against the motion, unless the
         // two touch if the first one moves a little against the given normal.
-        private function findTouch(motion:RelativeMotion, out:ContactPoint):void
+        private function findGrazing(motion:RelativeMotion, out:ContactPoint):void
         {
             out.depth = 0;
             pointAlong(out);
@@ -140,7 +140,7 @@ package starlogo.search
             _first.copyFrom(out);
             _isFirstLost = false;
             out.depth = Infinity;
-            if (_pair.isInGround)
+            if (_pair.isSecondGround)
             {
                 findGroundExit(out);
                 return;
@@ -156,7 +156,7 @@ package starlogo.search
             {
                 return;
             }
-            var trees:TreePairTests = TreePairTests(_tests);
+            var trees:TreePairTests = TreePairTests(_pairTests);
             _pair.first.isOfLeaves = trees.limits.exact && out.depth > DirectionSearch.SHALLOW * _pair.extent;
             tryOuter(out);
             if (_pair.first.isOfLeaves)
@@ -188,8 +188,8 @@ package starlogo.search
         // farther and farther for other ways, and for ways that end with a lift. The first of these goes straight up, above all ground around.
         private function findGroundExit(out:ContactPoint):void
         {
-            var reach:Number = Math.max(DirectionSearch.SHALLOW * _pair.extent, Math.min(_first.depth, _pair.extent));
-            if (findPush(out, Math.max(_tests.leastDepth / NEEDED, ROOM * _pair.extent), 0, MOST_CONTACTS))
+            var maxDistance:Number = Math.max(DirectionSearch.SHALLOW * _pair.extent, Math.min(_first.depth, _pair.extent));
+            if (findPush(out, Math.max(_pairTests.leastDepth / NEEDED, ROOM * _pair.extent), 0, MOST_CONTACTS))
             {
                 return;
             }
@@ -197,9 +197,9 @@ package starlogo.search
             _pair.findOuterContact(_below);
             _liftLength = _below.depth + Tolerances.SEPARATION * _pair.extent;
             _lift.setTo(0, 0, 1);
-            while (!findPush(out, reach / NEEDED, reach, MOST_PUSHES) && reach / NEEDED <= _liftLength)
+            while (!findPush(out, maxDistance / NEEDED, maxDistance, MOST_PUSHES) && maxDistance / NEEDED <= _liftLength)
             {
-                reach *= FARTHER;
+                maxDistance *= FARTHER;
             }
             if (_liftLength < out.depth - Tolerances.SEPARATION * _pair.extent)
             {
@@ -242,7 +242,7 @@ package starlogo.search
             _offset.z = 0;
             _pair.displaceBy(_offset);
             _down.endAfter(0, 0, -high);
-            _tests.findImpact(_pair.first, _pair.second, _down, _below);
+            _pairTests.findImpact(_pair.first, _pair.second, _down, _below);
             var z:Number = high * (1 - Math.min(_down.time, 1));
             // halfway between the place of the push and the one farther
             x *= (1 + farther) / (2 * farther);
@@ -265,22 +265,22 @@ package starlogo.search
 
         // Looks for the shortest push that leads out of all contacts, from the first one on. Takes it if it is not longer than
         // <code>most</code>. In the ground it also tries a lift after each other push.
-        private function findPush(out:ContactPoint, most:Number, reach:Number, tries:int):Boolean
+        private function findPush(out:ContactPoint, most:Number, maxDistance:Number, tries:int):Boolean
         {
             var slack:Number = SLACK * Tolerances.SEPARATION * _pair.extent + _pair.rounding;
             _pushes.begin();
             _left.copyFrom(_first);
             _pair.putBack();
-            if (reach > 0 && _isFirstLost)
+            if (maxDistance > 0 && _isFirstLost)
             {
                 _pair.findContact(_left);
             }
             while (tries > 0)
             {
                 _pushes.add(_left, slack);
-                if (reach > 0)
+                if (maxDistance > 0)
                 {
-                    addExits(reach, slack);
+                    addExits(maxDistance, slack);
                     tryLift();
                     most = Math.min(most, _liftLength);
                 }
@@ -290,7 +290,7 @@ package starlogo.search
                 }
                 if (_pushes.length > most)
                 {
-                    if (reach > 0)
+                    if (maxDistance > 0)
                     {
                         tryLift();
                     }
@@ -310,10 +310,9 @@ package starlogo.search
             return false;
         }
 
-        private function addExits(reach:Number, slack:Number):void
+        private function addExits(maxDistance:Number, slack:Number):void
         {
-            _tests.reach = reach;
-            var count:int = _tests.findExits(_pair.first, _pair.second, _exits);
+            var count:int = _pairTests.findExits(_pair.first, _pair.second, maxDistance, _exits);
             for (var i:int = 0; i < count; i++)
             {
                 _pushes.add(_exits[i], slack);
@@ -352,7 +351,7 @@ package starlogo.search
         // after a long one, as for agents deep in each other.
         private function findCorner():Boolean
         {
-            var isGround:Boolean = _pair.isInGround;
+            var isGround:Boolean = _pair.isSecondGround;
             if (!isGround && _pushes.length > LARGEST_CORNER * _pair.extent)
             {
                 return false;
@@ -375,7 +374,7 @@ package starlogo.search
         {
             out.setNormal(_along.x, _along.y, _along.z);
             out.depth = _pushes.length;
-            if (!_isFirstLost && _tests.isDepthSure)
+            if (!_isFirstLost && _pairTests.isDepthSure)
             {
                 return;
             }

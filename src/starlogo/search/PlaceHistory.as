@@ -8,10 +8,10 @@ package starlogo.search
     public final class PlaceHistory
     {
         /** The places in the last search. */
-        public var now:RowPlaces = new RowPlaces();
+        public var last:RowPlaces = new RowPlaces();
 
         /** The places in the search before. A row that has not changed has the same place in both. */
-        public var last:RowPlaces = new RowPlaces();
+        public var before:RowPlaces = new RowPlaces();
 
         /** The rows that the last search has read again, because their agents had changed. */
         public var changed:NumberList = new NumberList();
@@ -20,13 +20,13 @@ package starlogo.search
         public var changedBefore:NumberList = new NumberList();
 
         /** Where a search reads the places of changed agents: over those of the search before. They count after <code>exchange()</code>. */
-        public function get next():RowPlaces
+        public function get beingRead():RowPlaces
         {
-            return last;
+            return before;
         }
 
         /**
-         * Makes the places that were read into <code>next</code> the present ones.
+         * Makes the places that were read into <code>beingRead</code> the present ones.
          *
          * @param read the rows that were read
          * @param agentCount the number of listed agents
@@ -34,9 +34,9 @@ package starlogo.search
          */
         public function exchange(read:NumberList, agentCount:int):NumberList
         {
-            var older:RowPlaces = last;
-            last = now;
-            now = older;
+            var older:RowPlaces = before;
+            before = last;
+            last = older;
             var spare:NumberList = changedBefore;
             changedBefore = changed;
             changed = read;
@@ -53,9 +53,9 @@ package starlogo.search
             for (var i:int = 0; i < changedBefore.count; i++)
             {
                 var row:int = changedBefore.numbers[i];
-                if (now.revisions[row] < last.revisions[row])
+                if (last.revisions[row] < before.revisions[row])
                 {
-                    now.copyRow(last, row);
+                    last.copyRow(before, row);
                 }
             }
         }
@@ -63,17 +63,17 @@ package starlogo.search
         /** Lets no agent have a motion from its place in the last search. */
         public function forgetMotions():void
         {
-            for (var row:int = 0; row < now.revisions.length; row++)
+            for (var row:int = 0; row < last.revisions.length; row++)
             {
-                now.revisions[row] = RowPlaces.NOT_SEEN;
+                last.revisions[row] = RowPlaces.NOT_SEEN;
             }
         }
 
         /** Makes sure that there are this many rows. */
         public function grow(length:int):void
         {
-            now.grow(length);
             last.grow(length);
+            before.grow(length);
         }
     }
 }

@@ -78,7 +78,7 @@ package starlogo.search
             var middleX:Vector.<Number> = extents.x;
             var middleY:Vector.<Number> = extents.y;
             var middleZ:Vector.<Number> = extents.z;
-            var reachSquared:Number = _levels == null ? Infinity : _levels.reachSquared;
+            var maxDistanceSquared:Number = _levels == null ? Infinity : _levels.maxDistanceSquared;
             var end:int = rows.count;
             for (var i:int = 0; i < end; i++)
             {
@@ -89,7 +89,7 @@ package starlogo.search
                 middleX[row] = atX;
                 middleY[row] = atY;
                 middleZ[row] = atZ;
-                if (atX * atX + atY * atY + atZ * atZ >= reachSquared)
+                if (atX * atX + atY * atY + atZ * atZ >= maxDistanceSquared)
                 {
                     assignLevel(row, shapes);
                 }

@@ -74,10 +74,10 @@ package starlogo.search
                 {
                     continue;
                 }
-                var hasMotion:Boolean = table.places.last.isMotionStart(row, table.list.agents[row]);
-                var motionX:Number = hasMotion ? table.places.now.x[row] - table.places.last.x[row] : 0;
-                var motionY:Number = hasMotion ? table.places.now.y[row] - table.places.last.y[row] : 0;
-                var motionZ:Number = hasMotion ? table.places.now.z[row] - table.places.last.z[row] : 0;
+                var hasMotion:Boolean = table.places.before.isMotionStart(row, table.list.agents[row]);
+                var motionX:Number = hasMotion ? table.places.last.x[row] - table.places.before.x[row] : 0;
+                var motionY:Number = hasMotion ? table.places.last.y[row] - table.places.before.y[row] : 0;
+                var motionZ:Number = hasMotion ? table.places.last.z[row] - table.places.before.z[row] : 0;
                 var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
                 var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
                 _isSweeping[row] = hasMotion && table.list.agents[row].isSweeping;

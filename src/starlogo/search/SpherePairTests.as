@@ -22,7 +22,7 @@ package starlogo.search
     public final class SpherePairTests extends PairTests
     {
         /** The number of tests. */
-        public var tests:int = 0;
+        public var testCount:int = 0;
 
         private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
         private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
@@ -30,7 +30,7 @@ package starlogo.search
         // The vector from the second middle to the first. Its radius A is the largest distance of the two at which the spheres touch.
         private var _gap:CoreGap = new CoreGap();
         private var _kernel:SphereSphereKernel = new SphereSphereKernel();
-        private var _displacement:RelativeMotion = new RelativeMotion();
+        private var _stopped:RelativeMotion = new RelativeMotion();
 
         /** Lets a narrow phase test spheres. */
         public static function bringTo(narrowPhase:NarrowPhase):void
@@ -61,7 +61,7 @@ package starlogo.search
             var ranks:Vector.<int> = out.ranks;
             var rank:int = ranks[row];
             var to:int = 2 * out.count;
-            tests += count;
+            testCount += count;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
@@ -114,8 +114,8 @@ package starlogo.search
         {
             readSphere(a, _sphereA);
             readSphere(b, _sphereB);
-            _displacement.stopAt(motion);
-            _kernel.findContact(_sphereA, _sphereB, _displacement, out);
+            _stopped.stopAt(motion);
+            _kernel.findContact(_sphereA, _sphereB, _stopped, out);
         }
 
         private function setTo(a:Body, b:Body):void
@@ -134,7 +134,7 @@ package starlogo.search
         private function setToRows(table:AgentTable, a:int, b:int):void
         {
             var extents:Extents = table.extents;
-            var places:RowPlaces = table.places.now;
+            var places:RowPlaces = table.places.last;
             var marginA:Number = Tolerances.PLACES * (Math.abs(places.x[a]) + Math.abs(places.y[a]) + Math.abs(places.z[a]));
             var marginB:Number = Tolerances.PLACES * (Math.abs(places.x[b]) + Math.abs(places.y[b]) + Math.abs(places.z[b]));
             _gap.x = extents.x[a] - extents.x[b];
@@ -151,7 +151,7 @@ package starlogo.search
         private function sweep(motion:RelativeMotion):void
         {
             var areTouchingAtEnd:Boolean = areOverlapping();
-            tests++;
+            testCount++;
             _gap.x += motion.startX;
             _gap.y += motion.startY;
             _gap.z += motion.startZ;

@@ -24,9 +24,9 @@ package starlogo.search
         public var convexRay:ConvexRay = new ConvexRay();
 
         // The number of tests since takeCounts(), by the kinds of the first and the second structure.
-        private var _tests:Vector.<int> = new Vector.<int>(BoundingStructure.KIND_COUNT * BoundingStructure.KIND_COUNT, true);
+        private var _testCounts:Vector.<int> = new Vector.<int>(BoundingStructure.KIND_COUNT * BoundingStructure.KIND_COUNT, true);
 
-        private var _displacement:RelativeMotion = new RelativeMotion(0);
+        private var _stopped:RelativeMotion = new RelativeMotion(0);
 
         private var _narrowPhase:NarrowPhase;
 
@@ -56,12 +56,12 @@ package starlogo.search
             var halfZs:Vector.<Number> = table.extents.halfZ;
             var boxes:Vector.<Box> = table.boxes;
             var placed:Vector.<int> = table.placedRevisions;
-            var revisions:Vector.<int> = table.places.now.revisions;
+            var revisions:Vector.<int> = table.places.last.revisions;
             var atX:Number = xs[row];
             var atY:Number = ys[row];
             var atZ:Number = zs[row];
             var radius:Number = radii[row];
-            var reachZ:Number = halfZs[row] + slack;
+            var ownHalfZ:Number = halfZs[row] + slack;
             var box:Box = boxes[row];
             var body:Body = null;
             var boxTests:int = 0;
@@ -75,12 +75,12 @@ package starlogo.search
                 // two boxes need no test of their extents, except for the heights
                 var other:int = others[i];
                 var distance:Number = zs[other] - atZ;
-                var reach:Number = reachZ + halfZs[other];
-                if (distance > reach)
+                var maxDistance:Number = ownHalfZ + halfZs[other];
+                if (distance > maxDistance)
                 {
                     continue;
                 }
-                if (distance < -reach)
+                if (distance < -maxDistance)
                 {
                     continue;
                 }
@@ -99,7 +99,7 @@ package starlogo.search
                 }
                 else if (isSphere && forms[other] == BoundingStructure.SPHERE)
                 {
-                    spheres.tests++;
+                    spheres.testCount++;
                     var x:Number = xs[other] - atX;
                     var y:Number = ys[other] - atY;
                     var z:Number = zs[other] - atZ;
@@ -122,7 +122,7 @@ package starlogo.search
                 others[kept] = other;
                 kept++;
             }
-            _tests[BoundingStructure.KIND_COUNT * BoundingStructure.BOX + BoundingStructure.BOX] += boxTests;
+            _testCounts[BoundingStructure.KIND_COUNT * BoundingStructure.BOX + BoundingStructure.BOX] += boxTests;
             return kept;
         }
 
@@ -139,17 +139,17 @@ package starlogo.search
             {
                 out.hullTests += countOf(kind, BoundingStructure.HULL);
             }
-            for (var i:int = 0; i < _tests.length; i++)
+            for (var i:int = 0; i < _testCounts.length; i++)
             {
-                _tests[i] = 0;
+                _testCounts[i] = 0;
             }
         }
 
         // The number of tests of two kinds, in either order.
         private function countOf(a:int, b:int):int
         {
-            var count:int = _tests[BoundingStructure.KIND_COUNT * a + b];
-            return a == b ? count : count + _tests[BoundingStructure.KIND_COUNT * b + a];
+            var count:int = _testCounts[BoundingStructure.KIND_COUNT * a + b];
+            return a == b ? count : count + _testCounts[BoundingStructure.KIND_COUNT * b + a];
         }
 
         /** @inheritDoc */
@@ -157,7 +157,7 @@ package starlogo.search
         {
             var structureA:BoundingStructure = a.structure();
             var structureB:BoundingStructure = b.structure();
-            _tests[BoundingStructure.KIND_COUNT * a.form + b.form]++;
+            _testCounts[BoundingStructure.KIND_COUNT * a.form + b.form]++;
             return intersects(structureA, structureB);
         }
 
@@ -166,7 +166,7 @@ package starlogo.search
         {
             var structureA:BoundingStructure = a.structure();
             var structureB:BoundingStructure = b.structure();
-            _tests[BoundingStructure.KIND_COUNT * a.form + b.form]++;
+            _testCounts[BoundingStructure.KIND_COUNT * a.form + b.form]++;
             findTimeOfImpact(structureA, structureB, motion);
             // rounding can miss a touch at the end of the motion
             if (motion.time == RelativeMotion.NEVER && areTouching(a, b))
@@ -178,8 +178,8 @@ package starlogo.search
         /** @inheritDoc */
         override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            _displacement.stopAt(motion);
-            findPairContact(a.structure(), b.structure(), _displacement, out);
+            _stopped.stopAt(motion);
+            findPairContact(a.structure(), b.structure(), _stopped, out);
         }
     }
 }

@@ -141,12 +141,12 @@ package starlogo.search
                 }
                 else
                 {
-                    reachTo(tree.first[node], tree.end[node]);
+                    visitCorners(tree.first[node], tree.end[node]);
                 }
             }
         }
 
-        private function reachTo(first:int, end:int):void
+        private function visitCorners(first:int, end:int):void
         {
             var farthest:Number = _best;
             for (var i:int = 9 * first; i < 9 * end; i += 3)

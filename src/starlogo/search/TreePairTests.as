@@ -21,7 +21,7 @@ package starlogo.search
         /** How far trees are tested. */
         public var limits:TreeLimits;
 
-        private var _tests:int = 0;
+        private var _testCount:int = 0;
         private var _pair:TreePair = new TreePair();
         private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery();
         private var _impacts:TreeImpactQuery;
@@ -54,7 +54,7 @@ package starlogo.search
             {
                 return areTouching(b, a);
             }
-            _tests++;
+            _testCount++;
             setPair(a, b);
             return _overlaps.areOverlapping(_pair);
         }
@@ -68,7 +68,7 @@ package starlogo.search
         /** @inheritDoc */
         override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            _tests++;
+            _testCount++;
             setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b));
             _impacts.findFirst(_pair, _motion, out);
             motion.time = _motion.time;
@@ -86,7 +86,7 @@ package starlogo.search
         /** @inheritDoc */
         override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            _tests++;
+            _testCount++;
             setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b));
             _impacts.findImpact(_pair, _motion, out);
             motion.time = _motion.time;
@@ -127,10 +127,10 @@ package starlogo.search
         /** Writes the numbers of tests, and sets them to 0. */
         public function takeCounts(out:SearchCounts):void
         {
-            out.hierarchyTests = _tests;
+            out.hierarchyTests = _testCount;
             out.nodeVisits = _overlaps.nodeVisits + _impacts.nodeVisits + _distances.nodeVisits;
             out.triangleTests = _overlaps.triangleTests + _impacts.triangleTests + _distances.triangleTests;
-            _tests = 0;
+            _testCount = 0;
             _overlaps.resetCounts();
             _impacts.resetCounts();
             _distances.resetCounts();

@@ -27,14 +27,14 @@ package starlogo.search
 
         /**
          * @param breed Breeds.TERRAIN or Breeds.EDGE
-         * @param tests the class of the tests of pairs with what it stands for, whose constructor takes a NarrowPhase; null if there are none
+         * @param testsClass the class of the tests of pairs with what it stands for, whose constructor takes a NarrowPhase; null if there are none
          */
-        public function WorldAgent(breed:String, tests:Class = null)
+        public function WorldAgent(breed:String, testsClass:Class = null)
         {
             // the name without its asterisk
             super(breed.substr(1));
             breedNumber = Breeds.numberOf(breed);
-            _testsClass = tests;
+            _testsClass = testsClass;
         }
 
         /** @private It does not count as an agent of the game. */

@@ -232,24 +232,24 @@ package starlogo.terrain
         {
             requireInWorld("a mound's place and height", x, y, height);
             requireInWorld("a mound's width", width, 0, 0);
-            var reach:Number = width / 2 / grid.cellWidth;
+            var radius:Number = width / 2 / grid.cellWidth;
             var middleColumn:Number = (x - grid.x) / grid.cellWidth;
             var middleRow:Number = (y - grid.y) / grid.cellWidth;
             if (!(width > 0 && grid.isWithin(x, y, (width + cellWidth) / 2)))
             {
                 throw new RangeError("a mound of width " + width + " at (" + x + ", " + y + ") is not within the terrain");
             }
-            var first:int = Math.max(0, Math.ceil(middleColumn - reach));
-            var last:int = Math.min(grid.columns - 1, Math.floor(middleColumn + reach));
-            var firstRow:int = Math.max(0, Math.ceil(middleRow - reach));
-            var lastRow:int = Math.min(grid.rows - 1, Math.floor(middleRow + reach));
+            var first:int = Math.max(0, Math.ceil(middleColumn - radius));
+            var last:int = Math.min(grid.columns - 1, Math.floor(middleColumn + radius));
+            var firstRow:int = Math.max(0, Math.ceil(middleRow - radius));
+            var lastRow:int = Math.min(grid.rows - 1, Math.floor(middleRow + radius));
             var raised:Vector.<Number> = new Vector.<Number>();
             for (var row:int = firstRow; row <= lastRow; row++)
             {
                 for (var column:int = first; column <= last; column++)
                 {
-                    var acrossX:Number = (column - middleColumn) / reach;
-                    var acrossY:Number = (row - middleRow) / reach;
+                    var acrossX:Number = (column - middleColumn) / radius;
+                    var acrossY:Number = (row - middleRow) / radius;
                     var share:Number = Math.max(0, 1 - acrossX * acrossX - acrossY * acrossY);
                     raised.push(grid.heights[int(row * grid.columns + column)] + height * share * share);
                 }

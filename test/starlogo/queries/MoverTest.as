@@ -23,14 +23,14 @@ package starlogo.queries
             var moves:MoveQueries = new MoveQueries(seen, mover);
             var agent:Agent = agentAt("cube", 0, 0, 1.5);
             seen.update(new <Agent>[agent, agentAt("cube", 0.2, 0, 0)]);
-            var way:Way = new Way();
+            var planned:PlannedMotion = new PlannedMotion();
             var result:SlideResult = new SlideResult();
-            moves.readMover(agent, 0, way.body);
-            moves.findWayWithin(agent, 0, 0, -1, 1, 0, 0, null, way);
-            mover.begin(way.body, way.rows);
-            mover.slide(way.from, way.motion, SlideLimits.NONE, result);
+            moves.readMover(agent, 0, planned.body);
+            moves.planWithin(agent, 0, 0, -1, 1, 0, 0, null, planned);
+            mover.begin(planned.body, planned.rows);
+            mover.slide(planned.from, planned.motion, SlideLimits.NONE, result);
             assertTrue("it met the cube below: " + result.floor.normalZ, Math.abs(result.floor.normalZ - 1) < 1e-9);
-            mover.slide(way.from, new Vector3D(), SlideLimits.NONE, result);
+            mover.slide(planned.from, new Vector3D(), SlideLimits.NONE, result);
             assertEquals(-1, result.floorRow);
             assertEquals(false, result.metWall);
         }

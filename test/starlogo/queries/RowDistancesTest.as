@@ -4,8 +4,8 @@ package starlogo.queries
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.agents.Agent;
     import starlogo.GreatLand;
+    import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;

@@ -5,11 +5,11 @@ package starlogo.queries
     import starlogo.search.NumberList;
 
     /**
-     * The way of a body: what moves, where to, and what may be in the way. MoveQueries writes it.
+     * A motion that a question asks about: what moves, where to, and what may be in its way. MoveQueries writes it.
      *
      * @private
      */
-    public final class Way
+    public final class PlannedMotion
     {
         /**
          * The body that moves, where it begins: a copy, because a filter's <code>accepts</code> may move the agent. It has no shape while its model
@@ -23,7 +23,7 @@ package starlogo.queries
         /** The whole motion. */
         public var motion:Vector3D = new Vector3D();
 
-        /** The rows that count and are near the way, in the order of the list. */
+        /** The rows that count and are near it, in the order of the list. */
         public var rows:NumberList = new NumberList();
     }
 }

@@ -18,7 +18,7 @@ package starlogo.convex
         private var _corner:Vector3D = new Vector3D();
 
         // How far the last core reaches along the normal, and how much nearer other corners of it may be that count as well.
-        private var _reach:Number = 0;
+        private var _farthest:Number = 0;
         private var _slack:Number = 0;
 
         /** Writes the point halfway between the two surfaces, relative to b's origin. */
@@ -45,7 +45,7 @@ package starlogo.convex
             {
                 _a.findCommonPoint(_b, out);
             }
-            var surface:Number = out.normalX * cores.x + out.normalY * cores.y + out.normalZ * cores.z - _reach - cores.a.radius;
+            var surface:Number = out.normalX * cores.x + out.normalY * cores.y + out.normalZ * cores.z - _farthest - cores.a.radius;
             var by:Number = surface + out.depth / 2 - (out.normalX * out.x + out.normalY * out.y + out.normalZ * out.z);
             out.x += by * out.normalX;
             out.y += by * out.normalY;
@@ -65,7 +65,7 @@ package starlogo.convex
                 var along:Number = x * p[i] + y * p[int(i + 1)] + z * p[int(i + 2)];
                 most = along > most ? along : most;
             }
-            _reach = most;
+            _farthest = most;
             _slack = Tolerances.DIRECTION * shape.size;
             most -= _slack;
             var end:int = 0;

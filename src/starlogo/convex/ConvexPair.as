@@ -29,15 +29,15 @@ package starlogo.convex
 
         // Where the motion begins: the vector from b's origin to a's. The latest time at which the shapes touch within rounding.
         private var _from:Vector3D = new Vector3D();
-        private var _touch:Number = 0;
+        private var _lastTouch:Number = 0;
 
         /** Whether two shapes touch or overlap. */
         public function areTouching(a:ConvexShape, b:ConvexShape):Boolean
         {
             relate(a, b);
-            _cores.enough = _cores.reach;
+            _cores.maxDistance = _cores.touchingDistance;
             _distance.find(_cores, _witness);
-            return _witness.distance <= _cores.reach;
+            return _witness.distance <= _cores.touchingDistance;
         }
 
         /** Finds the distance and the closest points of two shapes. */
@@ -56,7 +56,7 @@ package starlogo.convex
         public function findCloser(a:ConvexShape, b:ConvexShape, out:ClosestPoints):Boolean
         {
             relate(a, b);
-            _cores.enough = out.distance + (a.radius + b.radius);
+            _cores.maxDistance = out.distance + (a.radius + b.radius);
             _distance.find(_cores, _witness);
             var distance:Number = _witness.distance - (a.radius + b.radius);
             distance = distance > 0 ? distance : 0;
@@ -80,20 +80,20 @@ package starlogo.convex
         public function findTime(a:ConvexShape, b:ConvexShape, motion:RelativeMotion):void
         {
             relate(a, b);
-            setWay(motion);
+            setMotion(motion);
             _from.x = _cores.x;
             _from.y = _cores.y;
             _from.z = _cores.z;
-            _cores.reach += Touching.marginOfMotion(motion.startX, motion.startY, motion.startZ) + Touching.marginOfMotion(motion.x, motion.y, motion.z);
-            _touch = RelativeMotion.NEVER;
+            _cores.touchingDistance += Touching.marginOfMotion(motion.startX, motion.startY, motion.startZ) + Touching.marginOfMotion(motion.x, motion.y, motion.z);
+            _lastTouch = RelativeMotion.NEVER;
             skipToBalls(motion);
             motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;
             for (var step:int = 0; step < MOST_STEPS && motion.time <= motion.latest; step++)
             {
-                _cores.x = _from.x + motion.time * _cores.wayX;
-                _cores.y = _from.y + motion.time * _cores.wayY;
-                _cores.z = _from.z + motion.time * _cores.wayZ;
-                _cores.left = motion.latest - motion.time;
+                _cores.x = _from.x + motion.time * _cores.motionX;
+                _cores.y = _from.y + motion.time * _cores.motionY;
+                _cores.z = _from.z + motion.time * _cores.motionZ;
+                _cores.timeLeft = motion.latest - motion.time;
                 if (step == 0)
                 {
                     _distance.find(_cores, _witness);
@@ -109,7 +109,7 @@ package starlogo.convex
             }
             if (!(motion.time <= motion.latest))
             {
-                motion.time = _touch;
+                motion.time = _lastTouch;
             }
         }
 
@@ -154,14 +154,14 @@ package starlogo.convex
         private function beginContact(a:ConvexShape, b:ConvexShape, motion:RelativeMotion):void
         {
             relate(a, b);
-            setWay(motion);
+            setMotion(motion);
             var time:Number = motion.time;
-            _cores.x += time * _cores.wayX;
-            _cores.y += time * _cores.wayY;
-            _cores.z += time * _cores.wayZ;
+            _cores.x += time * _cores.motionX;
+            _cores.y += time * _cores.motionY;
+            _cores.z += time * _cores.motionZ;
             if (!(time > 0))
             {
-                _cores.wayX = _cores.wayY = _cores.wayZ = 0;
+                _cores.motionX = _cores.motionY = _cores.motionZ = 0;
             }
         }
 
@@ -200,8 +200,8 @@ package starlogo.convex
             cores.x = first.x - second.x;
             cores.y = first.y - second.y;
             cores.z = first.z - second.z;
-            cores.enough = cores.left = Infinity;
-            cores.reach = (first.radius + second.radius) * Tolerances.TOUCHING + (first.margin + second.margin) + Tolerances.CORES * (first.size + second.size);
+            cores.maxDistance = cores.timeLeft = Infinity;
+            cores.touchingDistance = (first.radius + second.radius) * Tolerances.TOUCHING + (first.margin + second.margin) + Tolerances.CORES * (first.size + second.size);
         }
 
         // Whether a shape comes after another one: by their places, or at the same place by the numbers that they are made of.
@@ -234,29 +234,29 @@ package starlogo.convex
         }
 
         // Sets the motion of the first core, and moves it to where the motion begins.
-        private function setWay(motion:RelativeMotion):void
+        private function setMotion(motion:RelativeMotion):void
         {
             var cores:CorePair = _cores;
             var side:int = cores.isSwapped ? -1 : 1;
             cores.x += side * motion.startX;
             cores.y += side * motion.startY;
             cores.z += side * motion.startZ;
-            cores.wayX = side * motion.x;
-            cores.wayY = side * motion.y;
-            cores.wayZ = side * motion.z;
+            cores.motionX = side * motion.x;
+            cores.motionY = side * motion.y;
+            cores.motionZ = side * motion.z;
         }
 
         // Sets the motion's time to when balls around the two first meet.
         private function skipToBalls(motion:RelativeMotion):void
         {
             var cores:CorePair = _cores;
-            var reach:Number = Tolerances.OUTER * (cores.reach + cores.a.size + cores.b.size);
-            var beyond:Number = cores.x * cores.x + cores.y * cores.y + cores.z * cores.z - reach * reach;
+            var radius:Number = Tolerances.OUTER * (cores.touchingDistance + cores.a.size + cores.b.size);
+            var beyond:Number = cores.x * cores.x + cores.y * cores.y + cores.z * cores.z - radius * radius;
             motion.time = 0;
             if (beyond > 0)
             {
-                var closing:Number = -(cores.x * cores.wayX + cores.y * cores.wayY + cores.z * cores.wayZ);
-                var left:Number = closing * closing - (cores.wayX * cores.wayX + cores.wayY * cores.wayY + cores.wayZ * cores.wayZ) * beyond;
+                var closing:Number = -(cores.x * cores.motionX + cores.y * cores.motionY + cores.z * cores.motionZ);
+                var left:Number = closing * closing - (cores.motionX * cores.motionX + cores.motionY * cores.motionY + cores.motionZ * cores.motionZ) * beyond;
                 motion.time = closing > 0 && left >= 0 ? beyond / (closing + Math.sqrt(left)) : RelativeMotion.NEVER;
             }
         }
@@ -269,11 +269,11 @@ package starlogo.convex
             var radii:Number = cores.a.radius + cores.b.radius;
             // areTouching() stops at the first direction along which the gap is too wide. The distance may be less than that gap by rounding, so the
             // gap counts here too.
-            var areTouching:Boolean = witness.distance <= cores.reach && !(witness.separation > cores.reach);
-            if (_touch <= 1)
+            var areTouching:Boolean = witness.distance <= cores.touchingDistance && !(witness.separation > cores.touchingDistance);
+            if (_lastTouch <= 1)
             {
                 // the last step counts only if they still touch after it
-                motion.time = areTouching ? motion.time : _touch;
+                motion.time = areTouching ? motion.time : _lastTouch;
                 return false;
             }
             if (areTouching && (motion.time == 0 || witness.distance <= radii))
@@ -283,18 +283,18 @@ package starlogo.convex
             if (areTouching)
             {
                 // one more step, to where they touch without the gap for rounding
-                _touch = motion.time;
+                _lastTouch = motion.time;
             }
             if (!areTouching && witness.separation <= radii)
             {
                 refine();
             }
-            var speed:Number = -(witness.normalX * cores.wayX + witness.normalY * cores.wayY + witness.normalZ * cores.wayZ);
+            var speed:Number = -(witness.normalX * cores.motionX + witness.normalY * cores.motionY + witness.normalZ * cores.motionZ);
             var next:Number = speed > 0 ? motion.time + (witness.separation - radii) / speed : RelativeMotion.NEVER;
             if (!(next > motion.time))
             {
                 // rounding leaves no step
-                motion.time = _touch;
+                motion.time = _lastTouch;
                 return false;
             }
             motion.time = next;

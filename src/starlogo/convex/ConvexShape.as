@@ -219,10 +219,10 @@ package starlogo.convex
             var most:Number = alongX * p[0] + alongY * p[1] + alongZ * p[2];
             for (var i:int = 3; i < end; i += 3)
             {
-                var reach:Number = alongX * p[i] + alongY * p[int(i + 1)] + alongZ * p[int(i + 2)];
-                if (reach > most)
+                var projection:Number = alongX * p[i] + alongY * p[int(i + 1)] + alongZ * p[int(i + 2)];
+                if (projection > most)
                 {
-                    most = reach;
+                    most = projection;
                     best = i;
                 }
             }

@@ -110,23 +110,23 @@ package starlogo.convex
             var k:int = cores.b.farthest(along, 1);
             var p:Vector.<Number> = cores.a.points;
             var q:Vector.<Number> = cores.b.points;
-            var gap:Number = x * (p[i] - q[k] + cores.x) + y * (p[int(i + 1)] - q[int(k + 1)] + cores.y) + z * (p[int(i + 2)] - q[int(k + 2)] + cores.z);
-            if (gap > out.separation)
+            var separation:Number = x * (p[i] - q[k] + cores.x) + y * (p[int(i + 1)] - q[int(k + 1)] + cores.y) + z * (p[int(i + 2)] - q[int(k + 2)] + cores.z);
+            if (separation > out.separation)
             {
-                out.separation = gap;
+                out.separation = separation;
                 out.normalX = x;
                 out.normalY = y;
                 out.normalZ = z;
-                if (gap > cores.enough || gap > cores.reach && cores.left < Infinity
-                        && gap - cores.reach > -cores.left * (x * cores.wayX + y * cores.wayY + z * cores.wayZ))
+                if (separation > cores.maxDistance || separation > cores.touchingDistance && cores.timeLeft < Infinity
+                        && separation - cores.touchingDistance > -cores.timeLeft * (x * cores.motionX + y * cores.motionY + z * cores.motionZ))
                 {
-                    out.distance = gap;
+                    out.distance = separation;
                     return false;
                 }
             }
             // The simplex is in the plane through its nearest point. No corner is beyond that plane if this one is not.
             var w:Vector.<Number> = _simplex.corners;
-            if (_simplex.count > 0 && gap >= x * w[0] + y * w[1] + z * w[2] - _simplex.rounding)
+            if (_simplex.count > 0 && separation >= x * w[0] + y * w[1] + z * w[2] - _simplex.rounding)
             {
                 return false;
             }

@@ -289,7 +289,7 @@ package starlogo.convex
             if (_back - _forth <= rounding && _forth - _back <= rounding)
             {
                 // rounding hides on which side they are, but not where a comes from
-                var speed:Number = along.x * cores.wayX + along.y * cores.wayY + along.z * cores.wayZ;
+                var speed:Number = along.x * cores.motionX + along.y * cores.motionY + along.z * cores.motionZ;
                 side = speed > 0 ? -1 : speed < 0 ? 1 : side;
             }
             keep(side, cores, out);

@@ -21,20 +21,20 @@ package starlogo.convex
         public var z:Number = 0;
 
         /** The motion of a. Of two displacements that are equally short, the one against it is taken. */
-        public var wayX:Number = 0;
-        public var wayY:Number = 0;
-        public var wayZ:Number = 0;
+        public var motionX:Number = 0;
+        public var motionY:Number = 0;
+        public var motionZ:Number = 0;
 
         /** The distance of the cores up to which the shapes touch. */
-        public var reach:Number = 0;
+        public var touchingDistance:Number = 0;
 
         /** A search for the distance may end when it knows that the cores are farther apart than this. */
-        public var enough:Number = Infinity;
+        public var maxDistance:Number = Infinity;
 
         /**
          * The time that is left for the motion. A search may end when it knows that the shapes do not touch in this time. Infinity if the search is
          * for the distance.
          */
-        public var left:Number = Infinity;
+        public var timeLeft:Number = Infinity;
     }
 }

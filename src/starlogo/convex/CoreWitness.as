@@ -5,7 +5,7 @@ package starlogo.convex
     {
         /**
          * The vector from b's closest point to a's, and its length. If the cores overlap, the length is 0, and the vector means nothing. If the search
-         * ended early, the length is only more than enough, or too much for the time that is left.
+         * ended early, the length is only more than CorePair.maxDistance, or too much for the time that is left.
          */
         public var x:Number = 0;
         public var y:Number = 0;

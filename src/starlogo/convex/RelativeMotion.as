@@ -38,8 +38,8 @@ package starlogo.convex
         /** The latest time of impact that counts, from 0 to 1. A test may still find a later one. */
         public var latest:Number = 1;
 
-        /** The extra gap across which moving structures still touch, because of rounding. Set by <code>findRounding()</code>. */
-        public var rounding:Number = 0;
+        /** The margin of the motion (see Touching): its rounding error. Set by <code>findMargin()</code>. */
+        public var margin:Number = 0;
 
         public function RelativeMotion(time:Number = NEVER)
         {
@@ -80,8 +80,8 @@ package starlogo.convex
             latest = motion.latest;
         }
 
-        /** Computes the rounding error of the motion. */
-        public function findRounding():void
+        /** Computes the margin. */
+        public function findMargin():void
         {
             // Math.abs would be a call for each number.
             var sum:Number = startX < 0 ? -startX : startX;
@@ -90,7 +90,7 @@ package starlogo.convex
             sum = x < 0 ? sum - x : sum + x;
             sum = y < 0 ? sum - y : sum + y;
             sum = z < 0 ? sum - z : sum + z;
-            rounding = Tolerances.ROUNDING * sum;
+            margin = Tolerances.ROUNDING * sum;
         }
     }
 }

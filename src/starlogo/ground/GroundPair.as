@@ -7,7 +7,7 @@ package starlogo.ground
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.ConvexTriangle;
+    import starlogo.intersection.TriangleKernel;
     import starlogo.solid.ModelTree;
 
     use namespace engine;
@@ -49,7 +49,7 @@ package starlogo.ground
         private var _pieces:GroundPieces = new GroundPieces();
 
         // The parts of _pieces that are read all the time.
-        private var _piece:ConvexTriangle = _pieces.piece;
+        private var _piece:TriangleKernel = _pieces.piece;
         private var _box:GroundBox = _pieces.box;
         private var _triangles:GroundTriangles = _pieces.triangles;
 

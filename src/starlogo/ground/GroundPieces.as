@@ -8,7 +8,7 @@ package starlogo.ground
     import starlogo.geometry.Placement;
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.intersection.ConvexTriangle;
+    import starlogo.intersection.TriangleKernel;
     import starlogo.solid.ModelTree;
 
     use namespace engine;
@@ -23,7 +23,7 @@ package starlogo.ground
     internal final class GroundPieces
     {
         /** The current piece, and the triangle that <code>nextTriangle()</code> has found. Both are relative to the box's origin. */
-        public var piece:ConvexTriangle = new ConvexTriangle();
+        public var piece:TriangleKernel = new TriangleKernel();
 
         /** The box around the current piece. Its limits may be narrowed. Its origin is the model's place. */
         public var box:GroundBox = new GroundBox();
@@ -151,7 +151,7 @@ package starlogo.ground
                     return true;
                 }
             }
-            piece.beginTriangle(_corners, 9 * _triangle, _placed);
+            piece.setShapeToTriangle(_corners, 9 * _triangle, _placed);
             _triangle++;
             finishPiece();
             triangles.begin(_grid, box);
@@ -229,7 +229,7 @@ package starlogo.ground
 
         private function setPiece(structure:BoundingStructure):void
         {
-            piece.begin(structure, _placed);
+            piece.setStructure(structure, _placed);
             finishPiece();
         }
 

@@ -48,7 +48,7 @@ package starlogo.ground
             while (_triangles.next())
             {
                 var before:Number = _test.least;
-                _test.look(0, 0, 1);
+                _test.testLeaf(0, 0, 1);
                 if (_test.least < before || _test.triangle == 0 && !isHit)
                 {
                     isHit = true;
@@ -81,7 +81,7 @@ package starlogo.ground
             while (_triangles.next())
             {
                 var before:int = out.count;
-                _test.look(0, 0, 1);
+                _test.testLeaf(0, 0, 1);
                 if (out.count > before)
                 {
                     _outside.setTriangle(_triangles.corners, 0);

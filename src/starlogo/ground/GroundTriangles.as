@@ -5,7 +5,7 @@ package starlogo.ground
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
-    import starlogo.intersection.GapToBox;
+    import starlogo.intersection.SeparationFromBox;
 
     use namespace engine;
 
@@ -82,7 +82,7 @@ package starlogo.ground
         private var _passHigh:Number = 0;
 
         // The gap between the structure and the current square, two corners of the square's extents, and the gap that rounding errors may hide.
-        private var _gap:GapToBox = new GapToBox();
+        private var _separation:SeparationFromBox = new SeparationFromBox();
         private var _least:Vector3D = new Vector3D();
         private var _greatest:Vector3D = new Vector3D();
         private var _slack:Number = 0;
@@ -294,9 +294,9 @@ package starlogo.ground
             var y:Number = _corner.y + _row * _width;
             _least.setTo(x, y, least);
             _greatest.setTo(x + _width, y + _width, greatest);
-            _gap.find(_box.structure, _least, _greatest);
-            var come:Number = _box.limit * (_gap.along.x * _box.way.x + _gap.along.y * _box.way.y + _gap.along.z * _box.way.z);
-            return _gap.gap + Math.min(0, come) > _box.reach + _slack;
+            _separation.find(_box.structure, _least, _greatest);
+            var come:Number = _box.limit * (_separation.direction.x * _box.way.x + _separation.direction.y * _box.way.y + _separation.direction.z * _box.way.z);
+            return _separation.distance + Math.min(0, come) > _box.reach + _slack;
         }
 
         // Writes the triangle with a number: two on top, then two on each side. Returns false if the cell has no such triangle, or if the

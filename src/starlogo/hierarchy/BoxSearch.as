@@ -138,7 +138,7 @@ package starlogo.hierarchy
                 visits++;
                 if (stop[node] >= depth)
                 {
-                    test.look(node, tree.first[node], tree.end[node]);
+                    test.testLeaf(node, tree.first[node], tree.end[node]);
                     limit = test.least < limit ? test.least : limit;
                 }
                 else
@@ -261,7 +261,7 @@ package starlogo.hierarchy
                 nodeVisits++;
                 if (tree.stop[node] >= depth)
                 {
-                    test.look(node, tree.first[node], tree.end[node]);
+                    test.testLeaf(node, tree.first[node], tree.end[node]);
                     continue;
                 }
                 node = tree.low[node];

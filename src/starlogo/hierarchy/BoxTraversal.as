@@ -106,38 +106,38 @@ package starlogo.hierarchy
 
                 var z:Number = m20 * middleX + m21 * middleY + m22 * middleZ + moveZ - boxesA[int(atA + 2)];
                 var halfZ:Number = boxesA[int(atA + 5)] + touching;
-                var reach:Number = halfZ + abs20 * bX + abs21 * bY + abs22 * bZ;
-                if (z <= reach && z >= -reach)
+                var radius:Number = halfZ + abs20 * bX + abs21 * bY + abs22 * bZ;
+                if (z <= radius && z >= -radius)
                 {
                     x = m00 * middleX + m01 * middleY + m02 * middleZ + moveX - boxesA[atA];
                     halfX = boxesA[int(atA + 3)] + touching;
-                    reach = halfX + abs00 * bX + abs01 * bY + abs02 * bZ;
-                    if (x <= reach && x >= -reach)
+                    radius = halfX + abs00 * bX + abs01 * bY + abs02 * bZ;
+                    if (x <= radius && x >= -radius)
                     {
                         y = m10 * middleX + m11 * middleY + m12 * middleZ + moveY - boxesA[int(atA + 1)];
                         halfY = boxesA[int(atA + 4)] + touching;
-                        reach = halfY + abs10 * bX + abs11 * bY + abs12 * bZ;
-                        if (y <= reach && y >= -reach)
+                        radius = halfY + abs10 * bX + abs11 * bY + abs12 * bZ;
+                        if (y <= radius && y >= -radius)
                         {
                             include "../intersection/squaredToBox.inc";
                             squaredRadius = scaleSquared * (bX * bX + bY * bY + bZ * bZ);
-                            reach = bX < bY ? bX : bY;
-                            reach = bZ < reach ? bZ : reach;
-                            isDeep = gapSquared <= scaleSquared * reach * reach;
+                            radius = bX < bY ? bX : bY;
+                            radius = bZ < radius ? bZ : radius;
+                            isDeep = squaredDistance <= scaleSquared * radius * radius;
                             overlap = isDeep;
-                            if (!isDeep && gapSquared <= squaredRadius)
+                            if (!isDeep && squaredDistance <= squaredRadius)
                             {
                                 var along:Number = m00 * x + m10 * y + m20 * z;
-                                reach = scaleSquared * bX + abs00 * halfX + abs10 * halfY + abs20 * halfZ;
-                                if (along <= reach && along >= -reach)
+                                radius = scaleSquared * bX + abs00 * halfX + abs10 * halfY + abs20 * halfZ;
+                                if (along <= radius && along >= -radius)
                                 {
                                     along = m01 * x + m11 * y + m21 * z;
-                                    reach = scaleSquared * bY + abs01 * halfX + abs11 * halfY + abs21 * halfZ;
-                                    if (along <= reach && along >= -reach)
+                                    radius = scaleSquared * bY + abs01 * halfX + abs11 * halfY + abs21 * halfZ;
+                                    if (along <= radius && along >= -radius)
                                     {
                                         along = m02 * x + m12 * y + m22 * z;
-                                        reach = scaleSquared * bZ + abs02 * halfX + abs12 * halfY + abs22 * halfZ;
-                                        overlap = along <= reach && along >= -reach;
+                                        radius = scaleSquared * bZ + abs02 * halfX + abs12 * halfY + abs22 * halfZ;
+                                        overlap = along <= radius && along >= -radius;
                                         if (overlap && leaves == null && stopA[a] >= depthA && stopB[b] >= depthB)
                                         {
                                             bX *= scale;

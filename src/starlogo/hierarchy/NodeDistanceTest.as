@@ -45,7 +45,7 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override public function look(node:int, first:int, end:int):void
+        override public function testLeaf(node:int, first:int, end:int):void
         {
             findClosest(_tree.writeBox(node, _box), _structure, _measured);
             BoxDistanceTraversal.reduce(_measured, _tree.levelOf(node), 0, _reach);

@@ -78,7 +78,7 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override public function look(node:int, first:int, end:int):void
+        override public function testLeaf(node:int, first:int, end:int):void
         {
             _tree.writeBox(node, _box);
             if (_all != null)

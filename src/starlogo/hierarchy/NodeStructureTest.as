@@ -69,7 +69,7 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override public function look(node:int, first:int, end:int):void
+        override public function testLeaf(node:int, first:int, end:int):void
         {
             _tree.writeBox(node, _box);
             var time:Number = 0;

@@ -36,7 +36,7 @@ package starlogo.hierarchy
             _sweep.motionX = motion.x;
             _sweep.motionY = motion.y;
             _sweep.motionZ = motion.z;
-            _sweep.gap = pose.gap + Tolerances.ROUNDING * (Math.abs(relative.x) + Math.abs(relative.y) + Math.abs(relative.z)
+            _sweep.tolerance = pose.gap + Tolerances.ROUNDING * (Math.abs(relative.x) + Math.abs(relative.y) + Math.abs(relative.z)
                     + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
         }
 

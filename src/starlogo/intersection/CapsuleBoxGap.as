@@ -63,11 +63,11 @@ package starlogo.intersection
             var y:Number = isOutside || _alongY == 0 ? _y + share * _alongY : 0;
             var z:Number = isOutside || _alongZ == 0 ? _z + share * _alongZ : 0;
             include "squaredToBox.inc";
-            return gapSquared <= radius * radius;
+            return squaredDistance <= radius * radius;
         }
 
         /** @inheritDoc */
-        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, way:RelativeMotion, out:CoreGap):void
+        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, localMotion:RelativeMotion, out:CoreGap):void
         {
             var capsule:Capsule = a as Capsule;
             var box:Box = b as Box;
@@ -75,14 +75,14 @@ package starlogo.intersection
             _box = box;
             setSegment(capsule, box);
             var axis:Vector3D = box.axisX;
-            way.startX = _x + _signX * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
-            way.x = _signX * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            localMotion.startX = _x + _signX * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
+            localMotion.x = _signX * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             axis = box.axisY;
-            way.startY = _y + _signY * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
-            way.y = _signY * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            localMotion.startY = _y + _signY * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
+            localMotion.y = _signY * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             axis = box.axisZ;
-            way.startZ = _z + _signZ * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
-            way.z = _signZ * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            localMotion.startZ = _z + _signZ * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
+            localMotion.z = _signZ * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             out.radiusA = capsule.radius;
             out.size = _alongX + _alongY + _alongZ + box.halfX + box.halfY + box.halfZ + out.radiusA;
         }
@@ -92,13 +92,13 @@ package starlogo.intersection
          *
          * @inheritDoc
          */
-        override public function find(way:RelativeMotion, out:CoreGap):void
+        override public function find(localMotion:RelativeMotion, out:CoreGap):void
         {
             var box:Box = _box;
-            var time:Number = way.time;
-            _x = way.startX + time * way.x;
-            _y = way.startY + time * way.y;
-            _z = way.startZ + time * way.z;
+            var time:Number = localMotion.time;
+            _x = localMotion.startX + time * localMotion.x;
+            _y = localMotion.startY + time * localMotion.y;
+            _z = localMotion.startZ + time * localMotion.z;
             findShare(box);
             var share:Number = _share;
             if (_lastIn <= _firstOut)

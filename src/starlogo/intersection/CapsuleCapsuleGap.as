@@ -39,8 +39,8 @@ package starlogo.intersection
             var x:Number = _x + _shareOfU * _uX - _shareOfV * _vX;
             var y:Number = _y + _shareOfU * _uY - _shareOfV * _vY;
             var z:Number = _z + _shareOfU * _uZ - _shareOfV * _vZ;
-            var reach:Number = (a.radius + b.radius) * Tolerances.TOUCHING;
-            return x * x + y * y + z * z <= reach * reach;
+            var touchingDistance:Number = (a.radius + b.radius) * Tolerances.TOUCHING;
+            return x * x + y * y + z * z <= touchingDistance * touchingDistance;
         }
 
         /** @inheritDoc */
@@ -53,30 +53,30 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, way:RelativeMotion, out:CoreGap):void
+        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, localMotion:RelativeMotion, out:CoreGap):void
         {
             var capsule:Capsule = a as Capsule;
             var other:Capsule = b as Capsule;
             setAxes(capsule, other);
             _a = capsule;
-            way.startX = _x + motion.startX;
-            way.startY = _y + motion.startY;
-            way.startZ = _z + motion.startZ;
-            way.x = motion.x;
-            way.y = motion.y;
-            way.z = motion.z;
+            localMotion.startX = _x + motion.startX;
+            localMotion.startY = _y + motion.startY;
+            localMotion.startZ = _z + motion.startZ;
+            localMotion.x = motion.x;
+            localMotion.y = motion.y;
+            localMotion.z = motion.z;
             out.radiusA = capsule.radius;
             out.radiusB = other.radius;
             out.size = Math.abs(_uX) + Math.abs(_uY) + Math.abs(_uZ) + (Math.abs(_vX) + Math.abs(_vY) + Math.abs(_vZ)) + (out.radiusA + out.radiusB);
         }
 
         /** @inheritDoc */
-        override public function find(way:RelativeMotion, out:CoreGap):void
+        override public function find(localMotion:RelativeMotion, out:CoreGap):void
         {
-            var time:Number = way.time;
-            _x = way.startX + time * way.x;
-            _y = way.startY + time * way.y;
-            _z = way.startZ + time * way.z;
+            var time:Number = localMotion.time;
+            _x = localMotion.startX + time * localMotion.x;
+            _y = localMotion.startY + time * localMotion.y;
+            _z = localMotion.startZ + time * localMotion.z;
             findShares();
             out.x = _x + _shareOfU * _uX - _shareOfV * _vX;
             out.y = _y + _shareOfU * _uY - _shareOfV * _vY;

@@ -24,15 +24,15 @@ package starlogo.intersection
          * @param a of the pair's first kind; kept
          * @param b of the pair's second kind, in the same space; kept
          * @param motion the motion of a
-         * @param way receives the motion in the finder's axes: where a's core is at time 0 as seen from b's, and how it moves from there
+         * @param localMotion receives the motion in the finder's axes: where a's core is at time 0 as seen from b's, and how it moves from there
          * @param out receives the radii and the size
          */
-        public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, way:RelativeMotion, out:CoreGap):void
+        public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, localMotion:RelativeMotion, out:CoreGap):void
         {
         }
 
-        /** Finds the gap at the way's time. It is a vector in the finder's axes. */
-        public function find(way:RelativeMotion, out:CoreGap):void
+        /** Finds the gap at the motion's time. It is a vector in the finder's axes. */
+        public function find(localMotion:RelativeMotion, out:CoreGap):void
         {
         }
 

@@ -20,7 +20,7 @@ package starlogo.intersection
          * @param first the first triangle's number
          * @param end the number after the last one
          */
-        public function look(node:int, first:int, end:int):void
+        public function testLeaf(node:int, first:int, end:int):void
         {
         }
     }

@@ -8,7 +8,7 @@ package starlogo.intersection
     /**
      * Finds the kernel of two structures by their kinds. The package intersection says how two structures meet: whether they touch
      * (<code>intersects()</code>, a function for each pair), when they first do (<code>sweep</code>), how they overlap (<code>contact</code>), how far apart
-     * they are (<code>distance</code>), and where a ray meets one (<code>ray</code>); ConvexTriangle tests a shape against triangles. Read
+     * they are (<code>distance</code>), and where a ray meets one (<code>ray</code>); TriangleKernel tests a shape against triangles. Read
      * PairKernel next, which has the questions, then RoundKernel and SphereCapsuleGap.
      *
      * <p>Spheres, capsules and boxes have kernels of their own, because the convex core takes two to eleven times as long. It decides about hulls,

@@ -21,7 +21,7 @@ package starlogo.intersection
         private var _convex:ConvexKernel;
 
         // The motion in the finder's axes, and the gap at its time.
-        private var _way:RelativeMotion = new RelativeMotion();
+        private var _localMotion:RelativeMotion = new RelativeMotion();
         private var _gap:CoreGap = new CoreGap();
 
         /**
@@ -38,25 +38,25 @@ package starlogo.intersection
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             begin(a, b, motion);
-            motion.findRounding();
+            motion.findMargin();
             var gap:CoreGap = _gap;
-            var way:RelativeMotion = _way;
+            var localMotion:RelativeMotion = _localMotion;
             var radii:Number = gap.radiusA + gap.radiusB;
-            var reach:Number = radii * Tolerances.TOUCHING + motion.rounding;
+            var touchingDistance:Number = radii * Tolerances.TOUCHING + motion.margin;
             var squared:Number = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
-            if (squared <= reach * reach)
+            if (squared <= touchingDistance * touchingDistance)
             {
                 motion.time = 0;
                 return;
             }
             motion.time = RelativeMotion.NEVER;
-            var closing:Number = -(gap.x * way.x + gap.y * way.y + gap.z * way.z);
+            var closing:Number = -(gap.x * localMotion.x + gap.y * localMotion.y + gap.z * localMotion.z);
             if (closing > 0)
             {
                 // most pairs need only this step of Newton's method
                 var distance:Number = Math.sqrt(squared);
-                way.time = (distance - radii) * distance / closing;
-                if (way.time <= motion.latest)
+                localMotion.time = (distance - radii) * distance / closing;
+                if (localMotion.time <= motion.latest)
                 {
                     findZero(motion);
                 }
@@ -97,9 +97,9 @@ package starlogo.intersection
         // Finds the gap at time 0.
         private function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            _finder.begin(a, b, motion, _way, _gap);
-            _way.time = 0;
-            _finder.find(_way, _gap);
+            _finder.begin(a, b, motion, _localMotion, _gap);
+            _localMotion.time = 0;
+            _finder.find(_localMotion, _gap);
         }
 
         /*
@@ -115,34 +115,34 @@ package starlogo.intersection
         private function findZero(motion:RelativeMotion):void
         {
             var gap:CoreGap = _gap;
-            var way:RelativeMotion = _way;
+            var localMotion:RelativeMotion = _localMotion;
             var radii:Number = gap.radiusA + gap.radiusB;
             // A gap that is no longer than this has no certain direction.
             var uncertain:Number = Tolerances.DIRECTION * gap.size;
             var rounding:Number = radii < uncertain ? Tolerances.ROUNDING * gap.size : 0;
-            var reach:Number = radii * Tolerances.TOUCHING + motion.rounding + rounding;
+            var touchingDistance:Number = radii * Tolerances.TOUCHING + motion.margin + rounding;
             var lastTime:Number = 0;
             var lastDistance:Number = Math.sqrt(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z);
             var hasOvershot:Boolean = false;
             for (var step:int = 1; step < MOST_STEPS; step++)
             {
-                _finder.find(way, gap);
-                var time:Number = way.time;
+                _finder.find(localMotion, gap);
+                var time:Number = localMotion.time;
                 var squared:Number = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
                 if (4 * squared < radii * radii)
                 {
                     // the slope had so large a rounding error that the step went beyond the zero
-                    way.time = (lastTime + time) / 2;
+                    localMotion.time = (lastTime + time) / 2;
                     hasOvershot = true;
                     continue;
                 }
-                var isTouching:Boolean = squared <= reach * reach;
-                if (isTouching && (squared <= radii * radii || squared <= (reach - radii) * (reach - radii)))
+                var isTouching:Boolean = squared <= touchingDistance * touchingDistance;
+                if (isTouching && (squared <= radii * radii || squared <= (touchingDistance - radii) * (touchingDistance - radii)))
                 {
                     break;
                 }
                 var distance:Number = Math.sqrt(squared);
-                var closing:Number = -(gap.x * way.x + gap.y * way.y + gap.z * way.z);
+                var closing:Number = -(gap.x * localMotion.x + gap.y * localMotion.y + gap.z * localMotion.z);
                 var next:Number = RelativeMotion.NEVER;
                 if ((hasOvershot || distance < uncertain) && distance < lastDistance)
                 {
@@ -156,7 +156,7 @@ package starlogo.intersection
                 if (isTouching)
                 {
                     // They touch to within rounding. One more step makes up for a step that rounding may have skipped.
-                    way.time = next <= 1 ? next : time;
+                    localMotion.time = next <= 1 ? next : time;
                     break;
                 }
                 if (!(next > time))
@@ -170,9 +170,9 @@ package starlogo.intersection
                 }
                 lastTime = time;
                 lastDistance = distance;
-                way.time = next;
+                localMotion.time = next;
             }
-            motion.time = way.time;
+            motion.time = localMotion.time;
         }
     }
 }

@@ -14,7 +14,7 @@ package starlogo.intersection
         private var _box:Box = null;
 
         /** @inheritDoc */
-        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, way:RelativeMotion, out:CoreGap):void
+        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, localMotion:RelativeMotion, out:CoreGap):void
         {
             var sphere:Sphere = a as Sphere;
             var box:Box = b as Box;
@@ -26,26 +26,26 @@ package starlogo.intersection
             _sphere = sphere;
             _box = box;
             var axis:Vector3D = box.axisX;
-            way.startX = axis.x * x + axis.y * y + axis.z * z;
-            way.x = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
+            localMotion.startX = axis.x * x + axis.y * y + axis.z * z;
+            localMotion.x = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
             axis = box.axisY;
-            way.startY = axis.x * x + axis.y * y + axis.z * z;
-            way.y = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
+            localMotion.startY = axis.x * x + axis.y * y + axis.z * z;
+            localMotion.y = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
             axis = box.axisZ;
-            way.startZ = axis.x * x + axis.y * y + axis.z * z;
-            way.z = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
+            localMotion.startZ = axis.x * x + axis.y * y + axis.z * z;
+            localMotion.z = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
             out.radiusA = sphere.radius;
             out.size = box.halfX + box.halfY + box.halfZ + out.radiusA;
         }
 
         /** @inheritDoc */
-        override public function find(way:RelativeMotion, out:CoreGap):void
+        override public function find(localMotion:RelativeMotion, out:CoreGap):void
         {
             var box:Box = _box;
-            var time:Number = way.time;
-            var x:Number = way.startX + time * way.x;
-            var y:Number = way.startY + time * way.y;
-            var z:Number = way.startZ + time * way.z;
+            var time:Number = localMotion.time;
+            var x:Number = localMotion.startX + time * localMotion.x;
+            var y:Number = localMotion.startY + time * localMotion.y;
+            var z:Number = localMotion.startZ + time * localMotion.z;
             var half:Number = box.halfX;
             out.x = x > half ? x - half : (x < -half ? x + half : 0);
             half = box.halfY;

@@ -18,7 +18,7 @@ package starlogo.intersection
         private var _axisZ:Number = 0;
 
         /** @inheritDoc */
-        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, way:RelativeMotion, out:CoreGap):void
+        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, localMotion:RelativeMotion, out:CoreGap):void
         {
             var sphere:Sphere = a as Sphere;
             var capsule:Capsule = b as Capsule;
@@ -29,24 +29,24 @@ package starlogo.intersection
             _axisX = end.x - start.x;
             _axisY = end.y - start.y;
             _axisZ = end.z - start.z;
-            way.startX = center.x - start.x + motion.startX;
-            way.startY = center.y - start.y + motion.startY;
-            way.startZ = center.z - start.z + motion.startZ;
-            way.x = motion.x;
-            way.y = motion.y;
-            way.z = motion.z;
+            localMotion.startX = center.x - start.x + motion.startX;
+            localMotion.startY = center.y - start.y + motion.startY;
+            localMotion.startZ = center.z - start.z + motion.startZ;
+            localMotion.x = motion.x;
+            localMotion.y = motion.y;
+            localMotion.z = motion.z;
             out.radiusA = sphere.radius;
             out.radiusB = capsule.radius;
             out.size = Math.abs(_axisX) + Math.abs(_axisY) + Math.abs(_axisZ) + (out.radiusA + out.radiusB);
         }
 
         /** @inheritDoc */
-        override public function find(way:RelativeMotion, out:CoreGap):void
+        override public function find(localMotion:RelativeMotion, out:CoreGap):void
         {
-            var time:Number = way.time;
-            var x:Number = way.startX + time * way.x;
-            var y:Number = way.startY + time * way.y;
-            var z:Number = way.startZ + time * way.z;
+            var time:Number = localMotion.time;
+            var x:Number = localMotion.startX + time * localMotion.x;
+            var y:Number = localMotion.startY + time * localMotion.y;
+            var z:Number = localMotion.startZ + time * localMotion.z;
             var axisX:Number = _axisX;
             var axisY:Number = _axisY;
             var axisZ:Number = _axisZ;

@@ -67,13 +67,13 @@ package starlogo.intersection
 
         // The squared distance of b's centre from a, to compare with the two spheres of b.
         include "squaredToBox.inc";
-        if (gapSquared > bX * bX + bY * bY + bZ * bZ)
+        if (squaredDistance > bX * bX + bY * bY + bZ * bZ)
         {
             return false;
         }
         var inner:Number = bX < bY ? bX : bY;
         inner = inner < bZ ? inner : bZ;
-        if (gapSquared <= inner * inner)
+        if (squaredDistance <= inner * inner)
         {
             return true;
         }
@@ -92,15 +92,15 @@ package starlogo.intersection
         var bZz:Number = axis.z;
 
         // The faces of a. The cosines of the angles between the axes, and their absolute values.
-        var reach:Number;
+        var radius:Number;
         var m00:Number = aXx * bXx + aXy * bXy + aXz * bXz;
         var abs00:Number = m00 < 0 ? -m00 : m00;
         var m01:Number = aXx * bYx + aXy * bYy + aXz * bYz;
         var abs01:Number = m01 < 0 ? -m01 : m01;
         var m02:Number = aXx * bZx + aXy * bZy + aXz * bZz;
         var abs02:Number = m02 < 0 ? -m02 : m02;
-        reach = halfX + bX * abs00 + bY * abs01 + bZ * abs02;
-        if (x > reach || x < -reach)
+        radius = halfX + bX * abs00 + bY * abs01 + bZ * abs02;
+        if (x > radius || x < -radius)
         {
             return false;
         }
@@ -110,8 +110,8 @@ package starlogo.intersection
         var abs11:Number = m11 < 0 ? -m11 : m11;
         var m12:Number = aYx * bZx + aYy * bZy + aYz * bZz;
         var abs12:Number = m12 < 0 ? -m12 : m12;
-        reach = halfY + bX * abs10 + bY * abs11 + bZ * abs12;
-        if (y > reach || y < -reach)
+        radius = halfY + bX * abs10 + bY * abs11 + bZ * abs12;
+        if (y > radius || y < -radius)
         {
             return false;
         }
@@ -121,28 +121,28 @@ package starlogo.intersection
         var abs21:Number = m21 < 0 ? -m21 : m21;
         var m22:Number = aZx * bZx + aZy * bZy + aZz * bZz;
         var abs22:Number = m22 < 0 ? -m22 : m22;
-        reach = halfZ + bX * abs20 + bY * abs21 + bZ * abs22;
-        if (z > reach || z < -reach)
+        radius = halfZ + bX * abs20 + bY * abs21 + bZ * abs22;
+        if (z > radius || z < -radius)
         {
             return false;
         }
 
         // The faces of b.
         var along:Number = toX * bXx + toY * bXy + toZ * bXz;
-        reach = bX + halfX * abs00 + halfY * abs10 + halfZ * abs20;
-        if (along > reach || along < -reach)
+        radius = bX + halfX * abs00 + halfY * abs10 + halfZ * abs20;
+        if (along > radius || along < -radius)
         {
             return false;
         }
         along = toX * bYx + toY * bYy + toZ * bYz;
-        reach = bY + halfX * abs01 + halfY * abs11 + halfZ * abs21;
-        if (along > reach || along < -reach)
+        radius = bY + halfX * abs01 + halfY * abs11 + halfZ * abs21;
+        if (along > radius || along < -radius)
         {
             return false;
         }
         along = toX * bZx + toY * bZy + toZ * bZz;
-        reach = bZ + halfX * abs02 + halfY * abs12 + halfZ * abs22;
-        if (along > reach || along < -reach)
+        radius = bZ + halfX * abs02 + halfY * abs12 + halfZ * abs22;
+        if (along > radius || along < -radius)
         {
             return false;
         }

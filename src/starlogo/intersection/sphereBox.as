@@ -36,7 +36,7 @@ package starlogo.intersection
         var halfY:Number = box.halfY;
         var halfZ:Number = box.halfZ;
         include "squaredToBox.inc";
-        var reach:Number = sphere.radius * Tolerances.TOUCHING;
-        return gapSquared <= reach * reach;
+        var touchingDistance:Number = sphere.radius * Tolerances.TOUCHING;
+        return squaredDistance <= touchingDistance * touchingDistance;
     }
 }

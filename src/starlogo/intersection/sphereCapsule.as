@@ -28,7 +28,7 @@ package starlogo.intersection
         var y:Number = center.y - start.y;
         var z:Number = center.z - start.z;
         include "../geometry/pointToSegment.inc";
-        var reach:Number = (sphere.radius + capsule.radius) * Tolerances.TOUCHING;
-        return x * x + y * y + z * z <= reach * reach;
+        var touchingDistance:Number = (sphere.radius + capsule.radius) * Tolerances.TOUCHING;
+        return x * x + y * y + z * z <= touchingDistance * touchingDistance;
     }
 }

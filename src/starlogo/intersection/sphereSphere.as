@@ -17,7 +17,7 @@ package starlogo.intersection
         var x:Number = centerA.x - centerB.x;
         var y:Number = centerA.y - centerB.y;
         var z:Number = centerA.z - centerB.z;
-        var reach:Number = a.radius + b.radius;
-        return x * x + y * y + z * z <= reach * reach;
+        var touchingDistance:Number = a.radius + b.radius;
+        return x * x + y * y + z * z <= touchingDistance * touchingDistance;
     }
 }

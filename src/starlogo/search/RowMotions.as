@@ -204,7 +204,7 @@ package starlogo.search
         private function overlapOnMotions(standing:Extents, slack:Number, a:int, b:int):Boolean
         {
             _times.begin(1);
-            _along.gap = slack;
+            _along.tolerance = slack;
             return narrow(standing.x, standing.halfX, _motions.x, a, b) && narrow(standing.y, standing.halfY, _motions.y, a, b)
                 && narrow(standing.z, standing.halfZ, _motions.z, a, b);
         }
@@ -215,7 +215,7 @@ package starlogo.search
             var speed:Number = motion[a] - motion[b];
             _along.at = at[a] - at[b] - speed;
             _along.speed = speed;
-            _along.reach = half[a] + half[b];
+            _along.radius = half[a] + half[b];
             return _times.narrow(_along);
         }
     }

@@ -37,7 +37,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function look(node:int, first:int, end:int):void
+        override public function testLeaf(node:int, first:int, end:int):void
         {
             least = -Infinity;
         }

@@ -5,7 +5,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.intersection.ConvexTriangle;
+    import starlogo.intersection.TriangleKernel;
     import starlogo.intersection.LeafTest;
 
     use namespace engine;
@@ -20,7 +20,7 @@ package starlogo.solid
         public var triangleTests:int = 0;
 
         private var _mesh:TriangleMesh;
-        private var _test:ConvexTriangle = new ConvexTriangle();
+        private var _test:TriangleKernel = new TriangleKernel();
 
         // The structure's extents: least x, greatest x, least y, ...
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -41,7 +41,7 @@ package starlogo.solid
         public function find(model:ModelTree, structure:BoundingStructure, pose:RelativePose, out:ClosestPoints):int
         {
             _mesh = model.mesh;
-            _test.begin(structure, pose.placement);
+            _test.setStructure(structure, pose.placement);
             _test.structure.extentsInto(_extents);
             _nearest = out;
             _triangle = -1;
@@ -53,7 +53,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function look(node:int, first:int, end:int):void
+        override public function testLeaf(node:int, first:int, end:int):void
         {
             for (var i:int = first; i < end && least > 0; i++)
             {

@@ -10,7 +10,7 @@ package starlogo.solid
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.intersection.ConvexTriangle;
+    import starlogo.intersection.TriangleKernel;
     import starlogo.intersection.LeafTest;
     import starlogo.intersection.contact.Zonotope;
 
@@ -18,7 +18,7 @@ package starlogo.solid
 
     /**
      * Decides whether a triangle of a model's leaf touches a solid structure, or when it does so. The ground tests its triangles
-     * by the same ConvexTriangle. If the structure moves, separating axes rule out most triangles before.
+     * by the same TriangleKernel. If the structure moves, separating axes rule out most triangles before.
      */
     internal final class TriangleStructureTest extends LeafTest
     {
@@ -32,7 +32,7 @@ package starlogo.solid
         private var _planes:Vector.<Number>;
         private var _motion:RelativeMotion;
         private var _sweep:RelativeMotion = new RelativeMotion();
-        private var _test:ConvexTriangle = new ConvexTriangle();
+        private var _test:TriangleKernel = new TriangleKernel();
 
         // The extents of the structure's core and of its motion: least x, greatest x, least y, ... The core of a round structure is a point
         // or a segment.
@@ -89,7 +89,7 @@ package starlogo.solid
             _isFound = false;
             _mesh = model.mesh;
             _motion = motion;
-            _test.begin(structure, pose.placement);
+            _test.setStructure(structure, pose.placement);
             _test.shape.margin += pose.gap + Touching.marginOfSurface(model.tree.radius);
             _test.structure.extentsInto(_extents);
             var extents:Vector.<Number> = _extents;
@@ -151,7 +151,7 @@ package starlogo.solid
             var side:int = x * _motion.x + y * _motion.y + z * _motion.z < 0 ? -1 : 1;
             _axis.setTo(side * x, side * y, side * z);
             _core.measure(_axis);
-            var reach:Number = _core.reach + _radius * _axis.length;
+            var reach:Number = _core.projectedRadius + _radius * _axis.length;
             var middle:Number = _axis.x * _core.x + _axis.y * _core.y + _axis.z * _core.z;
             var speed:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
             axes[at] = _axis.x;
@@ -175,7 +175,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function look(node:int, first:int, end:int):void
+        override public function testLeaf(node:int, first:int, end:int):void
         {
             var isMoving:Boolean = _motion !== RelativeMotion.NONE;
             for (var i:int = first; i < end; i++)
@@ -255,7 +255,7 @@ package starlogo.solid
             _axis.y = planes[int(at + 1)];
             _axis.z = planes[int(at + 2)];
             _core.measure(_axis);
-            var reach:Number = _core.reach + _radius + _mesh.flatness;
+            var reach:Number = _core.projectedRadius + _radius + _mesh.flatness;
             var from:Number = _axis.x * _core.x + _axis.y * _core.y + _axis.z * _core.z - planes[int(at + 3)];
             var speed:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
             var gap:Number = from < 0 ? -from : from;
@@ -311,7 +311,7 @@ package starlogo.solid
             _axis.y = y;
             _axis.z = z;
             _core.measure(_axis);
-            var reach:Number = _core.reach + _radius * Math.sqrt(x * x + y * y + z * z);
+            var reach:Number = _core.projectedRadius + _radius * Math.sqrt(x * x + y * y + z * z);
             var edge:Number = x * ux + y * uy + z * uz;
             var apex:Number = x * (corners[r] - px) + y * (corners[int(r + 1)] - py) + z * (corners[int(r + 2)] - pz);
             var low:Number = edge < 0 ? edge - reach : -reach;

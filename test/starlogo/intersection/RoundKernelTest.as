@@ -41,16 +41,16 @@ class Halves extends GapFinder
     public var length:Number = 0;
     public var count:int = 0;
 
-    override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, way:RelativeMotion, out:CoreGap):void
+    override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, localMotion:RelativeMotion, out:CoreGap):void
     {
-        way.x = -1;
+        localMotion.x = -1;
         out.size = 1e-300;
     }
 
-    override public function find(way:RelativeMotion, out:CoreGap):void
+    override public function find(localMotion:RelativeMotion, out:CoreGap):void
     {
         out.x = length;
-        way.x = count == 0 ? -1 : -length * 1e3;
+        localMotion.x = count == 0 ? -1 : -length * 1e3;
         length /= 2;
         count++;
     }

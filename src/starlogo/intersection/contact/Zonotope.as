@@ -30,7 +30,7 @@ package starlogo.intersection.contact
         public var radius:Number = 0;
 
         /** How far the sum extends from its middle in the direction of the last <code>measure()</code>. */
-        public var reach:Number = 0;
+        public var projectedRadius:Number = 0;
 
         private var _halves:Vector.<Number> = new Vector.<Number>(3, true);
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -100,7 +100,7 @@ package starlogo.intersection.contact
                 var along:Number = directions[at] * toX + directions[int(at + 1)] * toY + directions[int(at + 2)] * toZ;
                 sum += _halves[int(at / 3)] * Math.abs(along);
             }
-            reach = sum;
+            projectedRadius = sum;
         }
 
         /** Finds the point of the sum that is nearest to a place, if the segments are perpendicular to each other. */

@@ -35,14 +35,14 @@ package starlogo.intersection.ray
             _shape.setStructure(structure);
             // the part of the line that may be inside
             var middle:Number = (_shape.x - ray.x) * ray.directionX + (_shape.y - ray.y) * ray.directionY + (_shape.z - ray.z) * ray.directionZ;
-            var reach:Number = 2 * (_shape.size + _shape.radius) + Number.MIN_VALUE;
-            ray.near = middle - reach + 2 * reach * timeFrom(ray, middle - reach, 2 * reach);
+            var boundingRadius:Number = 2 * (_shape.size + _shape.radius) + Number.MIN_VALUE;
+            ray.near = middle - boundingRadius + 2 * boundingRadius * timeFrom(ray, middle - boundingRadius, 2 * boundingRadius);
             if (ray.near > ray.from && ray.near < Infinity)
             {
                 _pair.findContact(_point, _shape, _motion, _contact);
                 ray.setNormal(_contact.normalX, _contact.normalY, _contact.normalZ);
             }
-            ray.far = middle + reach - 2 * reach * timeFrom(ray, middle + reach, -2 * reach);
+            ray.far = middle + boundingRadius - 2 * boundingRadius * timeFrom(ray, middle + boundingRadius, -2 * boundingRadius);
             return ray.narrow();
         }
 

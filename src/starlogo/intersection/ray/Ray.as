@@ -168,10 +168,10 @@ package starlogo.intersection.ray
             var speed:Number = axis.x * directionX + axis.y * directionY + axis.z * directionZ;
             // a line within the planes crosses them at an infinite distance, if its speed is not -0
             speed = speed == 0 ? 0 : speed;
-            var reach:Number = speed < 0 ? -half : half;
-            var place:Number = (reach - offset) / speed;
+            var ahead:Number = speed < 0 ? -half : half;
+            var place:Number = (ahead - offset) / speed;
             far = place < far ? place : far;
-            place = (-reach - offset) / speed;
+            place = (-ahead - offset) / speed;
             if (place > near)
             {
                 near = place;

@@ -32,7 +32,7 @@ package starlogo.intersection.ray
 
         // The ray's point and its direction.
         private var _place:Vector.<Number> = new Vector.<Number>(3, true);
-        private var _way:Vector.<Number> = new Vector.<Number>(3, true);
+        private var _direction:Vector.<Number> = new Vector.<Number>(3, true);
 
         // The axes, ordered so that the ray goes fastest along the last.
         private var _u:int;
@@ -49,7 +49,7 @@ package starlogo.intersection.ray
         private var _stretch:Number = 0;
 
         // How far from a triangle the ray may pass. Twice the area of a triangle of that height and of the greatest possible width.
-        private var _gap:Number = 0;
+        private var _margin:Number = 0;
         private var _sliver:Number = 0;
 
         // Where the ray first and last passes the edges of a triangle that it sees edge on.
@@ -74,9 +74,9 @@ package starlogo.intersection.ray
             _place[0] = ray.x;
             _place[1] = ray.y;
             _place[2] = ray.z;
-            _way[0] = ray.directionX;
-            _way[1] = ray.directionY;
-            _way[2] = ray.directionZ;
+            _direction[0] = ray.directionX;
+            _direction[1] = ray.directionY;
+            _direction[2] = ray.directionZ;
             var absX:Number = Math.abs(ray.directionX);
             var absY:Number = Math.abs(ray.directionY);
             var absZ:Number = Math.abs(ray.directionZ);
@@ -87,12 +87,12 @@ package starlogo.intersection.ray
             _x = _place[_u];
             _y = _place[_v];
             _z = _place[_w];
-            _stretch = 1 / _way[_w];
-            _shearX = _way[_u] / _way[_w];
-            _shearY = _way[_v] / _way[_w];
-            _gap = Tolerances.SURFACES * radius;
+            _stretch = 1 / _direction[_w];
+            _shearX = _direction[_u] / _direction[_w];
+            _shearY = _direction[_v] / _direction[_w];
+            _margin = Tolerances.SURFACES * radius;
             // Shearing may make a side longer than the diameter, by a factor of at most the root of eight.
-            _sliver = 6 * _gap * radius;
+            _sliver = 6 * _margin * radius;
         }
 
         /**
@@ -101,7 +101,7 @@ package starlogo.intersection.ray
          * <p>For each triangle, it shears the corners as seen from the line, finds the sides on which the ray passes the edges, and finds where
          * the ray crosses the plane.</p>
          */
-        override public function look(node:int, first:int, end:int):void
+        override public function testLeaf(node:int, first:int, end:int):void
         {
             var corners:Vector.<Number> = _corners;
             var u:int = _u;
@@ -153,7 +153,7 @@ package starlogo.intersection.ray
                     }
                 }
                 var width:Number = Math.abs(aX) + Math.abs(aY) + Math.abs(bX) + Math.abs(bY) + Math.abs(cX) + Math.abs(cY);
-                var isEdgeOn:Boolean = Math.abs(sum) <= EDGE_ON * _gap * width;
+                var isEdgeOn:Boolean = Math.abs(sum) <= EDGE_ON * _margin * width;
                 if (isEdgeOn)
                 {
                     passEdges(9 * i);
@@ -181,12 +181,12 @@ package starlogo.intersection.ray
             var slack:Number = Tolerances.ROUNDING * Math.abs(crossing);
             if (isEdgeOn)
             {
-                slack += 4 * EDGE_ON * _gap;
+                slack += 4 * EDGE_ON * _margin;
                 _all.add(crossing, slack, Math.max(_last, crossing) + slack, RayCrossings.EDGE_ON, index);
             }
             else
             {
-                slack += 4 * _gap * (1 + spread / Math.abs(sum));
+                slack += 4 * _margin * (1 + spread / Math.abs(sum));
                 _all.add(crossing, slack, crossing, sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES, index);
             }
         }
@@ -213,7 +213,7 @@ package starlogo.intersection.ray
             var share:Number = square > 0 ? Math.max(0, Math.min(1, -(fromX * toX + fromY * toY) / square)) : 0;
             fromX += share * toX;
             fromY += share * toY;
-            if (fromX * fromX + fromY * fromY <= 9 * EDGE_ON * EDGE_ON * _gap * _gap)
+            if (fromX * fromX + fromY * fromY <= 9 * EDGE_ON * EDGE_ON * _margin * _margin)
             {
                 var place:Number = _stretch * (fromZ + share * (toZ - fromZ));
                 _first = Math.min(_first, place);
@@ -226,7 +226,7 @@ package starlogo.intersection.ray
         {
             toX -= fromX;
             toY -= fromY;
-            return side == 0 || side > 0 == sum > 0 || side * side <= _gap * _gap * (toX * toX + toY * toY);
+            return side == 0 || side > 0 == sum > 0 || side * side <= _margin * _margin * (toX * toX + toY * toY);
         }
 
         // Whether a point of the ray is within a triangle's extents, enlarged by the gap.
@@ -242,8 +242,8 @@ package starlogo.intersection.ray
             var a:Number = corners[int(last - 6)];
             var b:Number = corners[int(last - 3)];
             var c:Number = corners[last];
-            return (a - place <= _gap || b - place <= _gap || c - place <= _gap)
-                && (place - a <= _gap || place - b <= _gap || place - c <= _gap);
+            return (a - place <= _margin || b - place <= _margin || c - place <= _margin)
+                && (place - a <= _margin || place - b <= _margin || place - c <= _margin);
         }
     }
 }

@@ -14,9 +14,9 @@ package starlogo.intersection.sweep
         public var speed:Number = 0;
 
         /** The sum of how far both shapes extend along the axis. */
-        public var reach:Number = 0;
+        public var radius:Number = 0;
 
         /** The gap across which the shapes still touch. */
-        public var gap:Number = 0;
+        public var tolerance:Number = 0;
     }
 }

@@ -27,7 +27,7 @@ package starlogo.intersection.sweep
         public var motionZ:Number = 0;
 
         /** The gap across which the boxes still touch. */
-        public var gap:Number = 0;
+        public var tolerance:Number = 0;
 
         /** The vector from a's middle to b's at time 0, in a's axes. */
         public var x:Number = 0;
@@ -44,7 +44,7 @@ package starlogo.intersection.sweep
         public var bY:Number = 0;
         public var bZ:Number = 0;
 
-        /** The latest time to look at. */
+        /** The latest time that counts. */
         public var latest:Number = 1;
 
         /** The result: the time from which the axes tried do not separate the boxes, or RelativeMotion.NEVER. */
@@ -101,8 +101,8 @@ package starlogo.intersection.sweep
             bX = b.halfX;
             bY = b.halfY;
             bZ = b.halfZ;
-            motion.findRounding();
-            gap = motion.rounding;
+            motion.findMargin();
+            tolerance = motion.margin;
             meetFaces();
             if (time != RelativeMotion.NEVER)
             {
@@ -122,7 +122,7 @@ package starlogo.intersection.sweep
             var b:BoxAxes = axes;
             var along:AxisMotion = _along;
             times.begin(latest);
-            along.gap = gap;
+            along.tolerance = tolerance;
             var fromX:Number = x;
             var fromY:Number = y;
             var fromZ:Number = z;
@@ -131,42 +131,42 @@ package starlogo.intersection.sweep
             var halfZ:Number = bZ;
             along.at = fromX;
             along.speed = motionX;
-            along.reach = aX + halfX * b.absXx + halfY * b.absXy + halfZ * b.absXz;
+            along.radius = aX + halfX * b.absXx + halfY * b.absXy + halfZ * b.absXz;
             if (!times.narrow(along))
             {
                 return;
             }
             along.at = fromY;
             along.speed = motionY;
-            along.reach = aY + halfX * b.absYx + halfY * b.absYy + halfZ * b.absYz;
+            along.radius = aY + halfX * b.absYx + halfY * b.absYy + halfZ * b.absYz;
             if (!times.narrow(along))
             {
                 return;
             }
             along.at = fromZ;
             along.speed = motionZ;
-            along.reach = aZ + halfX * b.absZx + halfY * b.absZy + halfZ * b.absZz;
+            along.radius = aZ + halfX * b.absZx + halfY * b.absZy + halfZ * b.absZz;
             if (!times.narrow(along))
             {
                 return;
             }
             along.at = fromX * b.xx + fromY * b.yx + fromZ * b.zx;
             along.speed = b.xx * motionX + b.yx * motionY + b.zx * motionZ;
-            along.reach = halfX + aX * b.absXx + aY * b.absYx + aZ * b.absZx;
+            along.radius = halfX + aX * b.absXx + aY * b.absYx + aZ * b.absZx;
             if (!times.narrow(along))
             {
                 return;
             }
             along.at = fromX * b.xy + fromY * b.yy + fromZ * b.zy;
             along.speed = b.xy * motionX + b.yy * motionY + b.zy * motionZ;
-            along.reach = halfY + aX * b.absXy + aY * b.absYy + aZ * b.absZy;
+            along.radius = halfY + aX * b.absXy + aY * b.absYy + aZ * b.absZy;
             if (!times.narrow(along))
             {
                 return;
             }
             along.at = fromX * b.xz + fromY * b.yz + fromZ * b.zz;
             along.speed = b.xz * motionX + b.yz * motionY + b.zz * motionZ;
-            along.reach = halfZ + aX * b.absXz + aY * b.absYz + aZ * b.absZz;
+            along.radius = halfZ + aX * b.absXz + aY * b.absYz + aZ * b.absZz;
             if (times.narrow(along))
             {
                 time = times.touch < times.last ? times.touch : times.last;
@@ -229,8 +229,8 @@ package starlogo.intersection.sweep
             {
                 along.at = z * pY - y * pZ;
                 along.speed = motionZ * pY - motionY * pZ;
-                along.reach = aY * sizeZ + aZ * sizeY + alongQ + alongR;
-                along.gap = gap * (sizeY + sizeZ);
+                along.radius = aY * sizeZ + aZ * sizeY + alongQ + alongR;
+                along.tolerance = tolerance * (sizeY + sizeZ);
                 if (!times.narrow(along))
                 {
                     return false;
@@ -244,8 +244,8 @@ package starlogo.intersection.sweep
             {
                 along.at = x * pZ - z * pX;
                 along.speed = motionX * pZ - motionZ * pX;
-                along.reach = aZ * sizeX + aX * sizeZ + alongQ + alongR;
-                along.gap = gap * (sizeX + sizeZ);
+                along.radius = aZ * sizeX + aX * sizeZ + alongQ + alongR;
+                along.tolerance = tolerance * (sizeX + sizeZ);
                 if (!times.narrow(along))
                 {
                     return false;
@@ -261,8 +261,8 @@ package starlogo.intersection.sweep
             alongR = alongR < 0 ? -alongR : alongR;
             along.at = y * pX - x * pY;
             along.speed = motionY * pX - motionX * pY;
-            along.reach = aX * sizeY + aY * sizeX + alongQ + alongR;
-            along.gap = gap * (sizeX + sizeY);
+            along.radius = aX * sizeY + aY * sizeX + alongQ + alongR;
+            along.tolerance = tolerance * (sizeX + sizeY);
             return times.narrow(along);
         }
 

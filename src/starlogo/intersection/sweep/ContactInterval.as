@@ -3,23 +3,23 @@ package starlogo.intersection.sweep
     import starlogo.geometry.Tolerances;
 
     /**
-     * The interval of time in which no axis tried so far separates two moving shapes. A gap for rounding is included in the decision
+     * The interval of time in which no axis tried so far separates two moving shapes. A tolerance for rounding is included in the decision
      * whether they touch at all. The time of impact does not include it.
      *
      * @private
      */
     public final class ContactInterval
     {
-        /** The end of the interval, with the gap included. Read only. */
+        /** The end of the interval, with the tolerance included. Read only. */
         public var last:Number = 1;
 
         /**
-         * The time from which the last axis no longer separates the shapes, without the gap. If it is not after the end of the interval,
+         * The time from which the last axis no longer separates the shapes, without the tolerance. If it is not after the end of the interval,
          * the shapes touch then. Read only.
          */
         public var touch:Number = 0;
 
-        // The beginning of the interval, with the gap included.
+        // The beginning of the interval, with the tolerance included.
         private var _first:Number = 0;
 
         /** Begins with no axis tried. */
@@ -39,14 +39,14 @@ package starlogo.intersection.sweep
         {
             var from:Number = axis.at;
             var rate:Number = axis.speed;
-            var near:Number = axis.reach;
+            var near:Number = axis.radius;
             // mirrored, so that the motion is upwards
             if (rate < 0)
             {
                 rate = -rate;
                 from = -from;
             }
-            var wide:Number = near * Tolerances.TOUCHING + axis.gap;
+            var wide:Number = near * Tolerances.TOUCHING + axis.tolerance;
             var time:Number;
             if (from < -wide)
             {

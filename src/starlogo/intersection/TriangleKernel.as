@@ -21,7 +21,7 @@ package starlogo.intersection
      *
      * @private
      */
-    public final class ConvexTriangle
+    public final class TriangleKernel
     {
         /** The shape, in the triangles' space. Only its margin may be changed. */
         public var shape:ConvexShape = new ConvexShape();
@@ -31,12 +31,12 @@ package starlogo.intersection
 
         private var _pair:ConvexPair = new ConvexPair();
 
-        // A structure for each kind, and a triangle's corners.
+        // The shape where it is placed: a structure for each kind, and a triangle's corners.
         private var _structures:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
-        private var _corners:Vector.<Number> = new Vector.<Number>();
+        private var _placed:Vector.<Number> = new Vector.<Number>();
 
         // The triangle: nine numbers of a list. Its shape is set when it is needed.
-        private var _list:Vector.<Number> = null;
+        private var _corners:Vector.<Number> = null;
         private var _at:int = 0;
         private var _isSet:Boolean = false;
         private var _triangle:ConvexShape = new ConvexShape();
@@ -45,22 +45,22 @@ package starlogo.intersection
         private var _deepest:DeepestPoint = new DeepestPoint();
 
         /**
-         * Begins with a structure.
+         * Sets the shape to a structure.
          *
-         * @param shape the structure; not kept
+         * @param structure not kept
          * @param placement moves it into the triangles' space
          */
-        public function begin(shape:BoundingStructure, placement:Placement):void
+        public function setStructure(structure:BoundingStructure, placement:Placement):void
         {
-            structure = _structures[shape.kind] = shape.place(placement, _structures[shape.kind]);
-            this.shape.setStructure(structure);
+            this.structure = _structures[structure.kind] = structure.place(placement, _structures[structure.kind]);
+            shape.setStructure(this.structure);
         }
 
-        /** Begins with a triangle: nine numbers of a list, from an index on. The placement moves it into the other triangles' space. */
-        public function beginTriangle(corners:Vector.<Number>, at:int, placement:Placement):void
+        /** Sets the shape to a triangle: nine numbers of a list, from an index on. The placement moves it into the other triangles' space. */
+        public function setShapeToTriangle(corners:Vector.<Number>, at:int, placement:Placement):void
         {
-            placement.movePoints(corners, at, at + 9, _corners);
-            shape.setTriangle(_corners, 0);
+            placement.movePoints(corners, at, at + 9, _placed);
+            shape.setTriangle(_placed, 0);
         }
 
         /**
@@ -71,7 +71,7 @@ package starlogo.intersection
          */
         public function setTriangle(corners:Vector.<Number>, at:int):void
         {
-            _list = corners;
+            _corners = corners;
             _at = at;
             _isSet = false;
         }
@@ -146,11 +146,11 @@ package starlogo.intersection
             deepest.x += motion.startX + motion.time * motion.x;
             deepest.y += motion.startY + motion.time * motion.y;
             deepest.z += motion.startZ + motion.time * motion.z;
-            out.depth = out.normalX * _list[_at] + out.normalY * _list[int(_at + 1)] + out.normalZ * _list[int(_at + 2)] - out.along(deepest);
+            out.depth = out.normalX * _corners[_at] + out.normalY * _corners[int(_at + 1)] + out.normalZ * _corners[int(_at + 2)] - out.along(deepest);
             out.x = deepest.x + out.depth / 2 * out.normalX;
             out.y = deepest.y + out.depth / 2 * out.normalY;
             out.z = deepest.z + out.depth / 2 * out.normalZ;
-            return isOverTriangle(deepest, _list, _at, _face);
+            return isOverTriangle(deepest, _corners, _at, _face);
         }
 
         /**
@@ -162,7 +162,7 @@ package starlogo.intersection
         public function isBehindPlane(corners:Vector.<Number>, slack:Number):Boolean
         {
             _face.measure(corners, 0, 9);
-            return _face.greatest <= _face.x * _list[_at] + _face.y * _list[int(_at + 1)] + _face.z * _list[int(_at + 2)] + slack;
+            return _face.greatest <= _face.x * _corners[_at] + _face.y * _corners[int(_at + 1)] + _face.z * _corners[int(_at + 2)] + slack;
         }
 
         /**
@@ -199,14 +199,14 @@ package starlogo.intersection
             if (!_isSet)
             {
                 _isSet = true;
-                _triangle.setTriangle(_list, _at);
+                _triangle.setTriangle(_corners, _at);
             }
         }
 
         // Writes the triangle's normal. It is NaN if the triangle has no area, because comparisons with NaN are false.
         private function writeFace(out:FaceNormal):void
         {
-            out.setTriangle(_list, _at);
+            out.setTriangle(_corners, _at);
             if (!(out.length * out.length > Tolerances.FLAT_TRIANGLE * out.squared * out.squared))
             {
                 out.clear();

@@ -21,7 +21,7 @@ package starlogo.intersection
     use namespace engine;
 
     /** When structures that move touch a triangle, and how: against their distances at many times. */
-    public class ConvexTriangleTest
+    public class TriangleKernelTest
     {
         private static const NEAR:Number = 1e-9;
 
@@ -49,7 +49,7 @@ package starlogo.intersection
                 {
                     continue;
                 }
-                var sweep:ConvexTriangle = new ConvexTriangle();
+                var sweep:TriangleKernel = new TriangleKernel();
                 var end:Number = Math.min(1, timeOf(sweep, structure, corners, motion));
                 var message:String = structure + ", triangle " + corners + ", motion " + [motion.x, motion.y, motion.z] + ", time " + motion.time;
                 _wrong.addIf(touchesBefore(structure, corners, motion, end * (1 - 1e-7)), "through", message);
@@ -75,9 +75,9 @@ package starlogo.intersection
             {
                 var structure:BoundingStructure = _structures.ofKind(i % 3, _random.logBetween(0.02, 2), 2);
                 var corners:Vector.<Number> = anyTriangle(i % 4);
-                var sweep:ConvexTriangle = new ConvexTriangle();
+                var sweep:TriangleKernel = new TriangleKernel();
                 closest.distance = Infinity;
-                sweep.begin(structure, new Placement());
+                sweep.setStructure(structure, new Placement());
                 sweep.setTriangle(corners, 0);
                 sweep.findCloser(closest);
                 if (!(closest.distance > 1e-3) || areTouching(structure, corners, 0))
@@ -128,7 +128,7 @@ package starlogo.intersection
                 motion.x = _random.between(-4, 4);
                 motion.y = _random.between(-4, 4);
                 motion.z = _random.between(-4, 4);
-                var sweep:ConvexTriangle = new ConvexTriangle();
+                var sweep:TriangleKernel = new TriangleKernel();
                 var first:Number = timeOf(sweep, structure, corners, motion);
                 for (var k:int = -4; k <= 4 && first > 0 && first < 1; k++)
                 {
@@ -145,11 +145,11 @@ package starlogo.intersection
         [Test]
         public function nothingIsBehindATriangleWithoutArea():void
         {
-            var triangle:ConvexTriangle = new ConvexTriangle();
+            var triangle:TriangleKernel = new TriangleKernel();
             var out:ContactPoint = new ContactPoint();
             for (var i:int = 0; i < 300; i++)
             {
-                triangle.begin(_structures.ofKind(i % 3, _random.logBetween(0.02, 2), 2), new Placement());
+                triangle.setStructure(_structures.ofKind(i % 3, _random.logBetween(0.02, 2), 2), new Placement());
                 var corners:Vector.<Number> = anyTriangle(0);
                 var share:Number = i % 5 / 4;
                 for (var k:int = 0; k < 3; k++)
@@ -162,9 +162,9 @@ package starlogo.intersection
             _wrong.assertNone();
         }
 
-        private static function timeOf(sweep:ConvexTriangle, structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion):Number
+        private static function timeOf(sweep:TriangleKernel, structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion):Number
         {
-            sweep.begin(structure, new Placement());
+            sweep.setStructure(structure, new Placement());
             sweep.setTriangle(corners, 0);
             motion.time = RelativeMotion.NEVER;
             if (!sweep.staysBeside(motion))
@@ -174,7 +174,7 @@ package starlogo.intersection
             return motion.time;
         }
 
-        private function assertContact(structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion, sweep:ConvexTriangle, message:String):void
+        private function assertContact(structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion, sweep:TriangleKernel, message:String):void
         {
             var there:BoundingStructure = moved(structure, motion, motion.time);
             _wrong.addIf(!areTouching(there, corners, NEAR), "no touch", message);

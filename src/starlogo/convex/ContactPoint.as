@@ -23,7 +23,13 @@ package starlogo.convex
         /** The length of the overlap along the normal, at least 0. It is 0 if the shapes just touch. */
         public var depth:Number = 0;
 
-        /** Copies the point, the normal and the depth of another contact. */
+        /** A lower bound for the length of every way out; 0 if none is known. Only a contact with the ground has it. */
+        public var leastDepth:Number = 0;
+
+        /** Whether the first shape is known to touch wherever it goes less than the depth along the normal. Only a contact with the ground has it. */
+        public var isDepthSure:Boolean = false;
+
+        /** Becomes the same as another contact. */
         public function copyFrom(other:ContactPoint):void
         {
             x = other.x;
@@ -33,6 +39,8 @@ package starlogo.convex
             normalY = other.normalY;
             normalZ = other.normalZ;
             depth = other.depth;
+            leastDepth = other.leastDepth;
+            isDepthSure = other.isDepthSure;
         }
 
         /**

@@ -38,12 +38,6 @@ package starlogo.ground
         // A contact is taken at once if the least length of a way out is at least this fraction of its depth.
         private static const NEEDED:Number = 0.8;
 
-        /** A lower bound for the length of every way out of the last contact; 0 if none is known. */
-        public var leastDepth:Number = 0;
-
-        /** Whether the last contact is known to be as deep as it says: a point of the model is that deep behind a triangle. */
-        public var isDepthSure:Boolean = false;
-
         private var _grid:HeightGrid;
         private var _hasTree:Boolean = false;
         private var _pieces:GroundPieces = new GroundPieces();
@@ -115,8 +109,7 @@ package starlogo.ground
          */
         public function findFirst(motion:RelativeMotion, out:ContactPoint):void
         {
-            leastDepth = 0;
-            isDepthSure = _hasPart = false;
+            _hasPart = false;
             var touching:Number = 0;
             if (!overlapsAt(motion, 0))
             {
@@ -167,6 +160,7 @@ package starlogo.ground
             motion.time = first;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
+                setBounds(out, 0, false);
                 moveToWorld(out);
             }
         }
@@ -181,8 +175,7 @@ package starlogo.ground
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
             var time:Number = motion.time;
-            leastDepth = 0;
-            isDepthSure = _hasPart = false;
+            _hasPart = false;
             if (motion.x != 0 || motion.y != 0 || motion.z != 0)
             {
                 findImpact(motion, out);
@@ -195,17 +188,15 @@ package starlogo.ground
             }
             _pieces.placeAt(motion, time);
             findDeepest(out, false);
-            isDepthSure = _hasPart;
+            // a point of the model is that deep behind a triangle
+            var isSure:Boolean = _hasPart;
             if (!_hasPart)
             {
                 findDeepest(out, true);
             }
             if (_hasPart)
             {
-                if (isDepthSure || isNeeded(out))
-                {
-                    leastDepth = out.depth;
-                }
+                setBounds(out, isSure || isNeeded(out) ? out.depth : 0, isSure);
                 moveToWorld(out);
             }
             else
@@ -245,6 +236,7 @@ package starlogo.ground
         /** Finds the contact that lifts the model from its lowest place above all ground under it. */
         public function findOuterContact(out:ContactPoint):void
         {
+            setBounds(out, 0, false);
             _pieces.placeBox();
             var low:Number = _box.z - _box.halfZ;
             _grid.findAround(_box.x + _box.origin.x, _box.y + _box.origin.y, _box.halfX, _box.halfY, _range);
@@ -435,6 +427,12 @@ package starlogo.ground
                 }
             }
             return false;
+        }
+
+        private static function setBounds(out:ContactPoint, leastDepth:Number, isDepthSure:Boolean):void
+        {
+            out.leastDepth = leastDepth;
+            out.isDepthSure = isDepthSure;
         }
 
         private function moveToWorld(out:ContactPoint):void

@@ -88,7 +88,7 @@ package starlogo.search
             sweepBack(out);
             if (out.depth > SHALLOW * _pair.extent)
             {
-                for (var left:int = IMPROVEMENTS; left > 0 && isShorterAlongLeft(out); left--)
+                for (var left:int = IMPROVEMENTS; left > 0 && tryAlongLeft(out); left--)
                 {
                     _touching = 0;
                     sweepBack(out);
@@ -101,7 +101,7 @@ package starlogo.search
         }
 
         // Tries the normal of the surfaces at the end of the way. Returns whether the way out along it is shorter.
-        private function isShorterAlongLeft(out:ContactPoint):Boolean
+        private function tryAlongLeft(out:ContactPoint):Boolean
         {
             var cosine:Number = _left.normalX * out.normalX + _left.normalY * out.normalY + _left.normalZ * out.normalZ;
             if (!(cosine > 0 && cosine < GAIN))

@@ -102,17 +102,13 @@ package starlogo.search
         /** @inheritDoc */
         override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var pair:GroundPair = pairOf(a, b);
-            pair.findFirst(motion, out);
-            takeBounds(pair);
+            pairOf(a, b).findFirst(motion, out);
         }
 
         /** @inheritDoc */
         override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var pair:GroundPair = pairOf(a, b);
-            pair.findContact(motion, out);
-            takeBounds(pair);
+            pairOf(a, b).findContact(motion, out);
         }
 
         /** @inheritDoc */
@@ -161,13 +157,6 @@ package starlogo.search
             _farthest.setTo(a, _narrowPhase.treeLimits);
             _farthest.find(_inwards);
             exit.depth = plane + _farthest.support;
-        }
-
-        // Takes what is known of the last contact.
-        private function takeBounds(pair:GroundPair):void
-        {
-            leastDepth = pair.leastDepth;
-            isDepthSure = pair.isDepthSure;
         }
 
         private static function gridOf(ground:Body):HeightGrid

@@ -15,12 +15,6 @@ package starlogo.search
      */
     public class PairTests
     {
-        /** A lower bound for the length of every way out of the last contact; 0 if none is known. Only the ground knows one. */
-        public var leastDepth:Number = 0;
-
-        /** Whether the two are known to touch wherever the first body goes less than the depth of the last contact along its normal. */
-        public var isDepthSure:Boolean = false;
-
         /** Whether two bodies touch. The answer must be the same in either order, to the last bit. */
         public function areTouching(a:Body, b:Body):Boolean
         {

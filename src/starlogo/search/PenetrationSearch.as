@@ -12,7 +12,7 @@ package starlogo.search
      * <p>It begins with a push along the given normal. If the two still touch after a push, their contact there is added, and the next push is
      * the shortest one out of all contacts so far (PushSearch). So a box in a corner of floor and wall goes out of both at once.</p>
      *
-     * <p>An agent in the ground may have many ways out. The tests know a lower bound of their lengths (<code>PairTests.leastDepth</code>). If the
+     * <p>An agent in the ground may have many ways out. Its contact may have a lower bound of their lengths (<code>leastDepth</code>). If the
      * first push is hardly longer, it is taken. Otherwise each side of the ground that the deepest touched part is behind begins a push of
      * its own (<code>PairTests.findExits()</code>). The shortest push that frees the agent is taken. Contacts may contradict each other, as
      * opposite walls do, and the ground ends at edges, where a push out of the whole plane is longer than needed. So a push that
@@ -189,7 +189,7 @@ package starlogo.search
         private function findGroundExit(out:ContactPoint):void
         {
             var maxDistance:Number = Math.max(DirectionSearch.SHALLOW * _pair.extent, Math.min(_first.depth, _pair.extent));
-            if (findPush(out, Math.max(_pairTests.leastDepth / NEEDED, ROOM * _pair.extent), 0, MOST_CONTACTS))
+            if (findPush(out, Math.max(_first.leastDepth / NEEDED, ROOM * _pair.extent), 0, MOST_CONTACTS))
             {
                 return;
             }
@@ -296,7 +296,7 @@ package starlogo.search
                     }
                     return false;
                 }
-                if (isFreeAfterPush())
+                if (tryPush())
                 {
                     takePush(out);
                     return true;
@@ -319,7 +319,8 @@ package starlogo.search
             }
         }
 
-        private function isFreeAfterPush():Boolean
+        // Tries the current push. Returns whether the first body is free after it.
+        private function tryPush():Boolean
         {
             _along.x = _pushes.push.x / _pushes.length;
             _along.y = _pushes.push.y / _pushes.length;
@@ -369,12 +370,12 @@ package starlogo.search
             return isShort ? cosine > LEAST_ACUTE_COSINE : cosine > LEAST_COSINE && cosine < MOST_COSINE;
         }
 
-        // Takes the push. If the two are free before its end, the depth is refined. The first push needs no look if the tests are sure of its length.
+        // Takes the push. If the two are free before its end, the depth is refined. The first push out of the ground needs no test if its contact is sure of its depth.
         private function takePush(out:ContactPoint):void
         {
             out.setNormal(_along.x, _along.y, _along.z);
             out.depth = _pushes.length;
-            if (!_isFirstLost && _pairTests.isDepthSure)
+            if (!_isFirstLost && _pair.isSecondGround && _first.isDepthSure)
             {
                 return;
             }

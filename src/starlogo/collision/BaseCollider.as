@@ -4,6 +4,7 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
+    import starlogo.search.ForeignPairs;
     import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
@@ -20,6 +21,9 @@ package starlogo.collision
     {
         private var _collisionSystem:CollisionSystem;
         private var _found:Vector.<Agent> = new Vector.<Agent>();
+
+        // Reads the pairs that a game's own system has found.
+        private var _foreign:ForeignPairs = null;
 
         /**
          * Creates a collider that finds the same pairs as another collision system.
@@ -135,7 +139,8 @@ package starlogo.collision
                 throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(_collisionSystem || this, "a Collider"));
             }
             var listed:Vector.<Agent> = input.takePart == null ? input.agents : chosen(input.agents, input.takePart);
-            out.read(findCollisionsAmong(listed, input.interests, _found), input.agents);
+            _foreign ||= new ForeignPairs();
+            _foreign.read(findCollisionsAmong(listed, input.interests, _found), input.agents, out);
         }
 
         /** @private Called when a Collision's frame is over, handlers included, with the Collision's statistics. */

@@ -36,10 +36,7 @@ package starlogo.collision
         private static const SEARCHING:int = 1;
         private static const HANDLING:int = 2;
 
-        /** @private Chooses the shapes of agents. */
-        engine var choice:AgentShapes;
-
-        /** @private Tests pairs of agents, for questions too. */
+        /** @private Has the choice of shapes, and tests pairs of agents, for questions too. */
         engine var narrowPhase:NarrowPhase;
 
         /** @private The search that the collider makes. */
@@ -72,8 +69,7 @@ package starlogo.collision
             super();
             narrowPhase = new NarrowPhase(choice);
             SpherePairTests.bringTo(narrowPhase);
-            search = new CollisionSearch(choice, narrowPhase);
-            this.choice = choice;
+            search = new CollisionSearch(narrowPhase);
             _seen = search;
         }
 
@@ -107,7 +103,7 @@ package starlogo.collision
             if (_owner != null && _phase != SEARCHING)
             {
                 // the game's own call must not change where the next frame's motions begin
-                _extraSearch ||= new CollisionSearch(choice, narrowPhase);
+                _extraSearch ||= new CollisionSearch(narrowPhase);
                 asked = _extraSearch;
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();

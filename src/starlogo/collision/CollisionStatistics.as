@@ -1,6 +1,9 @@
 package starlogo.collision
 {
+    import starlogo.engine;
     import starlogo.search.SearchCounts;
+
+    use namespace engine;
 
     /**
      * Counts and times of one frame of collision detection. The next frame overwrites them; copy numbers that you want to keep.
@@ -33,22 +36,7 @@ package starlogo.collision
         /** Copies every number of another frame. */
         public function copyFrom(other:CollisionStatistics):void
         {
-            agents = other.agents;
-            agentsSkipped = other.agentsSkipped;
-            agentsLoading = other.agentsLoading;
-            candidatePairs = other.candidatePairs;
-            sweptPairs = other.sweptPairs;
-            sphereSphereTests = other.sphereSphereTests;
-            sphereCapsuleTests = other.sphereCapsuleTests;
-            sphereBoxTests = other.sphereBoxTests;
-            capsuleCapsuleTests = other.capsuleCapsuleTests;
-            capsuleBoxTests = other.capsuleBoxTests;
-            boxBoxTests = other.boxBoxTests;
-            hullTests = other.hullTests;
-            hierarchyTests = other.hierarchyTests;
-            nodeVisits = other.nodeVisits;
-            triangleTests = other.triangleTests;
-            collisions = other.collisions;
+            copyCounts(other);
             handlerCalls = other.handlerCalls;
             findMs = other.findMs;
             frameMs = other.frameMs;

@@ -20,7 +20,7 @@ package starlogo.collision
          * @param list the list of the last search, or an empty list
          * @param keepsMotions false to write that no agent has a motion
          */
-        public static function write(table:AgentTable, list:Vector.<Agent>, bytes:ByteArray, keepsMotions:Boolean):void
+        public static function write(bytes:ByteArray, list:Vector.<Agent>, table:AgentTable, keepsMotions:Boolean):void
         {
             var places:RowPlaces = table.places.last;
             for (var i:int = 0; i < list.length; i++)
@@ -40,7 +40,7 @@ package starlogo.collision
          * @param bytes written for the same number of agents
          * @throws ArgumentError as <code>AgentTable.read()</code> does
          */
-        public static function restore(table:AgentTable, list:Vector.<Agent>, bytes:ByteArray):void
+        public static function restore(bytes:ByteArray, list:Vector.<Agent>, table:AgentTable):void
         {
             table.read(list);
             for (var i:int = 0; i < list.length; i++)

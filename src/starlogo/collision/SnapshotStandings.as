@@ -23,7 +23,7 @@ package starlogo.collision
         private static const ROTATION:int = 9;
 
         /** Writes what the agents of a table's list stand on, if it is in the list too. */
-        public static function write(agents:Vector.<Agent>, table:AgentTable, bytes:ByteArray):void
+        public static function write(bytes:ByteArray, agents:Vector.<Agent>, table:AgentTable):void
         {
             var countAt:uint = bytes.position;
             var count:int = 0;
@@ -76,7 +76,7 @@ package starlogo.collision
         }
 
         /** Lets agents stand as they stood when it was written. */
-        public static function read(agents:Vector.<Agent>, bytes:ByteArray):void
+        public static function read(bytes:ByteArray, agents:Vector.<Agent>):void
         {
             for (var i:int = 0; i < agents.length; i++)
             {

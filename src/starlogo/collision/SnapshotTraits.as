@@ -18,7 +18,7 @@ package starlogo.collision
         private static const ONE_WAY:int = 4;
 
         /** Writes the traits of all agents. */
-        public static function write(agents:Vector.<Agent>, names:SnapshotNames, bytes:ByteArray):void
+        public static function write(bytes:ByteArray, agents:Vector.<Agent>, names:SnapshotNames):void
         {
             for (var i:int = 0; i < agents.length; i++)
             {
@@ -43,7 +43,7 @@ package starlogo.collision
          *
          * @throws Error if the bytes are no traits. Some agents may then have changed
          */
-        public static function read(agents:Vector.<Agent>, names:SnapshotNames, bytes:ByteArray):void
+        public static function read(bytes:ByteArray, agents:Vector.<Agent>, names:SnapshotNames):void
         {
             for (var i:int = 0; i < agents.length; i++)
             {

@@ -75,16 +75,16 @@ package starlogo.collision
             var hasHeights:Boolean = withGround && terrain != null;
             var names:SnapshotNames = new SnapshotNames();
             var parts:ByteArray = newBytes();
-            SnapshotPlaces.write(table, agents, parts, keepsMotions);
+            SnapshotPlaces.write(parts, agents, table, keepsMotions);
             writePairs(parts, names, tracker, table, worldAgents);
-            SnapshotStandings.write(agents, table, parts);
+            SnapshotStandings.write(parts, agents, table);
             if (hasHeights)
             {
                 SnapshotGround.write(parts, terrain);
             }
             if (withTraits)
             {
-                SnapshotTraits.write(agents, names, parts);
+                SnapshotTraits.write(parts, agents, names);
             }
             var bytes:ByteArray = newBytes();
             bytes.writeUnsignedInt(MARK);
@@ -128,7 +128,7 @@ package starlogo.collision
             }
             restoreAgents(copy, agents, search);
             copy.position = _standingsAt;
-            SnapshotStandings.read(agents, copy);
+            SnapshotStandings.read(copy, agents);
             if ((_contents & HEIGHTS) != 0)
             {
                 copy.position = _groundAt;
@@ -147,11 +147,11 @@ package starlogo.collision
             {
                 if ((_contents & TRAITS) != 0)
                 {
-                    SnapshotTraits.write(agents, namesBefore, before);
+                    SnapshotTraits.write(before, agents, namesBefore);
                     readTraits(bytes, agents);
                 }
                 bytes.position = _placesAt;
-                SnapshotPlaces.restore(search.table, agents, bytes);
+                SnapshotPlaces.restore(bytes, agents, search.table);
                 search.forgetSearch();
             }
             catch (error:Error)
@@ -159,7 +159,7 @@ package starlogo.collision
                 if (before.length > 0)
                 {
                     before.position = 0;
-                    SnapshotTraits.read(agents, namesBefore, before);
+                    SnapshotTraits.read(before, agents, namesBefore);
                 }
                 throw error;
             }
@@ -170,7 +170,7 @@ package starlogo.collision
             bytes.position = _traitsAt;
             try
             {
-                SnapshotTraits.read(agents, _names, bytes);
+                SnapshotTraits.read(bytes, agents, _names);
             }
             catch (error:Error)
             {
@@ -187,15 +187,16 @@ package starlogo.collision
             {
                 var pair:Touch = touches[i];
                 bytes.writeInt(table.list.ranks[table.list.rowOf(pair.first)]);
-                bytes.writeInt(Breeds.isReserved(pair.secondBreed) ? table.list.count + indexOfWorldAgent(pair, worldAgents) : table.list.ranks[table.list.rowOf(pair.second)]);
+                bytes.writeInt(Breeds.isReserved(pair.secondBreed) ? table.list.count + enterWorldAgent(pair, worldAgents) : table.list.ranks[table.list.rowOf(pair.second)]);
                 bytes.writeInt(names.ofBreed(pair.firstBreed));
                 bytes.writeInt(names.ofBreed(pair.secondBreed));
                 bytes.writeBoolean(pair.isBothWays);
             }
         }
 
+        // Finds the index of the ground or the edges of a pair after those of the agents. If they were exchanged, it keeps their agent for restore().
         // The reserved breeds have the first numbers, and the ground's breed is the first of them.
-        private function indexOfWorldAgent(pair:Touch, worldAgents:Vector.<Agent>):int
+        private function enterWorldAgent(pair:Touch, worldAgents:Vector.<Agent>):int
         {
             var index:int = pair.secondBreed;
             if (pair.second !== worldAgents[index])

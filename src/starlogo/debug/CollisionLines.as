@@ -59,7 +59,7 @@ package starlogo.debug
             var collider:Collider = BaseCollider.of(system).equivalentCollider;
             var all:Vector.<Number> = out || new Vector.<Number>();
             // a BinCollider may be without models, and its agents have any shapes
-            var models:GreatLand = collider == null ? _greatLand : collider.choice.greatLand;
+            var models:GreatLand = collider == null ? _greatLand : collider.narrowPhase.choice.greatLand;
             if (models != null && !models.hasModel(agent.shape))
             {
                 return all;
@@ -81,7 +81,7 @@ package starlogo.debug
                 _lines = {};
             }
             // a system that is not the engine's tells nothing about its shapes
-            var choice:AgentShapes = collider == null ? new TightestShapes(_greatLand) : collider.choice;
+            var choice:AgentShapes = collider == null ? new TightestShapes(_greatLand) : collider.narrowPhase.choice;
             var level:int = collider == null || collider.narrowPhase.trees == null ? 0 : levelOf(agent, collider.narrowPhase.treeLimits);
             var key:String = level + " " + choice.kindOf(agent) + " " + agent.shape;
             if (_lines[key] == null)

@@ -22,10 +22,7 @@ package starlogo.search
     {
         private static const UPRIGHT:Placement = new Placement();
 
-        // More than the number of agents in any list.
-        private static const FIRST_UNLISTED:int = 1 << 30;
-
-        // The middle and half of the lengths of extents.
+        // The middle and half of the lengths of extents, within one method.
         private static var sExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /** The shape; null while the agent's model is loading. */
@@ -88,7 +85,7 @@ package starlogo.search
                 // the structures of the ground and of the edges are not scaled
                 size = 1;
             }
-            rank = FIRST_UNLISTED + agent.number;
+            rank = ListedAgents.rankOfUnlisted(agent);
             depth = agent.depthLimit;
             if (shape.isUpright && shape === this.shape && size == placement.size)
             {
@@ -99,8 +96,7 @@ package starlogo.search
             takeShape(shape);
             placement.copyRotation(shape.isUpright ? UPRIGHT : agent.worldPlacement());
             placement.size = size;
-            shape.structure.rotatedExtentsInto(placement, sExtents);
-            takeExtents();
+            findExtents();
         }
 
         /** Becomes the body of an agent as it is now. While the model is loading, the shape is null, and only the place counts. */
@@ -126,10 +122,9 @@ package starlogo.search
         public function readStructure(structure:BoundingStructure):void
         {
             requireStructure(structure);
-            var found:Vector.<Number> = sExtents;
-            structure.rotatedExtentsInto(UPRIGHT, found);
-            requireInWorld("half of a structure's length", found[3], found[4], found[5]);
-            requireInWorld("a structure's middle", found[0], found[1], found[2]);
+            structure.rotatedExtentsInto(UPRIGHT, sExtents);
+            requireInWorld("half of a structure's length", sExtents[3], sExtents[4], sExtents[5]);
+            requireInWorld("a structure's middle", sExtents[0], sExtents[1], sExtents[2]);
             takeStructure(structure);
         }
 
@@ -137,15 +132,15 @@ package starlogo.search
         public function readPlaced(whole:Body):void
         {
             _worlds ||= new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
-            var world:BoundingStructure = _worlds[whole.form] = whole.shape.structure.place(whole.placement, _worlds[whole.form]);
-            world.rotatedExtentsInto(UPRIGHT, sExtents);
-            takeStructure(world);
+            _worlds[whole.form] = whole.shape.structure.place(whole.placement, _worlds[whole.form]);
+            takeStructure(_worlds[whole.form]);
         }
 
-        // Takes a structure in the world. Its extents have been found.
+        // Takes a structure in the world.
         private function takeStructure(structure:BoundingStructure):void
         {
             var found:Vector.<Number> = sExtents;
+            structure.rotatedExtentsInto(UPRIGHT, found);
             _ownShapes ||= new Vector.<ModelShape>(BoundingStructure.KIND_COUNT, true);
             var own:ModelShape = _ownShapes[structure.kind];
             if (own == null)
@@ -164,9 +159,7 @@ package starlogo.search
             placement.z = found[2];
             takeShape(own);
             rank = depth = 0;
-            own.structure.rotatedExtentsInto(placement, found);
-            takeExtents();
-            settle();
+            findExtents();
         }
 
         /**
@@ -220,8 +213,7 @@ package starlogo.search
             if (!shape.isUpright)
             {
                 placement.setRotation(agent.heading + degrees, agent.pitch, agent.roll);
-                shape.structure.rotatedExtentsInto(placement, sExtents);
-                takeExtents();
+                findExtents();
             }
         }
 
@@ -342,8 +334,10 @@ package starlogo.search
             }
         }
 
-        private function takeExtents():void
+        // Finds the extents of the shape, turned and scaled as the placement says.
+        private function findExtents():void
         {
+            shape.structure.rotatedExtentsInto(placement, sExtents);
             offsetX = sExtents[0];
             offsetY = sExtents[1];
             offsetZ = sExtents[2];

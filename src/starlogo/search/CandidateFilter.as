@@ -48,7 +48,7 @@ package starlogo.search
         public function begin(out:FoundPairs):void
         {
             candidatePairs = 0;
-            out.begin(_table.list);
+            out.begin(_table.list.agents, _table.list.ranks, _table.list.count);
             _out = out;
         }
 

@@ -46,13 +46,12 @@ package starlogo.search
         private var _someRows:Vector.<int> = new Vector.<int>();
 
         /**
-         * @param choice finds the shapes of agents
-         * @param narrowPhase tests which of them touch
+         * @param narrowPhase has the choice of the agents' shapes, and tests which of them touch
          */
-        public function CollisionSearch(choice:AgentShapes, narrowPhase:NarrowPhase)
+        public function CollisionSearch(narrowPhase:NarrowPhase)
         {
             _narrowPhase = narrowPhase;
-            _shapes = new ModelShapes(choice);
+            _shapes = new ModelShapes(narrowPhase.choice);
             table = new AgentTable(_shapes, _bins.levels);
             _motions = new RowMotions(narrowPhase);
             _candidates = new CandidateFilter(table, narrowPhase, _motions, _conditions);
@@ -152,9 +151,7 @@ package starlogo.search
             {
                 throw new ArgumentError("the ground and the edges of the world have no contact with each other");
             }
-            var rowA:int = table.list.rowOf(a);
-            var rowB:int = table.list.rowOf(b);
-            if (comesAfter(a, rowA, b, rowB))
+            if (table.list.rankOf(a) > table.list.rankOf(b))
             {
                 // as in the pairs of a search, so rounding is the same in either order
                 findContact(b, a, motion, out);
@@ -162,6 +159,8 @@ package starlogo.search
                 motion.endAfter(-motion.x, -motion.y, -motion.z);
                 return;
             }
+            var rowA:int = table.list.rowOf(a);
+            var rowB:int = table.list.rowOf(b);
             var areSeen:Boolean = rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null;
             if (areSeen && _conditions.isSwept)
             {
@@ -183,24 +182,10 @@ package starlogo.search
             _narrowPhase.findContact(bodyA, bodyB, motion, out);
         }
 
-        // Whether the second of two agents comes first in a pair. The ground and the edges of the world come last.
-        private function comesAfter(a:Agent, rowA:int, b:Agent, rowB:int):Boolean
-        {
-            if (Breeds.isReserved(a.breedNumber) || Breeds.isReserved(b.breedNumber))
-            {
-                return Breeds.isReserved(a.breedNumber);
-            }
-            if (rowA >= 0 && rowB >= 0)
-            {
-                return table.list.ranks[rowA] > table.list.ranks[rowB];
-            }
-            return rowB >= 0 || rowA < 0 && a.number > b.number;
-        }
-
         /** Keeps the ground and the edges of the world of the last search as they are now, for findContact. */
         public function holdWorld():void
         {
-            _held.hold(table, _narrowPhase);
+            _held.hold(table);
         }
 
         /** From now on the ground and the edges count as they are. */

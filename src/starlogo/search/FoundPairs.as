@@ -9,8 +9,8 @@ package starlogo.search
      * The pairs of a frame: two rows of agents each. They are in the order of the list, by the first agent's index and then by the second's. The
      * ground and the edges of the world come after all agents. If an agent sweeps, pairs that touch earlier come first.
      *
-     * <p>PairOrder sorts pairs. KeptPairs makes the pairs of a frame from those of the last one. Pairs of a collision system that is not the
-     * engine's come in its own order.</p>
+     * <p>PairOrder sorts pairs. KeptPairs makes the pairs of a frame from those of the last one. ForeignPairs reads pairs of a collision
+     * system that is not the engine's. They come in its own order.</p>
      *
      * @private
      */
@@ -51,15 +51,16 @@ package starlogo.search
         /** The indices of the added pairs among these pairs, in ascending order. */
         public var added:NumberList = new NumberList();
 
-        // For pairs of another system: the rows of agents by their ids; and by row the agents and their indices.
-        private var _byId:HashTable = null;
-        private var _readAgents:Vector.<Agent> = null;
-        private var _readRanks:Vector.<int> = null;
-
-        /** Begins to write other pairs, of rows of a list. */
-        internal function begin(list:ListedAgents):void
+        /**
+         * Begins to write other pairs.
+         *
+         * @param agents by row: the agent
+         * @param ranks by row: its index in the list
+         * @param agentCount the number of agents in the list
+         */
+        internal function begin(agents:Vector.<Agent>, ranks:Vector.<int>, agentCount:int):void
         {
-            refer(list.agents, list.ranks, list.count);
+            refer(agents, ranks, agentCount);
             count = 0;
             basis = NONE;
         }
@@ -146,23 +147,6 @@ package starlogo.search
             }
         }
 
-        /** Reads pairs of agents: a0, b0, a1, b1, ... It leaves out a pair if one of its agents is not in the list. */
-        public function read(pairs:Vector.<Agent>, list:Vector.<Agent>):void
-        {
-            readList(list);
-            count = 0;
-            basis = NONE;
-            for (var i:int = 0; i + 1 < pairs.length; i += 2)
-            {
-                rows[2 * count] = _byId.valueOf(pairs[i].id, 0);
-                rows[2 * count + 1] = _byId.valueOf(pairs[i + 1].id, 0);
-                if (rows[2 * count] >= 0 && rows[2 * count + 1] >= 0)
-                {
-                    count++;
-                }
-            }
-        }
-
         /** The first agent of a pair. */
         public function firstOf(pair:int):Agent
         {
@@ -202,27 +186,6 @@ package starlogo.search
             this.ranks = ranks;
             this.agentCount = agentCount;
             revision++;
-        }
-
-        // Gives the agents of a list rows in their order.
-        private function readList(list:Vector.<Agent>):void
-        {
-            _byId ||= new HashTable();
-            _readAgents ||= new Vector.<Agent>();
-            _readRanks ||= new Vector.<int>();
-            _byId.clear();
-            _readAgents.length = _readRanks.length = ListedAgents.LISTED + list.length;
-            for (var i:int = 0; i < list.length; i++)
-            {
-                var row:int = ListedAgents.LISTED + i;
-                _readAgents[row] = list[i];
-                _readRanks[row] = i;
-                if (list[i] != null)
-                {
-                    _byId.set (list[i].id, 0, row);
-                }
-            }
-            refer(_readAgents, _readRanks, list.length);
         }
 
         // The number of pairs before a pair, of the first pairs. It looks at the last of them first.

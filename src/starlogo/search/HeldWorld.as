@@ -17,7 +17,7 @@ package starlogo.search
         private var _wasHeld:Boolean;
 
         /** Keeps the ground and the edges of a table as they are now: its tests see them so. */
-        public function hold(table:AgentTable, narrowPhase:NarrowPhase):void
+        public function hold(table:AgentTable):void
         {
             for (var row:int = ListedAgents.GROUND; row <= ListedAgents.EDGES; row++)
             {
@@ -26,9 +26,7 @@ package starlogo.search
                 {
                     continue;
                 }
-                // its own agent brings the tests
-                narrowPhase.testsOfWorldAgent(table.bodyOf(row));
-                var held:WorldAgent = _heldAgents[row] ||= new WorldAgent(worldAgent.breed);
+                var held:WorldAgent = _heldAgents[row] ||= new WorldAgent(worldAgent.breed, worldAgent.testsClass);
                 held.edges = worldAgent.edges;
                 if (worldAgent.grid != null)
                 {

@@ -173,23 +173,26 @@ package starlogo.search
             _isValid = true;
         }
 
-        // Notes the ground, or the edges of the world. Returns whether they have changed since they were noted last.
-        private function noteWorldAgent(row:int):Boolean
+        // Whether the ground, or the edges of the world, have changed since they were noted last.
+        private function hasWorldAgentChanged(row:int):Boolean
         {
             var agent:WorldAgent = _table.list.agents[row] as WorldAgent;
-            var isSame:Boolean = agent === _worldAgents[row];
+            return agent !== _worldAgents[row] || agent != null && (row == ListedAgents.GROUND ? agent.grid.revision != _groundRevision : agent.edges !== _edges);
+        }
+
+        // Notes the ground, or the edges of the world.
+        private function noteWorldAgent(row:int):void
+        {
+            var agent:WorldAgent = _table.list.agents[row] as WorldAgent;
             _worldAgents[row] = agent;
             if (agent != null && row == ListedAgents.GROUND)
             {
-                isSame = agent.grid.revision == _groundRevision && isSame;
                 _groundRevision = agent.grid.revision;
             }
             else if (agent != null)
             {
-                isSame = agent.edges === _edges && isSame;
                 _edges = agent.edges;
             }
-            return !isSame;
         }
 
         // Lists the rows that have changed.
@@ -264,9 +267,10 @@ package starlogo.search
         // The pairs of changed rows with the ground or the edges; of all rows, if the ground or the edges have changed themselves.
         private function findAtWorldAgent(worldAgent:int):void
         {
-            var hasChanged:Boolean = noteWorldAgent(worldAgent);
+            var hasChanged:Boolean = hasWorldAgentChanged(worldAgent);
             if (hasChanged)
             {
+                noteWorldAgent(worldAgent);
                 _changedIn[worldAgent] = _searchNumber;
             }
             var rows:Vector.<int> = hasChanged ? _table.list.rows : _changed.numbers;

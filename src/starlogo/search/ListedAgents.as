@@ -25,8 +25,11 @@ package starlogo.search
         /** The first row for agents of a list. */
         public static const LISTED:int = 2;
 
-        // The rank of an agent that is not listed.
+        // In place of a rank: the agent of the row is not listed.
         private static const UNLISTED:int = -1;
+
+        // The rank of the oldest agent among those that are not listed. It is more than the number of agents in any list.
+        private static const FIRST_UNLISTED:int = 1 << 30;
 
         /** The rows of the agents, in the order of the list. */
         public var rows:Vector.<int> = new Vector.<int>();
@@ -81,6 +84,26 @@ package starlogo.search
             }
             var row:int = _rowsById.valueOf(agent.number, 0);
             return row >= 0 && ranks[row] == UNLISTED ? -1 : row;
+        }
+
+        /**
+         * The rank of an agent: its index in the list. Agents that are not listed come after these, the older ones first. The ground and the
+         * edges of the world come last.
+         */
+        public function rankOf(agent:Agent):int
+        {
+            if (Breeds.isReserved(agent.breedNumber))
+            {
+                return int.MAX_VALUE;
+            }
+            var row:int = rowOf(agent);
+            return row >= 0 ? ranks[row] : rankOfUnlisted(agent);
+        }
+
+        /** The rank of an agent that is in no list. */
+        public static function rankOfUnlisted(agent:Agent):int
+        {
+            return FIRST_UNLISTED + agent.number;
         }
 
         /** Whether the rows belong to the agents of a list, in its order. */

@@ -1,7 +1,8 @@
 package starlogo.search
 {
     /**
-     * Puts pairs into the order of the list: by the first agent's index and then by the second's. If an agent sweeps, they come by their times, and pairs of the same time in the order of the list.
+     * Puts pairs into the order of the list: by the first agent's index and then by the second's. If an agent
+     * sweeps, they come by their times, and pairs of the same time in the order of the list.
      *
      * @private
      */
@@ -40,7 +41,7 @@ package starlogo.search
             }
             if (FEW * pairs.count < pairs.agentCount)
             {
-                sortByKeys(pairs);
+                sortByKeys(pairs, haveTimes);
             }
             else
             {
@@ -81,7 +82,7 @@ package starlogo.search
             return true;
         }
 
-        private function sortByKeys(pairs:FoundPairs):void
+        private function sortByKeys(pairs:FoundPairs, haveTimes:Boolean):void
         {
             var rows:Vector.<int> = pairs.rows;
             var ranks:Vector.<int> = pairs.ranks;
@@ -91,7 +92,7 @@ package starlogo.search
                 _keys[i] = ranks[rows[2 * i]] * RANKS + ranks[rows[2 * i + 1]];
             }
             _sort.sort(_order, _keys, pairs.count);
-            arrange(pairs);
+            arrange(pairs, haveTimes);
         }
 
         // One step of a counting sort: puts the pairs into the order of the ranks of their first rows (side 0) or second rows (1). Equals keep their
@@ -163,7 +164,7 @@ package starlogo.search
                 _keys[i] = pairs.times[i];
             }
             _sort.sort(_order, _keys, pairs.count);
-            arrange(pairs);
+            arrange(pairs, true);
             var early:int = 0;
             while (early < pairs.count && _keys[early] < 1)
             {
@@ -173,11 +174,10 @@ package starlogo.search
         }
 
         // Puts the pairs, and the times that they have, into the order that was found.
-        private function arrange(pairs:FoundPairs):void
+        private function arrange(pairs:FoundPairs, haveTimes:Boolean):void
         {
             makeRoom(pairs);
             var from:Vector.<int> = pairs.rows;
-            var haveTimes:Boolean = pairs.times.length >= pairs.count;
             for (var i:int = 0; i < pairs.count; i++)
             {
                 var pair:int = _order[i];

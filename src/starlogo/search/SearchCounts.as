@@ -1,5 +1,9 @@
 package starlogo.search
 {
+    import starlogo.engine;
+
+    use namespace engine;
+
     /** The counts of one search for collisions: agents, pairs and tests. CollisionStatistics has these counts and more. */
     public class SearchCounts
     {
@@ -53,6 +57,27 @@ package starlogo.search
 
         /** Pairs of agents that collide. */
         public var collisions:int;
+
+        /** @private Copies the counts of another search. */
+        engine function copyCounts(other:SearchCounts):void
+        {
+            agents = other.agents;
+            agentsSkipped = other.agentsSkipped;
+            agentsLoading = other.agentsLoading;
+            candidatePairs = other.candidatePairs;
+            sweptPairs = other.sweptPairs;
+            sphereSphereTests = other.sphereSphereTests;
+            sphereCapsuleTests = other.sphereCapsuleTests;
+            sphereBoxTests = other.sphereBoxTests;
+            capsuleCapsuleTests = other.capsuleCapsuleTests;
+            capsuleBoxTests = other.capsuleBoxTests;
+            boxBoxTests = other.boxBoxTests;
+            hullTests = other.hullTests;
+            hierarchyTests = other.hierarchyTests;
+            nodeVisits = other.nodeVisits;
+            triangleTests = other.triangleTests;
+            collisions = other.collisions;
+        }
 
         /** All tests between two structures. Tests of the nodes of hierarchies are not included. */
         public function get tests():int

@@ -49,18 +49,12 @@ package starlogo.search
             var spheres:SpherePairTests = _narrowPhase.spheres;
             var forms:Vector.<int> = table.forms;
             var isSphere:Boolean = forms[row] == BoundingStructure.SPHERE;
-            var xs:Vector.<Number> = table.extents.x;
-            var ys:Vector.<Number> = table.extents.y;
             var zs:Vector.<Number> = table.extents.z;
-            var radii:Vector.<Number> = table.extents.radius;
             var halfZs:Vector.<Number> = table.extents.halfZ;
             var boxes:Vector.<Box> = table.boxes;
             var placed:Vector.<int> = table.placedRevisions;
             var revisions:Vector.<int> = table.places.last.revisions;
-            var atX:Number = xs[row];
-            var atY:Number = ys[row];
             var atZ:Number = zs[row];
-            var radius:Number = radii[row];
             var ownHalfZ:Number = halfZs[row] + slack;
             var box:Box = boxes[row];
             var body:Body = null;
@@ -99,20 +93,9 @@ package starlogo.search
                 }
                 else if (isSphere && forms[other] == BoundingStructure.SPHERE)
                 {
-                    spheres.testCount++;
-                    var x:Number = xs[other] - atX;
-                    var y:Number = ys[other] - atY;
-                    var z:Number = zs[other] - atZ;
-                    var across:Number = radius + radii[other];
-                    var squared:Number = x * x + y * y + z * z;
-                    if (squared > across * across)
+                    if (!spheres.areRowsTouching(table, slack, row, other))
                     {
-                        // if the gap is not larger than rounding errors, the exact test decides
-                        across += slack;
-                        if (squared > across * across || !spheres.areTouching(table.bodyOf(row), table.bodyOf(other)))
-                        {
-                            continue;
-                        }
+                        continue;
                     }
                 }
                 else if (!NarrowPhase.areNear(table.extents, slack, row, other) || !_narrowPhase.areTouching(body ||= table.bodyOf(row), table.bodyOf(other)))

@@ -21,20 +21,21 @@ package starlogo.search
         /** The edges that it stands for, or null: the least and the greatest x, then y, then z. */
         public var edges:Vector.<Number> = null;
 
-        private static var sCreated:int = 0;
+        /** The class of the tests of pairs with it, whose constructor takes a NarrowPhase; null if there are none. */
+        public var testsClass:Class;
 
-        private var _testsClass:Class;
+        private static var sCreated:int = 0;
 
         /**
          * @param breed Breeds.TERRAIN or Breeds.EDGE
-         * @param testsClass the class of the tests of pairs with what it stands for, whose constructor takes a NarrowPhase; null if there are none
+         * @param testsClass the class of the tests of pairs with it; null if there are none
          */
         public function WorldAgent(breed:String, testsClass:Class = null)
         {
             // the name without its asterisk
             super(breed.substr(1));
             breedNumber = Breeds.numberOf(breed);
-            _testsClass = testsClass;
+            this.testsClass = testsClass;
         }
 
         /** @private It does not count as an agent of the game. */
@@ -47,7 +48,7 @@ package starlogo.search
         /** Creates the tests of pairs with what it stands for. */
         public function newTests(narrowPhase:NarrowPhase):PairTests
         {
-            return new _testsClass(narrowPhase);
+            return new testsClass(narrowPhase);
         }
     }
 }

@@ -1,0 +1,61 @@
+package starlogo.search
+{
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+
+    use namespace engine;
+
+    /**
+     * Reads the pairs of a collision system that is not the engine's: pairs of agents become pairs of rows. The agents of the list have rows in its
+     * order.
+     *
+     * @private
+     */
+    public final class ForeignPairs
+    {
+        // The rows of agents by their ids; and by row the agents and their indices.
+        private var _rowsById:HashTable = new HashTable();
+        private var _agents:Vector.<Agent> = new Vector.<Agent>();
+        private var _ranks:Vector.<int> = new Vector.<int>();
+
+        /**
+         * Reads pairs. It leaves out a pair if one of its agents is not in the list.
+         *
+         * @param pairs the pairs: a0, b0, a1, b1, ...
+         * @param list the list of the frame
+         * @param out receives the pairs
+         */
+        public function read(pairs:Vector.<Agent>, list:Vector.<Agent>, out:FoundPairs):void
+        {
+            readList(list);
+            out.begin(_agents, _ranks, list.length);
+            for (var i:int = 0; i + 1 < pairs.length; i += 2)
+            {
+                var a:int = _rowsById.valueOf(pairs[i].id, 0);
+                var b:int = _rowsById.valueOf(pairs[i + 1].id, 0);
+                if (a >= 0 && b >= 0)
+                {
+                    out.rows[2 * out.count] = a;
+                    out.rows[2 * out.count + 1] = b;
+                    out.count++;
+                }
+            }
+        }
+
+        private function readList(list:Vector.<Agent>):void
+        {
+            _rowsById.clear();
+            _agents.length = _ranks.length = ListedAgents.LISTED + list.length;
+            for (var i:int = 0; i < list.length; i++)
+            {
+                var row:int = ListedAgents.LISTED + i;
+                _agents[row] = list[i];
+                _ranks[row] = i;
+                if (list[i] != null)
+                {
+                    _rowsById.set (list[i].id, 0, row);
+                }
+            }
+        }
+    }
+}

@@ -116,8 +116,10 @@ export class Checks {
 		}
 	}
 
-	// An override without documentation has its base's.
+	// An override without documentation has its base's. A member with the arguments of another class's has that one's.
 	#docOf(type, member) {
+		const [, owner, same] = /See (\w+)\.(\w+)\. It has the same arguments/.exec(member.doc) ?? [];
+		if (owner) return this.#byName.get(owner).members.find((each) => each.name === same).doc;
 		if (!/@inheritDoc/.test(member.doc)) return member.doc;
 		const owners = [...type.bases, ...type.interfaces].map((name) => this.#byName.get(name)).filter((owner) => owner);
 		const texts = owners.flatMap((owner) => owner.members.filter((each) => each.name === member.name && each.kind === member.kind).map((each) => this.#docOf(owner, each)));

@@ -12,7 +12,7 @@ const folder = path.join(root, "bin/module");
 const manifest = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
 const engine = await import(pathToFileURL(path.join(folder, manifest.exports["."].default)));
 const {
-	Agent, AgentFilter, BinCollider, Box, BuiltInModel, Collision, ErrorEvent, Event, FrameTimes, GreatLand, HierarchicalCollider, HierarchiesLibrary, IllegalOperationError, Matrix3D, Model, ModelLoader, Sphere,
+	Agent, AgentFilter, AgentPlaces, AgentQueries, AgentRays, AgentWalks, BinCollider, Box, BuiltInModel, Collision, ErrorEvent, Event, FrameTimes, GreatLand, HierarchicalCollider, HierarchiesLibrary, IllegalOperationError, Matrix3D, Model, ModelLoader, SeenAgents, Sphere,
 	TightestFitCollider, Vector3D, sphereSphere,
 } = engine;
 
@@ -64,6 +64,37 @@ test("every number of an agent is a finite number", () => {
 	agent.x = 5;
 	agent.color = 1e9;
 	assert.deepEqual([agent.x, agent.color], [5, 1e9]);
+});
+
+test("questions in parts take and refuse what all questions do", () => {
+	const land = makeLand();
+	const agents = [new Agent("cube"), new Agent("sphere")];
+	const all = new AgentQueries(new TightestFitCollider(land));
+	const seen = new SeenAgents(new TightestFitCollider(land));
+	for (const each of [all, seen]) each.update(agents);
+	const parts = [new AgentPlaces(seen), new AgentRays(seen), new AgentWalks(seen)];
+	const ask = (queries, name, values) => {
+		try {
+			return JSON.stringify(queries[name](...values));
+		} catch (error) {
+			return `${error.constructor.name}: ${error.message.replace(/Agent(Queries|Places|Rays|Walks)/, "")}`;
+		}
+	};
+	const cases = { inCone: [agents[0], 9, 90], near: [agents[0], 9], nearestFew: [agents[0], 3, 9], nearPoint: [new Vector3D(), 9], moveUntilTouch: [agents[0], 0, 0, 0],
+		cast: [new Vector3D(0, 0, 9), new Vector3D(0, 0, -1), 20], canSee: agents, castAgent: [agents[0], 0, 0, 1], slide: [agents[0], 0, 0, 0], walk: [agents[0], 0, 0] };
+	let answered = 0;
+	for (const [name, values] of Object.entries(cases)) {
+		const part = parts.find((each) => each[name]);
+		for (let i = 0; i < values.length; i++) {
+			for (const value of [values[i], Infinity, -1, NaN, null, "a"]) {
+				const given = values.with(i, value);
+				const expected = ask(all, name, given);
+				answered += expected?.includes("Error") ? 0 : 1;
+				assert.equal(ask(part, name, given), expected, `${name}, argument ${i}: ${value}`);
+			}
+		}
+	}
+	assert.ok(answered > 30, `${answered} answers`);
 });
 
 test("levels and depths are whole numbers", () => {

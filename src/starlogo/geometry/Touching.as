@@ -1,8 +1,8 @@
 package starlogo.geometry
 {
     /**
-     * How near two shapes have to be to touch. This is the one rule of all tests: of shapes that stand, that move and that are asked about; of
-     * structures, hierarchies, triangles and the ground.
+     * How near two shapes of a game have to be to touch. This is the one rule of all tests: of shapes that stand, that move and that are asked
+     * about; of structures, hierarchies, triangles and the ground.
      *
      * <p>Two shapes touch if the distance of their cores is at most the sum of these lengths. A core is a sphere's centre, a capsule's axis, a whole
      * box, triangle or hull.</p>
@@ -13,7 +13,12 @@ package starlogo.geometry
      * <li>for each of the two that is a model's triangle or node, the margin of its surface (<code>marginOfSurface()</code>)</li>
      * <li>while one of the two moves, the margin of its motion (<code>marginOfMotion()</code>). The time of impact includes no margin: margins decide
      *     whether two shapes touch at all</li>
+     * <li>where the convex core decides, Tolerances.CORES of the sizes of both cores</li>
      * </ul>
+     *
+     * <p>The package intersection compares structures that have no place in a game, so there the margins of places and surfaces are 0. Its
+     * functions for two spheres are stricter: they leave out Tolerances.TOUCHING too, because they compute no intermediate points that could be
+     * rounded. The tests of a game pass them radii that include all of it.</p>
      *
      * @private
      */

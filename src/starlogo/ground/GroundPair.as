@@ -207,7 +207,8 @@ package starlogo.ground
 
         /**
          * Finds the planes of triangles that the standing structure around the model is behind: of planes with nearly the same direction, the one
-         * that it is least behind.
+         * that it is least behind. If the last contact of the two was with a triangle of the ground, only planes that this triangle is not in
+         * front of count. So <code>findFirst()</code> or <code>findContact()</code> of the same two comes before.
          *
          * @param reach how far away triangles may be
          * @param ways receives the contacts that lead out of the planes

@@ -306,7 +306,7 @@ package starlogo.ground
             {
                 return 0;
             }
-            var least:Number = _range.least - atZ;
+            var least:Number = Math.max(0, _range.least - atZ);
             if (isBlocky)
             {
                 return least;

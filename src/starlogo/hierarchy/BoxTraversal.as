@@ -23,8 +23,8 @@ package starlogo.hierarchy
         /** The number of pairs of nodes visited. The caller sets it to 0. */
         public var nodeVisits:int = 0;
 
-        /** Whether the roots overlapped although the trees do not. */
-        public var rootsOverlapped:Boolean;
+        /** Whether the roots overlapped in the last search that found no overlap of the trees. */
+        public var rootsOverlapped:Boolean = false;
 
         // The pairs of nodes still to visit.
         private var _nodes:Vector.<int> = new Vector.<int>();
@@ -230,7 +230,7 @@ package starlogo.hierarchy
                 if (top == 0)
                 {
                     nodeVisits += visits;
-                    rootsOverlapped = visits > 1;
+                    rootsOverlapped = overlap || visits > 1;
                     return false;
                 }
                 top -= 2;

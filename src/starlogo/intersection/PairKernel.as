@@ -14,7 +14,8 @@ package starlogo.intersection
     public class PairKernel
     {
         /**
-         * Whether two structures touch or overlap. Pairs of spheres, capsules and boxes have a function each: see intersects.
+         * Whether two structures touch or overlap. The function <code>intersects()</code> is faster: it calls the function of a pair of spheres,
+         * capsules and boxes at once.
          *
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space

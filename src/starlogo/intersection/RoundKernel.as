@@ -35,6 +35,12 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
+        override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            return intersects(a, b);
+        }
+
+        /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             begin(a, b, motion);

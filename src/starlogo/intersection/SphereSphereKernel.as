@@ -19,6 +19,12 @@ package starlogo.intersection
         private var _gap:CoreGap = new CoreGap();
 
         /** @inheritDoc */
+        override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            return sphereSphere(a as Sphere, b as Sphere);
+        }
+
+        /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             setGap(a as Sphere, b as Sphere, motion);

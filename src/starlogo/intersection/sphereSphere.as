@@ -5,7 +5,7 @@ package starlogo.intersection
 
     /**
      * Whether two spheres touch or overlap: compares the squared distance of their centres with the square of the sum of their radii
-     * (thesis §3.6.2). Touching counts, exactly as the numbers are stored. Allocates nothing.
+     * (thesis §3.6.2). Touching counts, exactly as the numbers are stored: there is no Tolerances.TOUCHING here. Allocates nothing.
      *
      * @param a in the space of b; a radius of 0 makes it a point
      * @param b in the space of a; a radius of 0 makes it a point

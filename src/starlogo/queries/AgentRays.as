@@ -23,20 +23,20 @@ package starlogo.queries
             _questions = new RayQueries(seen);
         }
 
-        /** See AgentQueries.cast. It has the same arguments and the same answer. */
+        /** See AgentQueries.cast. It has the same arguments, answers and errors. */
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null, hit:RayHit = null):RayHit
         {
             return _questions.idle.cast(origin, direction, maxDistance, filter, hit);
         }
 
-        /** See AgentQueries.castAll. It has the same arguments and the same answer. */
+        /** See AgentQueries.castAll. It has the same arguments, answers and errors. */
         public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null,
                 out:Vector.<RayHit> = null, allSurfaces:Boolean = false):Vector.<RayHit>
         {
             return _questions.idle.castAll(origin, direction, maxDistance, filter, out, allSurfaces);
         }
 
-        /** See AgentQueries.canSee. It has the same arguments and the same answer. */
+        /** See AgentQueries.canSee. It has the same arguments, answers and errors. */
         public function canSee(a:Agent, b:Agent, filter:AgentFilter = null):Boolean
         {
             return _questions.idle.canSee(a, b, filter);

@@ -32,45 +32,45 @@ package starlogo.queries
             _questions = new MotionQueries(seen);
         }
 
-        /** See AgentQueries.castShape. It has the same arguments and the same answer. */
+        /** See AgentQueries.castShape. It has the same arguments, answers and errors. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
             return _questions.idle.moves.castShape(structure, dx, dy, dz, filter, hit);
         }
 
-        /** See AgentQueries.castShapeAll. It has the same arguments and the same answer. */
+        /** See AgentQueries.castShapeAll. It has the same arguments, answers and errors. */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
             return _questions.idle.moves.castShapeAll(structure, dx, dy, dz, filter, out);
         }
 
-        /** See AgentQueries.castAgent. It has the same arguments and the same answer. */
+        /** See AgentQueries.castAgent. It has the same arguments, answers and errors. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
             return _questions.idle.moves.castAgent(agent, dx, dy, dz, filter, hit);
         }
 
-        /** See AgentQueries.castAgentAll. It has the same arguments and the same answer. */
+        /** See AgentQueries.castAgentAll. It has the same arguments, answers and errors. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
             return _questions.idle.moves.castAgentAll(agent, dx, dy, dz, filter, out);
         }
 
-        /** See AgentQueries.moveUntilTouch. It has the same arguments and the same answer. */
+        /** See AgentQueries.moveUntilTouch. It has the same arguments, answers and errors. */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
         {
             return _questions.idle.moves.moveUntilTouch(agent, dx, dy, dz, filter, contact);
         }
 
-        /** See AgentQueries.slide. It has the same arguments and the same answer. */
+        /** See AgentQueries.slide. It has the same arguments, answers and errors. */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null):Number
         {
             return _questions.idle.moves.slide(agent, dx, dy, dz, filter);
         }
 
-        /** See AgentQueries.walk. It has the same arguments and the same answer. */
+        /** See AgentQueries.walk. It has the same arguments, answers and errors. */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions = null, out:Footing = null):Footing
         {
             return _questions.idle.walks.walk(agent, dx, dy, options, out);

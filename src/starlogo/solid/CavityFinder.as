@@ -1,6 +1,7 @@
 package starlogo.solid
 {
     import starlogo.convex.FaceNormal;
+    import starlogo.geometry.Tolerances;
     import starlogo.steps.StepSequence;
 
     /**
@@ -108,11 +109,16 @@ package starlogo.solid
             }
         }
 
-        // Tests four points of each triangle: its middle, and points near its corners.
+        // Tests four points of each triangle: its middle, and points near its corners. Triangles that count as segments have no inner side.
         private function testSome(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
+                _face.setTriangle(_interior.mesh.corners, 9 * i);
+                if (!(_face.length * _face.length > Tolerances.FLAT_TRIANGLE * _face.squared * _face.squared))
+                {
+                    continue;
+                }
                 var shell:int = shellOf(i);
                 for (var corner:int = 3; corner >= 0 && isSolid(shell) && (_around[shell] == null || _around[shell].length > 0 && _looks < _mostLooks); corner--)
                 {
@@ -123,20 +129,19 @@ package starlogo.solid
             }
         }
 
-        // Counts the windings around a point that is a little inside of its shell.
+        // Counts the windings around a point of _face that is a little inside of its shell.
         private function windAround(shell:int, triangle:int, corner:int):void
         {
             var corners:Vector.<Number> = _interior.mesh.corners;
             var at:int = 9 * triangle;
             var inwards:Number = INWARDS * _extremes.extentAt(_extremes.pointsAt[shell]);
-            var isOutwards:Boolean = _interior.sideOf(triangle) > 0 == _volumes[shell] > 0;
+            inwards = _interior.sideOf(triangle) > 0 == _volumes[shell] > 0 ? -inwards : inwards;
             var share:Number = corner == 3 ? 1 / 3 : 0.01;
-            var point:Vector.<Number> = new Vector.<Number>(3, true);
+            var point:Vector.<Number> = new <Number>[inwards * _face.x, inwards * _face.y, inwards * _face.z];
             for (var axis:int = 0; axis < 3; axis++)
             {
-                point[axis] = share * (corners[at + axis] + corners[at + 3 + axis] + corners[at + 6 + axis])
-                    + (corner == 3 ? 0 : 0.97 * corners[at + 3 * corner + axis])
-                    + (isOutwards ? -inwards : inwards) * _interior.mesh.planes[4 * triangle + axis];
+                point[axis] += share * (corners[at + axis] + corners[at + 3 + axis] + corners[at + 6 + axis])
+                    + (corner == 3 ? 0 : 0.97 * corners[at + 3 * corner + axis]);
             }
             _interior.wind(point[0], point[1], point[2]);
             _looks += _interior.woundCount;

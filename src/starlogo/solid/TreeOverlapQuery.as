@@ -69,7 +69,7 @@ package starlogo.solid
             var decider:LeafPairTest = pair.isExact ? _trianglePairs.begin(a, b, pose) : null;
             // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
             return _boxes.find(pose, a.tree, pair.depthA, b.tree, pair.depthB, decider)
-                || ((_boxes.rootsOverlapped || decider != null) && isOneInside(pair));
+                || _boxes.rootsOverlapped && isOneInside(pair);
         }
 
         // Whether a triangle or a node of the first model touches the structure that stands for the second one.

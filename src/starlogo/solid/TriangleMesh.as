@@ -103,6 +103,7 @@ package starlogo.solid
             {
                 var at:int = 9 * i;
                 var to:int = 4 * i;
+                into[to] = into[to + 1] = into[to + 2] = 0;
                 into[to + 3] = NaN;
                 _face.setTriangle(corners, at);
                 if (_face.length > 0)

@@ -217,7 +217,8 @@ package starlogo.collision
                 assertTrue(name + from + to, Math.abs(from.x - 6.5) < NEAR && Math.abs(to.x - 9) < NEAR && Math.abs(from.y - 2) < 0.5 + NEAR && from.y == to.y);
                 assertTrue(name, Math.abs(queries.distance(bounds.agent, inside, from, to) - 2.5) < NEAR && Math.abs(from.x - 9) < NEAR);
                 bounds.setTo(-Infinity, -Infinity, -Infinity, Infinity, Infinity, Infinity);
-                assertEquals(name, Infinity, queries.distance(inside, bounds.agent));
+                assertEquals(name, Infinity, queries.distance(inside, bounds.agent, from, to));
+                assertTrue(name + ": no point is written", from.x == 9 && Math.abs(to.x - 6.5) < NEAR);
                 assertThrows(ArgumentError, /does not move/, queries.moveUntilTouch, bounds.agent, 1, 0, 0);
             }
         }

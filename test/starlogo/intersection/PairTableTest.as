@@ -11,6 +11,7 @@ package starlogo.intersection
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
+    import starlogo.geometry.Placement;
     import starlogo.intersection.contact.findPairContact;
     import starlogo.intersection.distance.findClosest;
     import starlogo.intersection.sweep.findTimeOfImpact;
@@ -90,9 +91,26 @@ package starlogo.intersection
                     findTimeOfImpact(a, b, _motion);
                     findPairContact(a, b, RelativeMotion.NONE, _contact);
                     findClosest(a, b, _closest);
+                    assertEquals(a + " and " + b + " touch", true, PairTable.kernelOf(a, b).areTouching(a, b));
                     assertEquals(a + " and " + b + " touch at once", 0, _motion.time);
                     assertEquals(a + " and " + b + " have no distance", 0, _closest.distance);
                     assertEquals(a + " and " + b + " overlap", true, _contact.depth > OLD);
+                }
+            }
+        }
+
+        [Test]
+        public function kernelsTestAsTheFunctionDoes():void
+        {
+            var far:Placement = new Placement();
+            far.x = 4;
+            for each (var a:BoundingStructure in _collided)
+            {
+                for each (var b:BoundingStructure in _collided)
+                {
+                    var placed:BoundingStructure = b.place(far);
+                    assertEquals(a + " and " + placed, false, PairTable.kernelOf(a, placed).areTouching(a, placed));
+                    assertEquals(a + " and " + placed, false, intersects(a, placed));
                 }
             }
         }

@@ -66,6 +66,39 @@ package starlogo.search
             assertTrue(_overlapping + " overlap, " + _deep + " deep", _overlapping > 600 && _deep > 500);
         }
 
+        /** Contacts of two agents are the same to the last bit in either order. */
+        [Test]
+        public function inEitherOrder():void
+        {
+            var touching:int = 0;
+            for each (var name:String in SYSTEMS)
+            {
+                var collider:Collider = make(name);
+                for (var i:int = 0; i < 100; i++)
+                {
+                    var a:Agent = anyAgent();
+                    var b:Agent = anyAgent();
+                    place(a, b, 1, 10);
+                    if (!collider.areColliding(a, b))
+                    {
+                        continue;
+                    }
+                    touching++;
+                    var contact:Contact = collider.contactOf(a, b);
+                    var other:Contact = collider.contactOf(b, a);
+                    other.normal.negate();
+                    _wrong.addIf(textOf(contact) != textOf(other), name, i + ", " + pairName(a, b) + ": " + textOf(contact) + " and " + textOf(other));
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(touching + " touch", touching > 200);
+        }
+
+        private static function textOf(contact:Contact):String
+        {
+            return [contact.depth, contact.normal.x + 0, contact.normal.y + 0, contact.normal.z + 0, contact.point].join();
+        }
+
         [Test]
         public function insideOfALargeOne():void
         {

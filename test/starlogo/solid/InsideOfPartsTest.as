@@ -5,6 +5,7 @@ package starlogo.solid
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
@@ -47,6 +48,72 @@ package starlogo.solid
             model = SolidModels.of("flush", [[1, 0, 0, 0, false], [0.5, 0.25, 0, 0.25, true]], Model.AS_GIVEN);
             assertFalse(isInside(model.vertices, model.triangles, [0.2, 0.05, 0.5]));
             assertTrue(isInside(model.vertices, model.triangles, [-0.2, 0.05, 0.5]));
+        }
+
+        /** The cavity touches the shell with a face that has a triangle without area, in the file or after a pose. */
+        [Test]
+        public function aTriangleWithoutAreaDecidesNothingAboutACavity():void
+        {
+            var model:Model = SolidModels.of("flush", [[1, 0, 0, 0, false], [0.5, 0.25, 0, 0.25, true]], Model.AS_GIVEN);
+            var middle:uint = model.vertices.length / 3;
+            var turn:Placement = new Placement();
+            for each (var heading:Number in [0, 37])
+            {
+                turn.setRotation(heading, heading / 2, 0);
+                for (var at:int = model.triangles.length / 2; at < model.triangles.length; at++)
+                {
+                    // the edge from a to b gets a vertex in its middle, and the flat triangle a, b, middle
+                    var first:int = at - at % 3;
+                    var a:uint = model.triangles[at];
+                    var b:uint = model.triangles[first + (at + 1) % 3];
+                    var c:uint = model.triangles[first + (at + 2) % 3];
+                    var vertices:Vector.<Number> = model.vertices.slice();
+                    vertices.fixed = false;
+                    for (var axis:int = 0; axis < 3; axis++)
+                    {
+                        vertices.push((vertices[3 * a + axis] + vertices[3 * b + axis]) / 2);
+                    }
+                    vertices = turned(vertices, turn);
+                    var triangles:Vector.<uint> = model.triangles.slice();
+                    triangles.fixed = false;
+                    triangles.splice(first, 3);
+                    triangles.push(a, middle, c, middle, b, c, a, b, middle);
+                    assertHollow("edge " + at + ", heading " + heading, hierarchyOf(vertices, triangles), turn);
+                    for each (var share:Number in [-0.2, 0.2])
+                    {
+                        var hierarchy:ModelTree = hierarchyOf(vertices, triangles);
+                        var straight:Vector.<Number> = vertices.slice();
+                        for (axis = 0; axis < 3; axis++)
+                        {
+                            vertices[3 * middle + axis] += share * (vertices[3 * c + axis] - vertices[3 * middle + axis]);
+                        }
+                        hierarchy.refit();
+                        hierarchy.prepare();
+                        for (axis = 3 * middle; axis < 3 * middle + 3; axis++)
+                        {
+                            vertices[axis] = straight[axis];
+                        }
+                        hierarchy.refit();
+                        assertHollow("edge " + at + ", heading " + heading + ", posed from " + share, hierarchy, turn);
+                    }
+                }
+            }
+        }
+
+        private static function assertHollow(message:String, hierarchy:ModelTree, turn:Placement):void
+        {
+            for each (var x:Number in [0.2, -0.2])
+            {
+                var point:Vector.<Number> = turned(new <Number>[x, 0.05, 0.5], turn);
+                assertEquals(message, x < 0, hierarchy.interior.isInside(new Vector3D(point[0], point[1], point[2])));
+            }
+        }
+
+        private static function turned(points:Vector.<Number>, turn:Placement):Vector.<Number>
+        {
+            var out:Vector.<Number> = new Vector.<Number>(points.length);
+            turn.turnPoints(points, out);
+            return out;
         }
 
         [Test]
@@ -97,9 +164,14 @@ package starlogo.solid
 
         private static function solidOf(vertices:Vector.<Number>, triangles:Vector.<uint>):Interior
         {
+            return hierarchyOf(vertices, triangles).interior;
+        }
+
+        private static function hierarchyOf(vertices:Vector.<Number>, triangles:Vector.<uint>):ModelTree
+        {
             var library:HierarchiesLibrary = new HierarchiesLibrary();
             library.add("model", vertices, triangles);
-            return library.hierarchy("model").interior;
+            return library.hierarchy("model");
         }
     }
 }

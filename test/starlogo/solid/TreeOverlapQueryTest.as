@@ -132,6 +132,28 @@ package starlogo.solid
             assertTrue(hits + " of " + count, hits > count / 4 && hits < count * 3 / 4);
         }
 
+        /** A model whose box does not meet another one's is not inside of it. So its inside is not computed, which is slow. */
+        [Test]
+        public function boxesThatAreApartPrepareNoInside():void
+        {
+            var a:ModelTree = newTetrahedron();
+            var b:ModelTree = newTetrahedron();
+            var stands:Placement = new Placement();
+            assertTrue("one node each", a.root.isLeaf && b.root.isLeaf);
+            assertFalse("apart", treesOverlap(a, stands, 1, b, placed(0.5, 2, 0, 0), 1, true));
+            assertFalse("no inside", a.isPrepared || b.isPrepared);
+            assertTrue("one in the other", treesOverlap(a, stands, 1, b, placed(0.1, 0, 0, 0.1), 1, true));
+            assertTrue("the other way round", treesOverlap(b, placed(0.1, 0, 0, 0.1), 1, a, stands, 1, true));
+            assertFalse("in a corner of the box", treesOverlap(a, stands, 1, b, placed(0.1, 0.3, 0.3, 0.8), 1, true));
+        }
+
+        private static function newTetrahedron():ModelTree
+        {
+            var library:HierarchiesLibrary = new HierarchiesLibrary();
+            library.add("tetrahedron", new <Number>[-0.5, -0.5, 0, 0.5, -0.5, 0, 0, 0.5, 0, 0, 0, 1], new <uint>[0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3]);
+            return library.hierarchy("tetrahedron");
+        }
+
         private static function deciding(node:HierarchyNode, depth:int, out:Array):Array
         {
             if (node.isLeaf || depth == 1)

@@ -195,7 +195,7 @@ package starlogo.fitting.hull
         /**
          * Makes a point a corner. Faces from the point to the outline of the faces that it sees take their place.
          *
-         * @param point found by findPoint() since the hull grew last
+         * @param point the last point that findPoint() found since the hull grew
          * @return the first new face; the others follow. -1 if rounding leaves the faces more than one outline; then the hull stays as it is
          */
         public function grow(point:OuterPoint):int

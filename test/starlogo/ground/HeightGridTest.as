@@ -1,0 +1,59 @@
+package starlogo.ground
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertTrue;
+    import support.Complaints;
+
+    /** What a grid of heights says of its surface, beside a search of many places. */
+    public class HeightGridTest
+    {
+        private static const WIDTH:Number = 0.5;
+        private static const SIDE:int = 9;
+
+        private var _random:SeededRandom = new SeededRandom(703);
+        private var _wrong:Complaints = new Complaints();
+
+        [Test]
+        public function noWayOutIsShorterThanTheLeast():void
+        {
+            var known:int = 0;
+            var count:int = 3000;
+            for (var i:int = 0; i < count; i++)
+            {
+                var grid:HeightGrid = randomGrid();
+                var x:Number = _random.between(-2, 2);
+                var y:Number = _random.between(-2, 2);
+                var z:Number = grid.heightAt(x, y) - _random.logBetween(0.001, 2);
+                var reach:Number = _random.logBetween(0.01, 3);
+                var least:Number = grid.leastWayOut(x, y, z, reach);
+                _wrong.addIf(!(least >= 0), "negative", i + ": " + least);
+                known += least > 0 ? 1 : 0;
+                for (var k:int = 0; k < 20 && least > 0; k++)
+                {
+                    // a random direction, a little shorter
+                    var up:Number = _random.between(-1, 1);
+                    var turn:Number = _random.between(0, 2 * Math.PI);
+                    var length:Number = 0.999999 * Math.min(least, reach);
+                    var across:Number = length * Math.sqrt(1 - up * up);
+                    var height:Number = grid.heightAt(x + across * Math.cos(turn), y + across * Math.sin(turn));
+                    _wrong.addIf(!(height >= z + length * up), "shorter", i + ": " + length + " of " + least);
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(known + " of " + count, known > count / 4 && known < count);
+        }
+
+        private function randomGrid():HeightGrid
+        {
+            var grid:HeightGrid = new HeightGrid(SIDE, SIDE, WIDTH, -2, -2);
+            grid.isBlocky = _random.chance();
+            var high:Number = _random.pick([0.02, 0.3, 3]);
+            for (var i:int = 0; i < SIDE * SIDE; i++)
+            {
+                grid.heights[i] = _random.between(0, high);
+            }
+            grid.findBounds(0, 0, SIDE - 1, SIDE - 1);
+            return grid;
+        }
+    }
+}

@@ -77,10 +77,10 @@ test("a bundle has what is used and no more", () => {
 test("a game loads the questions that it asks", () => {
 	const level = ["Agent", "GreatLand", "Model", "LevelShapes", "SeenAgents"];
 	const limits = [
-		[["Agent", "BinCollider", "SeenAgents", "AgentPlaces"], 35],
-		[["Agent", "Collision", "BinCollider", "SeenAgents", "AgentPlaces"], 45],
-		[[...level, "AgentRays"], 64],
-		[[...level, "AgentWalks"], 100],
+		[["Agent", "BinCollider", "SeenAgents", "AgentPlaces"], 34],
+		[["Agent", "Collision", "BinCollider", "SeenAgents", "AgentPlaces"], 43],
+		[[...level, "AgentRays"], 63],
+		[[...level, "AgentWalks"], 99],
 	];
 	for (const [names, limit] of limits) {
 		const size = weigh(bundle(names)) / KB;

@@ -5,10 +5,10 @@ package
     import evaluation.ModelFiles;
     import evaluation.MonitorTask;
     import evaluation.Plan;
-    import evaluation.Progress;
     import evaluation.Results;
     import evaluation.Settings;
     import evaluation.Task;
+    import evaluation.TaskQueue;
     import flash.display.Sprite;
     import flash.display.StageAlign;
     import flash.display.StageScaleMode;
@@ -37,9 +37,7 @@ package
         private var _files:ModelFiles;
         private var _settings:Settings;
         private var _results:Results = new Results();
-        private var _tasks:Vector.<Task>;
-        private var _current:int = 0;
-        private var _progress:Progress;
+        private var _queue:TaskQueue;
         private var _lastView:int = 0;
         private var _view:GroundView = new GroundView(560);
         private var _caption:TextField = new TextField();
@@ -78,36 +76,29 @@ package
 
         private function start():void
         {
-            _tasks = new Plan(_settings, _files, _results, stage).tasks;
-            _progress = new Progress(_tasks);
+            _queue = new TaskQueue(new Plan(_settings, _files, _results, stage).tasks);
             addEventListener(Event.ENTER_FRAME, onEnterFrame);
         }
 
         private function onEnterFrame(event:Event):void
         {
-            var task:Task = _tasks[_current];
-            _progress.report(_current);
             var isDone:Boolean = false;
+            var end:int = getTimer() + STEP_MS;
             // a MonitorTask gets its frames one at a time
-            var end:int = getTimer() + (task is MonitorTask ? 0 : STEP_MS);
             do
             {
-                isDone = task.work();
+                isDone = _queue.work();
             }
-            while (!isDone && getTimer() < end);
+            while (!isDone && getTimer() < end && !(_queue.current is MonitorTask));
             if (getTimer() - _lastView >= VIEW_MS)
             {
                 _lastView = getTimer();
-                show(task);
+                show(_queue.current);
             }
             if (isDone)
             {
-                _current++;
-                if (_current == _tasks.length)
-                {
-                    removeEventListener(Event.ENTER_FRAME, onEnterFrame);
-                    finish();
-                }
+                removeEventListener(Event.ENTER_FRAME, onEnterFrame);
+                finish();
             }
         }
 
@@ -134,7 +125,6 @@ package
 
         private function finish():void
         {
-            _progress.finish();
             Host.writeFile("results.json", _results.toText());
             Host.exit(_results.failures == 0 ? 0 : 1);
         }

@@ -17,7 +17,7 @@ if (withTests) {
 	const isForPlayers = (file) => ["standin.flash.", AWAY3D].some((name) => readFileSync(join(ROOT, "test", file), "utf8").includes(name));
 	const tests = readdirSync(join(ROOT, "test"), { recursive: true }).filter((file) => file.endsWith("Test.as") && !isForPlayers(file)).sort();
 	const benchmarks = readdirSync(join(ROOT, "test/benchmark")).filter((file) => file.endsWith("Benchmark.as")).map((file) => join("benchmark", file));
-	names.push(...[...tests, ...benchmarks].map((file) => file.slice(0, -3).replaceAll(/[\\/]/g, ".")), "evaluation.ModelFiles", "evaluation.Plan", "evaluation.Progress", "support.Effort", "support.Fixtures");
+	names.push(...[...tests, ...benchmarks].map((file) => file.slice(0, -3).replaceAll(/[\\/]/g, ".")), "evaluation.ModelFiles", "evaluation.Plan", "evaluation.TaskQueue", "support.Effort", "support.Fixtures");
 }
 
 mkdirSync(join(folder, "org/apache/royale/utils"), { recursive: true });

@@ -77,6 +77,14 @@ package evaluation
         }
 
         /** @inheritDoc */
+        override public function repeatNoisy():void
+        {
+            super.repeatNoisy();
+            // the last frame will be another one
+            _check = null;
+        }
+
+        /** @inheritDoc */
         override protected function prepare():void
         {
             _collision = new Collision(collider);

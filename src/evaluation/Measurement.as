@@ -106,6 +106,12 @@ package evaluation
             _times.push((Host.now - start) * 1e6 / _count / _repeats);
         }
 
+        /** Forgets the samples. */
+        public function forget():void
+        {
+            _times.length = 0;
+        }
+
         private function times():Array
         {
             if (overhead == null)

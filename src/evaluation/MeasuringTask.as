@@ -6,8 +6,8 @@ package evaluation
     import starlogo.bounding.BoundingStructure;
 
     /**
-     * Measures some things in turns with the sphere-sphere test, after a warm-up that does not count. If the samples differ too much, it
-     * takes up to three times as many. A thing that takes seconds is repeated less often.
+     * Measures some things in turns with the sphere-sphere test, after a warm-up that does not count. If the samples of one differ too much,
+     * it takes up to three times as many of this one. A thing that takes seconds is repeated less often.
      */
     public class MeasuringTask extends Task
     {
@@ -28,6 +28,8 @@ package evaluation
         private var _longRepetitions:int;
         private var _measurements:Vector.<Measurement> = new Vector.<Measurement>();
         private var _overheads:Vector.<Measurement> = new Vector.<Measurement>();
+        // those that the present round takes
+        private var _active:Vector.<Measurement>;
         private var _isPrepared:Boolean = false;
         private var _warm:int = 0;
         private var _next:int = 0;
@@ -66,12 +68,31 @@ package evaluation
                 _measurements[_warm++].warmUp();
                 return false;
             }
+            _active ||= _measurements;
             if (!areEnough())
             {
                 sampleNext();
                 return false;
             }
             return conclude();
+        }
+
+        /** Whether samples of a measurement differ too much. */
+        public function get isNoisy():Boolean
+        {
+            return noisyOf(_measurements).length > 0;
+        }
+
+        /** Begins once more with the measurements whose samples differ too much. */
+        public function repeatNoisy():void
+        {
+            _active = withBase(noisyOf(_measurements));
+            for each (var measurement:Measurement in _active)
+            {
+                measurement.forget();
+            }
+            _rounds = 0;
+            _spent = 0;
         }
 
         /** Creates the measurements. */
@@ -103,15 +124,16 @@ package evaluation
         private function sampleNext():void
         {
             var start:Number = Host.now;
-            _measurements[_next++].sample();
+            _active[_next++].sample();
             _spent += Host.now - start;
-            if (_next == _measurements.length)
+            if (_next == _active.length)
             {
                 _next = 0;
                 _rounds++;
             }
         }
 
+        // After the wanted rounds, those whose samples are close together are done.
         private function areEnough():Boolean
         {
             var wanted:int = _spent < LONG_MS ? _repetitions : _longRepetitions;
@@ -119,19 +141,40 @@ package evaluation
             {
                 return false;
             }
-            return _rounds >= MOST_TIMES * wanted || areSteady();
+            var noisy:Vector.<Measurement> = noisyOf(_active);
+            _active = withBase(noisy);
+            return _rounds >= MOST_TIMES * wanted || noisy.length == 0;
         }
 
-        private function areSteady():Boolean
+        private function noisyOf(measurements:Vector.<Measurement>):Vector.<Measurement>
         {
-            for (var i:int = 0; i < _measurements.length; i++)
+            var noisy:Vector.<Measurement> = new Vector.<Measurement>();
+            for each (var measurement:Measurement in measurements)
             {
-                if (_overheads.indexOf(_measurements[i]) < 0 && !_measurements[i].samples.isSteady)
+                if (_overheads.indexOf(measurement) < 0 && !measurement.samples.isSteady)
                 {
-                    return false;
+                    noisy.push(measurement);
                 }
             }
-            return true;
+            return noisy;
+        }
+
+        // These measurements with what they need in each round: the sphere-sphere test first, and their overheads.
+        private function withBase(measurements:Vector.<Measurement>):Vector.<Measurement>
+        {
+            var all:Vector.<Measurement> = new <Measurement>[_base];
+            for each (var measurement:Measurement in measurements)
+            {
+                if (measurement.overhead != null)
+                {
+                    all.push(measurement.overhead);
+                }
+                if (measurement !== _base)
+                {
+                    all.push(measurement);
+                }
+            }
+            return all;
         }
     }
 }

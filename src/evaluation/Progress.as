@@ -37,7 +37,7 @@ package evaluation
         /** Prints that all is done. */
         public function finish():void
         {
-            trace(bar(1) + "  " + _tasks.length + " measurements in " + seconds(getTimer() - _start));
+            trace(bar(1) + "  " + _tasks.length + (_tasks.length == 1 ? " measurement in " : " measurements in ") + seconds(getTimer() - _start));
         }
 
         private function line(current:int, elapsed:Number):String

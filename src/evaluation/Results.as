@@ -8,6 +8,7 @@ package evaluation
         private static const NS_PER_MS:Number = 1e6;
 
         private var _entries:Array = [];
+        private var _byName:Object = {};
         private var _failures:int = 0;
 
         /** The number of checks that failed. */
@@ -17,7 +18,7 @@ package evaluation
         }
 
         /**
-         * Adds a plain number.
+         * Adds a plain number. An entry that has a value keeps it: then this is a measurement that was repeated for another entry.
          *
          * @param figure the entry's figure
          * @param subject the entry's row
@@ -29,17 +30,28 @@ package evaluation
          */
         public function addNumber(figure:String, subject:String, variant:String, value:Number, unit:String, thesis:* = undefined):Object
         {
-            var entry:Object = {figure: figure, subject: subject, variant: variant, unit: unit, value: value};
+            var name:String = nameOf(figure, subject, variant);
+            var entry:Object = _byName[name];
+            if (entry != null && entry.value != null)
+            {
+                return entry;
+            }
+            if (entry == null)
+            {
+                entry = _byName[name] = {figure: figure, subject: subject, variant: variant, unit: unit};
+                _entries.push(entry);
+            }
+            entry.value = value;
             if (thesis !== undefined)
             {
                 entry.thesis = thesis;
             }
-            _entries.push(entry);
             return entry;
         }
 
         /**
-         * Adds a time in milliseconds, and as a multiple of the sphere-sphere test. If the samples say nothing, it adds the reason instead.
+         * Adds a time in milliseconds, and as a multiple of the sphere-sphere test. If the samples say nothing, it adds the reason instead. An
+         * entry that has a value keeps it.
          *
          * @param figure the entry's figure
          * @param subject the entry's row
@@ -51,8 +63,14 @@ package evaluation
          */
         public function addTime(figure:String, subject:String, variant:String, measurement:Measurement, base:Measurement, thesis:* = undefined):Object
         {
+            var known:Object = _byName[nameOf(figure, subject, variant)];
+            if (known != null && known.value != null)
+            {
+                return known;
+            }
             var times:Samples = measurement.samples;
             var entry:Object = addNumber(figure, subject, variant, times.median / NS_PER_MS, "ms", thesis);
+            delete entry.refused;
             entry.low = times.low / NS_PER_MS;
             entry.high = times.high / NS_PER_MS;
             entry.samples = times.count;
@@ -83,6 +101,11 @@ package evaluation
         public function toText():String
         {
             return JSON.stringify({player: Host.player, entries: _entries}, null, 1);
+        }
+
+        private static function nameOf(figure:String, subject:String, variant:String):String
+        {
+            return [figure, subject, variant].join(" / ");
         }
     }
 }

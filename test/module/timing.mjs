@@ -11,7 +11,7 @@ import path from "node:path";
 import { pathToFileURL } from "node:url";
 
 const [file, folder, ...given] = process.argv.slice(2);
-const { ModelFiles, Plan, Progress, Results, Settings, setFetch } = await import(pathToFileURL(path.resolve(file)));
+const { ModelFiles, Plan, Results, Settings, TaskQueue, setFetch } = await import(pathToFileURL(path.resolve(file)));
 
 setFetch((url, onProgress, onDone, onError) => {
 	const timer = setTimeout(() => onDone(readFileSync(path.join(".", url))));
@@ -25,14 +25,9 @@ const files = await new Promise((resolve, reject) => {
 	const loaded = new ModelFiles(() => resolve(loaded), (text) => reject(new Error(text)), false);
 });
 const results = new Results();
-const { tasks } = new Plan(settings, files, results, null);
-const progress = new Progress(tasks);
+const queue = new TaskQueue(new Plan(settings, files, results, null).tasks);
 console.log("the same as an ES module, in Node:");
-tasks.forEach((task, i) => {
-	progress.report(i);
-	while (!task.work());
-});
-progress.finish();
+while (!queue.work());
 mkdirSync(folder, { recursive: true });
 writeFileSync(path.join(folder, "results.json"), results.toText());
 process.exitCode = results.failures === 0 ? 0 : 1;

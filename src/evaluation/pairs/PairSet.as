@@ -17,6 +17,11 @@ package evaluation.pairs
 
         private static const NATURAL_HITS:Number = 0.4;
 
+        // The pairs that are drawn to estimate the share of hits, and what is known, by kinds.
+        private static const DRAWN:int = 200;
+        private static const SEED:uint = 47;
+        private static const SPREADS:Object = {};
+
         /** The first structures of the pairs, and the second. */
         public var a:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
 
@@ -54,7 +59,7 @@ package evaluation.pairs
         public function PairSet(kindA:int, kindB:int, hits:Number, seed:uint)
         {
             _structures = new RandomStructures(new SeededRandom(seed));
-            fill(kindA, kindB, int(hits * COUNT), naturalSpread(kindA, kindB));
+            fill(kindA, kindB, int(hits * COUNT), spreadOf(kindA, kindB));
             spheresA = kindA == BoundingStructure.SPHERE ? Vector.<Sphere>(a) : null;
             spheresB = kindB == BoundingStructure.SPHERE ? Vector.<Sphere>(b) : null;
             capsulesA = kindA == BoundingStructure.CAPSULE ? Vector.<Capsule>(a) : null;
@@ -63,7 +68,17 @@ package evaluation.pairs
             boxesB = kindB == BoundingStructure.BOX ? Vector.<Box>(b) : null;
         }
 
-        private function naturalSpread(kindA:int, kindB:int):Number
+        private static function spreadOf(kindA:int, kindB:int):Number
+        {
+            var kinds:String = kindA + " " + kindB;
+            if (!(kinds in SPREADS))
+            {
+                SPREADS[kinds] = naturalSpread(new RandomStructures(new SeededRandom(SEED)), kindA, kindB);
+            }
+            return SPREADS[kinds];
+        }
+
+        private static function naturalSpread(structures:RandomStructures, kindA:int, kindB:int):Number
         {
             var low:Number = 0.1;
             var high:Number = 10;
@@ -71,14 +86,14 @@ package evaluation.pairs
             {
                 var spread:Number = Math.sqrt(low * high);
                 var hits:int = 0;
-                for (var i:int = 0; i < COUNT; i++)
+                for (var i:int = 0; i < DRAWN; i++)
                 {
-                    if (intersects(_structures.ofKind(kindA, 1, spread), _structures.ofKind(kindB, 1, spread)))
+                    if (intersects(structures.ofKind(kindA, 1, spread), structures.ofKind(kindB, 1, spread)))
                     {
                         hits++;
                     }
                 }
-                if (hits > NATURAL_HITS * COUNT)
+                if (hits > NATURAL_HITS * DRAWN)
                 {
                     low = spread;
                 }

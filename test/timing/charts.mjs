@@ -11,7 +11,7 @@ export function chartsOf(entries) {
 		fits: compared(of('fits'), (found) => found.engine, 'ms'),
 		access: compared(of('access'), (found) => found.engine, 'µs', 1e3),
 		tests: multiples(of('tests')),
-		hierarchies: compared(of('hierarchies'), (found) => found['engine, vertices'], 'ms'),
+		hierarchies: hierarchies(of('hierarchies')),
 		crowds: crowds(of('crowds')),
 		combination: combination(of('combination')),
 		scattered: scattered(of('scattered')),
@@ -36,6 +36,21 @@ function compared(entries, ours, unit, factor = 1) {
 		{ name: 'this engine, JIT', color: 'jit', values: subjects.map(([, found]) => scaled(ours(found).beside, factor)) },
 		{ name: 'literal algorithm', color: 'literal', values: subjects.map(([, found]) => scaled(found.literal?.value, factor)) },
 		{ name: 'thesis, 2015', color: 'thesis', values: subjects.map(([, found]) => scaled(found.engine.thesis, factor)) },
+	]);
+}
+
+function hierarchies(entries) {
+	if (entries.length === 0) {
+		return undefined;
+	}
+	const subjects = bySubject(entries);
+	const values = (variant) => subjects.map(([, found]) => scaled(found[variant]?.value));
+	return bars(subjects.map(([name]) => name), 'ms', [
+		{ name: 'this engine, of triangles', color: 'sphere', values: values('engine') },
+		{ name: 'this engine, of vertices', color: 'engine', values: values('engine, vertices') },
+		{ name: 'of vertices, JIT', color: 'jit', values: subjects.map(([, found]) => scaled(found['engine, vertices']?.beside)) },
+		{ name: 'literal algorithm', color: 'literal', values: values('literal') },
+		{ name: 'thesis, 2015', color: 'thesis', values: subjects.map(([, found]) => scaled(found.engine.thesis)) },
 	]);
 }
 
@@ -67,6 +82,9 @@ function volumes(entries) {
 	]);
 }
 
+// so short that the labels of 16 bars lie flat
+const SHORT = { BinCollider: 'Bin', TightestFitCollider: 'Tightest', HierarchicalCollider: 'Hierarch.', CombinationCollider: 'Combin.' };
+
 function crowds(entries) {
 	if (entries.length === 0) {
 		return undefined;
@@ -75,7 +93,7 @@ function crowds(entries) {
 	const count = entries.some((entry) => entry.agents === 100) ? 100 : most;
 	const subjects = bySubject(entries).filter(([name]) => name.startsWith(`${count} `));
 	const rows = [...COLLIDERS, ...others(entries, COLLIDERS)].flatMap((collider) => subjects.filter(([, found]) => found[collider])
-		.map(([name, found]) => ({ name: [collider.replace('Collider', ''), castOf({ subject: name })], entry: found[collider], literal: found[`${collider}, literal`] })));
+		.map(([name, found]) => ({ name: [SHORT[collider] ?? collider.split('.').pop(), castOf({ subject: name })], entry: found[collider], literal: found[`${collider}, literal`] })));
 	return bars(rows.map(({ name }) => name), `ms a frame of ${count} agents`, [
 		{ name: 'this engine', color: 'engine', values: rows.map(({ entry }) => entry.value) },
 		{ name: 'this engine, JIT', color: 'jit', values: rows.map(({ entry }) => scaled(entry.beside)) },
@@ -89,10 +107,12 @@ function combination(entries) {
 		return undefined;
 	}
 	const subjects = bySubject(entries);
-	const labels = Object.keys(subjects[0][1]);
+	const labels = Object.keys(subjects[0][1]).filter((name) => !name.endsWith(', literal'));
 	const colors = ['engine', 'TightestFitCollider', 'sphere'];
-	return bars(labels, 'ms a frame', subjects.map(([name, found], i) => ({ name, color: colors[i % 3], values: labels.map((label) => scaled(found[label]?.value)) })),
-		{ linear: true, height: 260 });
+	const series = subjects.map(([name, found], i) => ({ name: `${name}, this engine`, color: colors[i % 3], values: labels.map((label) => scaled(found[label]?.value)) }));
+	const [[, first]] = subjects;
+	const literal = { name: 'literal algorithm', color: 'literal', values: labels.map((label) => scaled(first[`${label}, literal`]?.value)) };
+	return bars(labels, 'ms a frame', subjects.length === 1 ? [...series, literal] : series, { height: 260 });
 }
 
 function scattered(entries) {
@@ -103,7 +123,7 @@ function scattered(entries) {
 	const first = all.find(({ cast }) => cast === 'mix') ?? all[0];
 	const casts = [first, ...all.filter(({ cast }) => cast === `${first.cast}, as dense`)];
 	const series = casts.flatMap(({ cast, exponents }, i) => [...COLLIDERS, ...others(entries, COLLIDERS)].map((collider) => ({
-		name: `${collider.replace('Collider', '')}${i === 0 ? '' : ', as dense'}: n^${exponents[collider]?.toFixed(2) ?? '?'}`,
+		name: collider.replace('Collider', '') + (i === 0 ? '' : ', as dense') + (exponents[collider] === undefined ? '' : `: n^${exponents[collider].toFixed(2)}`),
 		color: COLLIDERS.includes(collider) ? collider : 'minimal',
 		isDashed: i > 0,
 		points: entries.filter((entry) => entry.variant === collider && castOf(entry) === cast && entry.value)

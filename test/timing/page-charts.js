@@ -44,6 +44,10 @@ const limit = {
 		ctx.stroke();
 		ctx.font = '12px system-ui, sans-serif';
 		ctx.textAlign = 'left';
+		// bars may stand behind it
+		ctx.fillStyle = color('card');
+		ctx.fillRect(left + 5, height - 19, ctx.measureText(name).width + 6, 17);
+		ctx.fillStyle = color('limit');
 		ctx.fillText(name, left + 8, height - 6);
 		ctx.restore();
 	},
@@ -75,7 +79,7 @@ function barChart(chart) {
 		options: {
 			...common(chart),
 			scales: {
-				x: { grid: { display: false }, border: { color: color('grid') }, ticks: { color: color('text'), autoSkip: false, maxRotation: 60, font: { size: chart.labels.length > 10 ? 11 : 12 } } },
+				x: { grid: { display: false }, border: { color: color('grid') }, ticks: { color: color('text'), autoSkip: false, maxRotation: 60, font: { size: chart.labels.length > 12 ? 10 : chart.labels.length > 10 ? 11 : 12 } } },
 				y: chart.linear
 					? { beginAtZero: true, title: { display: true, text: chart.unit, color: color('quiet') }, grid: { color: color('grid') }, ticks: { color: color('quiet') } }
 					: logarithmic(chart.unit, chart.series.flatMap((series) => series.values)),

@@ -23,7 +23,7 @@ export async function page(report) {
 <body>
 <header>
 <h1>Collision engine: timing report</h1>
-<p>The evaluation of “Improved Collision Detection in StarLogo Nova” (section 6), run on ${date} UTC. Blue is this engine,
+<p>The evaluation of “Improved Collision Detection in StarLogo Nova” (section 6), run on <span class="whole">${date}</span> UTC. Blue is this engine,
 amber the thesis's algorithms as it describes them in the same player, grey the thesis's own numbers of 2015.</p>
 <p>${takenIn(report.versions)}${report.module ? ` ${escape(moduleText(report.module))}` : ''}</p>
 <dl class="tiles">${tiles(report).map(([value, label]) => `<div><dt>${label}</dt><dd>${value}</dd></div>`).join('')}</dl>
@@ -66,7 +66,7 @@ function section(figure, entries, charts) {
 <h2>${escape(figure.title)}</h2>
 ${picture}
 <div class="scroll">${table(figure, figure.head(mine), figure.rows(mine))}</div>
-<p class="note">${escape(figure.note)}</p>
+<p class="note">${escape(figure.note.replace(/^\* /, 'Bold: '))}</p>
 </section>`;
 }
 

@@ -55,6 +55,23 @@ test('the chart of volumes has bars of the thesis', () => {
 	assert.deepEqual(series.find(({ color }) => color === 'engine').values, [4]);
 });
 
+test('the chart of hierarchies shows both of the engine\'s', () => {
+	const found = [timed('hierarchies', 'bear', 'engine', 42, { thesis: 3.722, vertices: 547 }), timed('hierarchies', 'bear', 'engine, vertices', 15), timed('hierarchies', 'bear', 'literal', 25)];
+	assert.deepEqual(chartsOf(found).hierarchies.series.map(({ values }) => values[0]), [42, 15, 25, 3.722]);
+});
+
+test('the chart of the combination has literal times beside the engine\'s', () => {
+	const found = [0, 10].flatMap((count) => [timed('combination', '100 bears', `${count} hierarchical`, 20 + count), timed('combination', '100 bears', `${count} hierarchical, literal`, 600)]);
+	const { labels, series } = chartsOf(found).combination;
+	assert.deepEqual(labels, ['0 hierarchical', '10 hierarchical']);
+	assert.deepEqual(series.map(({ values }) => values), [[20, 30], [600, 600]]);
+});
+
+test('a line with no exponent has a name without one', () => {
+	const series = chartsOf([timed('scattered', '100 mix', 'BinCollider', 1, { agents: 100, collisions: 0, agrees: true })]).scattered.series;
+	assert.deepEqual(series.map(({ name }) => name), ['Bin']);
+});
+
 test('the exponent of a power is found', () => {
 	assert.ok(Math.abs(exponent([[1, 3], [10, 3 * 10 ** 1.2], [100, 3 * 100 ** 1.2]]) - 1.2) < 1e-9);
 	assert.equal(exponent([[5, 3]]), undefined);

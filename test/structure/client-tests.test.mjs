@@ -1,0 +1,40 @@
+/** Tests of what ./antw client-test finds in a client's folders. */
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+const script = fileURLToPath(new URL('../client-tests.mjs', import.meta.url));
+const folder = mkdtempSync(path.join(tmpdir(), 'client-tests-'));
+mkdirSync(path.join(folder, 'src/game'), { recursive: true });
+mkdirSync(path.join(folder, 'tests/game/world'), { recursive: true });
+for (const file of ['src/game/Turtle.as', 'tests/MainTest.as', 'tests/game/world/TurtleTest.as', 'tests/game/TestTools.as']) {
+	writeFileSync(path.join(folder, file), '');
+}
+
+const run = (...more) => spawnSync(process.execPath, [script, 'out', ...more], { cwd: folder, encoding: 'utf8' });
+const written = () => readFileSync(path.join(folder, 'out/ClientTests.as'), 'utf8');
+
+test('all test classes of all folders are run', () => {
+	const { status, stdout } = run('src,tests');
+	assert.equal(status, 0);
+	assert.equal(stdout, '2 test classes\n');
+	assert.match(written(), /Request\.classes\(MainTest, game\.world\.TurtleTest\)/);
+	assert.match(written(), /import game\.world\.TurtleTest;/);
+});
+
+test('a name chooses some of them', () => {
+	assert.equal(run('src,tests', 'turtle').stdout, '1 test class\n');
+	assert.match(written(), /Request\.classes\(game\.world\.TurtleTest\)/);
+});
+
+test('what is not there is named', () => {
+	assert.match(run('src,test').stderr, /there is no folder test\n/);
+	assert.match(run('src').stderr, /no file below src ends with Test\.as/);
+	const { status, stderr } = run('tests', 'bear');
+	assert.equal(status, 64);
+	assert.match(stderr, /no class matches -Dtest=bear; there are MainTest, game\.world\.TurtleTest/);
+});

@@ -7,7 +7,7 @@ package evaluation
 
     /**
      * Measures some things in turns with the sphere-sphere test, after a warm-up that does not count. If the samples of one differ too much,
-     * it takes up to three times as many of this one. A thing that takes seconds is repeated less often.
+     * it takes up to three times as many of this one, unless they have taken seconds. A thing that takes seconds is repeated less often.
      */
     public class MeasuringTask extends Task
     {
@@ -15,6 +15,7 @@ package evaluation
         private static const HITS:Number = 0.4;
         private static const MOST_TIMES:int = 3;
         private static const LONG_MS:Number = 2500;
+        private static const LONGEST_MS:Number = 8000;
 
         private static var sBasePairs:PairLoops;
 
@@ -143,7 +144,7 @@ package evaluation
             }
             var noisy:Vector.<Measurement> = noisyOf(_active);
             _active = withBase(noisy);
-            return _rounds >= MOST_TIMES * wanted || noisy.length == 0;
+            return noisy.length == 0 || _rounds >= MOST_TIMES * wanted || _spent > LONGEST_MS;
         }
 
         private function noisyOf(measurements:Vector.<Measurement>):Vector.<Measurement>

@@ -5,8 +5,8 @@ import { recallList, rememberValue } from "../shared/memory.js";
 
 const words = texts.lessons;
 const KEY = "starlogo-playground.lessons";
-/** Those whose text or mistakes are about the collision system: its menu is always in sight there. */
-const NEED_SYSTEM = ["helmet", "wing", "main"];
+/** Those that are about the collision system: what chooses and shows it is always in sight there. */
+const ABOUT_SYSTEM = ["helmet", "wing"];
 export const LESSON_NAMES = ["blocks", "helmet", "wing", "main", "fast", "starts", "room", "near", "see", "hunt", "jump"];
 
 /** Remembers, in the browser, the lessons that were done and the games that were won. */
@@ -37,6 +37,8 @@ export class LessonCard {
 	#memory = {};
 	#ticks = new Ticks();
 	#lessons = null;
+	/** Called when another card is shown, or none. */
+	onShow = () => {};
 
 	/**
 	 * @param {(name: string|null, isNew: boolean) => void} onOpen called to open a lesson's program; with null to leave the lesson. If isNew is
@@ -96,9 +98,9 @@ export class LessonCard {
 	show(name, isOwn = false) {
 		this.#name = name;
 		this.element.hidden = name === null;
-		this.element.dataset.needs = NEED_SYSTEM.includes(name) ? "system" : "";
+		this.element.dataset.needs = ABOUT_SYSTEM.includes(name) ? "system" : "";
 		this.element.replaceChildren();
-		if (name === null) return;
+		if (name === null) return this.onShow();
 		if (!this.#lessons) import("./library.js").then(({ LESSONS }) => {
 			this.#lessons = LESSONS;
 		});
@@ -120,13 +122,19 @@ export class LessonCard {
 			h("div.head", {}, h("small", {}, words.lesson(at + 1, LESSON_NAMES.length)), this.heading, this.againButton, this.foldButton,
 				button("✕", () => this.onOpen(null), { class: "leave", "aria-label": words.leave, title: words.leave })),
 			said,
-			h("div.turn", {}, h("p.challenge", {}, h("strong", {}, `${words.challenge} `), challenge),
-				h("div.steps", {}, this.hintButton, button(words.previous, go(at - 1), { disabled: at === 0 }), this.next)));
+			h("div.turn", {}, h("p.challenge", {}, h("strong", {}, `${words.challenge} `), challenge)),
+			h("div.steps", {}, this.hintButton, button(words.previous, go(at - 1), { disabled: at === 0 }), this.next));
 		this.begin();
 		this.#fold(false);
 		this.element.append(this.card);
+		this.onShow();
 		this.#turnTo("text");
 		if (this.isDone(name)) this.#sayDone();
+	}
+
+	/** The place beside the task, if the open lesson is about the collision system; or else null. */
+	get placeOfSystem() {
+		return this.element.dataset.needs === "" ? null : this.element.querySelector(".turn");
 	}
 
 	/** Shows or hides the button that goes back to the lesson's own program. */

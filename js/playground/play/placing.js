@@ -118,7 +118,10 @@ export class Placing {
 		within(group, () => block.moveBy(GAP, GAP));
 	}
 
-	/** Gives each script its own place, when the blocks have their sizes. The one that was moved gives way, or else the lower one. */
+	/**
+	 * Gives each script its own place, when the blocks have their sizes. The lower one gives way. The one that was moved goes to the right
+	 * if that is nearer.
+	 */
 	#spreadLater({ type, blockId, group }) {
 		const isMove = type === Blockly.Events.BLOCK_MOVE || type === Blockly.Events.BLOCK_CREATE;
 		const isFirst = this.#wanted === null;
@@ -133,16 +136,20 @@ export class Placing {
 	#spread(moved) {
 		const { workspace } = this;
 		const scripts = workspace.getTopBlocks(false).filter(({ outputConnection, previousConnection }) => !outputConnection && !previousConnection);
-		const placeOf = (block) => [block.id === moved ? 1 : 0, block.getRelativeToSurfaceXY().y];
-		scripts.sort((a, b) => placeOf(a)[0] - placeOf(b)[0] || placeOf(a)[1] - placeOf(b)[1]);
+		const placed = scripts.map((block) => ({ block, place: block.getBoundingRectangle() })).sort((a, b) => a.place.top - b.place.top);
 		const taken = [];
-		for (const block of scripts) {
-			const place = block.getBoundingRectangle();
-			const by = moveBeyond(place, taken, "top", "bottom");
-			taken.push(place);
-			if (by === 0) continue;
-			block.moveBy(0, by);
-			if (block.id === moved) workspace.scrollBoundsIntoView(place);
+		for (const { block, place } of placed) {
+			const isMoved = block.id === moved;
+			const aside = isMoved ? place.clone() : null;
+			let [x, y] = [0, moveBeyond(place, taken, "top", "bottom")];
+			if (isMoved && y > 0) {
+				const right = moveBeyond(aside, placed.filter((each) => each.block !== block).map((each) => each.place), "left", "right");
+				if (right < y) [x, y] = [right, 0];
+			}
+			taken.push(y === 0 && x > 0 ? aside : place);
+			if (x === 0 && y === 0) continue;
+			block.moveBy(x, y);
+			if (isMoved) workspace.scrollBoundsIntoView(taken.at(-1));
 		}
 	}
 }

@@ -54,6 +54,8 @@ export async function createView(main, link) {
 
 class PlayView {
 	#beginEditing;
+	/** Puts what chooses and shows the collision system into an element; for null into its own place. */
+	#placeSystem;
 	#loop = new Loop((now) => this.#frames(now));
 	#speed = 1;
 	isBroken = false;
@@ -140,6 +142,7 @@ class PlayView {
 		this.screen = h("div.screen", {}, this.worldHost, this.dragNote, this.whole);
 		this.screens = h("div.screens", {}, this.screen);
 		this.theatre = h("div.theatre", {}, this.screens);
+		const system = field(words.system, this.system);
 		const besides = choice([["", words.alone], ...systems], "", (name) => this.putBeside(name));
 		this.camera = choice(Object.entries(words.cameras), "all", (name) => {
 			this.scene.camera = name;
@@ -164,13 +167,22 @@ class PlayView {
 			this.draw();
 			this.#playOn();
 		});
+		const program = h("section.program", { "aria-label": words.blocks }, this.programs.element, this.blocksHost);
+		const tools = h("div.tools", {}, field(words.beside, besides), field(words.camera, this.camera));
+		this.#placeSystem = (host) => {
+			if (host) host.append(system, sees);
+			else {
+				tools.prepend(system);
+				tools.append(sees);
+			}
+		};
 		main.replaceChildren(
 			// the lesson is read before the blocks, though it is above the world
 			this.programs.lessons.element,
-			h("section.program", { "aria-label": words.blocks }, this.programs.element, this.blocksHost),
-			splitter(main),
+			program,
+			splitter(main, program),
 			h("div.show", {}, this.controls, h("section.game", { "aria-label": words.world },
-				h("div.tools", {}, field(words.system, this.system), field(words.beside, besides), field(words.camera, this.camera), sees),
+				tools,
 				this.theatre,
 				this.buildBar.element,
 				h("div.time", {}, this.speed.element, this.rewind.element),
@@ -179,11 +191,19 @@ class PlayView {
 		this.#openSettings(kept === null ? innerHeight >= LOW : kept === "true");
 	}
 
-	/** Puts the keys below the world, and what belongs to the world beside them. In a low and wide window, it is beside “Run”, so that the world is higher. */
+	/**
+	 * Puts the keys below the world, and what belongs to the world beside them. In a low and wide window, it is beside “Run”, and the collision
+	 * system beside the task of a lesson that is about it, so that the world is higher.
+	 */
 	#placeCorner() {
 		const corner = h("div.corner", {}, this.settings, this.buildBar.tick, this.sound.button, this.fullscreen);
 		const foot = h("div.foot", {}, this.scene.legend, this.keys.pad);
-		const place = () => (this.room.matches ? this.controls : foot).append(corner);
+		const { lessons } = this.programs;
+		const place = () => {
+			(this.room.matches ? this.controls : foot).append(corner);
+			this.#placeSystem(this.room.matches ? lessons.placeOfSystem : null);
+		};
+		lessons.onShow = place;
 		this.room = matchMedia(`(min-width: 75rem) and (max-height: ${LOW - 1}px)`);
 		this.room.onchange = place;
 		this.theatre.append(foot);

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { SIZES, begin, open, rest } from './browser.mjs';
+import { parts } from './parts.mjs';
 
 let site;
 before(async () => {
@@ -120,6 +121,16 @@ test('the ground is raised and lowered, and a maze is built, by mouse: as blocks
 	await page.locator('.tool-undo').click();
 	await page.waitForFunction(() => globalThis.playground.world.terrain === null);
 	assert.equal(await page.locator('.tool-undo').getAttribute('aria-disabled'), 'true');
+	// the maze of the game “Key and house” is what these strokes build
+	await brush('Walls');
+	for (const [from, to] of parts.STROKES) await drag(page, from, to);
+	const built = (await agentsOf(page)).filter(([breed]) => breed === 'walls');
+	await page.evaluate((game) => globalThis.playground.programs.choose(game), 'drive');
+	await page.waitForFunction(() => globalThis.playground.world.agents.some(({ breed }) => breed === 'cars'));
+	assert.deepEqual(built, (await agentsOf(page)).filter(([breed]) => breed === 'walls'));
+	assert.ok(built.length > 30, `${built.length} walls`);
+	await page.goBack();
+	await page.waitForFunction(() => globalThis.playground.world.agents.some(({ breed }) => breed === 'bears'));
 	// without the brush the pointer turns the world again
 	await brush('Agents');
 	const eye = () => page.evaluate(() => globalThis.playground.stage.camera.position.x);

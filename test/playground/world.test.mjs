@@ -704,6 +704,12 @@ PLAYERS.jump = (world) => {
 	if (gap && !isLiftNear) world.releaseAll();
 	if ((gap && isLiftNear) || (below && Math.abs(to.x - person.x) < 1.3 && to.z > person.z + 0.9) || (turtle && below && Math.abs(turtle.x - person.x) < 1.6 && Math.abs(turtle.z - person.z) < 0.5)) world.press('space');
 };
+PLAYERS.drive = (world, memory) => {
+	const [car] = all(world, 'cars');
+	memory.way ??= [[-8, 8], [-4, 8], [-4, -8], [0, -8], [0, 6], [4, 6], [4, -8], [4, 7], [8, 7], [8, -8]].map(([x, y]) => ({ x, y }));
+	if (awayFrom(car, memory.way[0]) < 0.6 && memory.way.length > 1) memory.way.shift();
+	steer(world, car, memory.way[0]);
+};
 
 for (const name of Object.keys(PLAYERS)) {
 	test(`the game ${name} has a goal, is won by who plays it with keys, and not by who does nothing`, () => {

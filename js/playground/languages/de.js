@@ -62,7 +62,7 @@ export const texts = {
 		copyOf: (name) => `${name} (meins)`,
 		another: (name, number) => `${name} ${number}`,
 		examples: { helmet: "Der Helm des Feuerwehrmanns", wing: "Unter dem Flügel des Drachen", wall: "Neben der Mitte der Wand" },
-		games: { paintball: "Farbkugeln", chase: "Auf der Flucht", maze: "Irrgarten", space: "Weltraum", catch: "Perlenfischer", tag: "Fangen", pinball: "Flipper", hills: "Hügel", jump: "Plattformen" },
+		games: { paintball: "Farbkugeln", chase: "Auf der Flucht", maze: "Irrgarten", space: "Weltraum", catch: "Perlenfischer", tag: "Fangen", pinball: "Flipper", hills: "Hügel", jump: "Plattformen", drive: "Schlüssel und Haus" },
 		title: "Name des Programms", new: "Neu", newName: "Mein Programm", keep: "Kopie speichern", keepNote: "Was du änderst, wird von selbst gespeichert", kept: "✓ gespeichert", keptNowhere: "nicht gespeichert",
 		save: "Herunterladen", open: "Öffnen …", share: "Link kopieren", link: "Link zu diesem Programm",
 		print: "Drucken", handedBy: (name, pupil) => `${name} (${pupil})`,
@@ -145,7 +145,7 @@ export const texts = {
 	breeds: {
 		bears: "Bären", turtles: "Schildkröten", seagulls: "Möwen", walls: "Wände", paintballs: "Farbkugeln", people: "Menschen", dragons: "Drachen", firemen: "Feuerwehrleute", trees: "Bäume", kelp: "Seetang",
 		fortresses: "Festungen", spaceships: "Raumschiffe", gems: "Goldkugeln", rocks: "Felsen", shots: "Schüsse", pearls: "Perlen", players: "Spieler", taggers: "Fänger", paddles: "Schläger", balls: "Bälle",
-		bumpers: "Prellböcke", platforms: "Plattformen", coins: "Münzen", lifts: "Aufzüge", houses: "Häuser",
+		bumpers: "Prellböcke", platforms: "Plattformen", coins: "Münzen", lifts: "Aufzüge", houses: "Häuser", cars: "Autos", keys: "Schlüssel",
 	},
 	colours: { red: "Rot", orange: "Orange", yellow: "Gelb", green: "Grün", blue: "Blau", purple: "Lila", brown: "Braun", grey: "Grau", white: "Weiß", own: "die eigenen Farben" },
 	lessons: {

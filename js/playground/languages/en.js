@@ -67,7 +67,7 @@ export const texts = {
 		copyOf: (name) => `${name} (mine)`,
 		another: (name, number) => `${name} ${number}`,
 		examples: { helmet: "The fireman's helmet", wing: "Under the dragon's wing", wall: "Beside the wall's middle" },
-		games: { paintball: "Paintball", chase: "Chase", maze: "Maze", space: "Space", catch: "Catch", tag: "Tag", pinball: "Pinball", hills: "Hills", jump: "Platforms" },
+		games: { paintball: "Paintball", chase: "Chase", maze: "Maze", space: "Space", catch: "Catch", tag: "Tag", pinball: "Pinball", hills: "Hills", jump: "Platforms", drive: "Key and house" },
 		title: "Name of the program", new: "New", newName: "My program", keep: "Save a copy", keepNote: "What you change is saved by itself", kept: "✓ saved", keptNowhere: "not saved",
 		save: "Download", open: "Open…", share: "Copy a link", link: "Link to this program",
 		print: "Print", handedBy: (name, pupil) => `${name} (${pupil})`,
@@ -150,7 +150,7 @@ export const texts = {
 	breeds: {
 		bears: "bears", turtles: "turtles", seagulls: "seagulls", walls: "walls", paintballs: "paintballs", people: "people", dragons: "dragons", firemen: "firemen", trees: "trees", kelp: "kelp",
 		fortresses: "fortresses", spaceships: "spaceships", gems: "gems", rocks: "rocks", shots: "shots", pearls: "pearls", players: "players", taggers: "taggers", paddles: "bats", balls: "balls",
-		bumpers: "bumpers", platforms: "platforms", coins: "coins", lifts: "lifts", houses: "houses",
+		bumpers: "bumpers", platforms: "platforms", coins: "coins", lifts: "lifts", houses: "houses", cars: "cars", keys: "keys",
 	},
 	colours: { red: "red", orange: "orange", yellow: "yellow", green: "green", blue: "blue", purple: "purple", brown: "brown", grey: "grey", white: "white", own: "its own colours" },
 	lessons: {

@@ -5,6 +5,7 @@ import {
 	aim, along, alongside, bounce, change, collision, colour, compare, count, create, each, either, end, fall, field, folded, get, go, goal, ground, hatch, heading, jump, key, limit, many, math, mound, move, nearest, number, numbers, paint,
 	program, remove, repeat, say, scatter, score, set, side, size, solid, sound, stand, standing, start, step, sweep, timer, touch, trait, turn, up, walk, when,
 } from "./notation.js";
+import { wallsBetween } from "./painting.js";
 
 const words = texts.programs;
 
@@ -208,4 +209,23 @@ const jumping = program(
 	folded(key("right", "held", "people", heading(0), walk(0.1))),
 );
 
-export const GAMES = { paintball, chase, maze, space, catch: catching, tag, pinball, hills, jump: jumping };
+/** The maze of the next game. It was built in the world by mouse: each line is a stroke of “Walls”, from one place to another. */
+export const STROKES = [[[-10, -10], [10, -10]], [[10, -10], [10, 10]], [[10, 10], [-10, 10]], [[-10, 10], [-10, -10]], [[-6, -10], [-6, 6]], [[-2, 10], [-2, -6]], [[2, -10], [2, 2]], [[6, -10], [6, 4]]];
+const places = STROKES.flatMap((stroke) => wallsBetween(...stroke.map(([x, y]) => ({ x, y }))));
+const drive = program(
+	touch("cars", "keys", remove("collidee"), sound("ding"), say(words.drive.found)),
+	touch("cars", "houses", either(compare("EQ", count("keys", 50), number(0)), [end("won", words.drive.won)], [say(words.drive.more)])),
+	folded(start(
+		goal(words.drive.goal), limit(60, words.drive.lost), solid("walls"),
+		create(1, "cars", "car", size(1.6), go(-8, -8, 0), heading(90)),
+		create(1, "keys", "key", size(1.6), go(4, -8, 0.2)),
+		create(1, "houses", "house", size(2.4), go(8, -8, 0)),
+		...places.map(([x, y, turned, long]) => wall(x, y, long, turned)),
+	)),
+	folded(key("up", "held", "cars", walk(0.15))),
+	folded(key("down", "held", "cars", walk(-0.08))),
+	folded(key("left", "held", "cars", turn("left", number(4)))),
+	folded(key("right", "held", "cars", turn("right", number(4)))),
+);
+
+export const GAMES = { paintball, chase, maze, space, catch: catching, tag, pinball, hills, jump: jumping, drive };

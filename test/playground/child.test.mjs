@@ -143,6 +143,17 @@ test('in lessons on a small laptop, the world has 45 % of the window below the h
 	await leave();
 });
 
+test('in lessons on a phone that is held across, 30 % of the window below the header are the world’s', async () => {
+	const { page, said, leave } = await open(site, 'play/lesson-blocks', { ...SIZES.phone, viewport: { width: 844, height: 390 } });
+	for (const name of LESSONS) {
+		await choose(page, `lesson-${name}`);
+		const share = await shareOfWorld(page);
+		assert.ok(share > 0.3, `${name}: ${share}`);
+	}
+	assert.deepEqual(said, []);
+	await leave();
+});
+
 test('on a phone, the menu of a block is gone when the world is shown', async () => {
 	const { page, leave } = await open(site, 'play/paintball', SIZES.phone);
 	await page.locator('[data-tab="program"]').filter({ hasText: 'Blocks' }).click();

@@ -21,7 +21,7 @@ test('a program is downloaded as a page that three.js draws, and plays it by key
 	const npm = path.join(root, 'js/playground/node_modules');
 	const server = await serve(null, { '/node_modules/starlogo-collision': path.join(root, 'bin/module'), '/node_modules/three': path.join(npm, 'three'), '': folder });
 	try {
-		for (const [game, key] of [['paintball', 'ArrowUp'], ['jump', 'ArrowRight'], ['hills', 'ArrowUp']]) {
+		for (const [game, key] of [['paintball', 'ArrowUp'], ['jump', 'ArrowRight'], ['hills', 'ArrowUp'], ['drive', 'ArrowUp']]) {
 			const { page, leave } = await open(site, `play/${game}`, SIZES.laptop);
 			await page.waitForFunction(() => globalThis.playground?.editor);
 			await press(page, 'This program as JavaScript');

@@ -210,7 +210,7 @@ const jumping = program(
 );
 
 /** The maze of the next game. It was built in the world by mouse: each line is a stroke of “Walls”, from one place to another. */
-export const STROKES = [[[-10, -10], [10, -10]], [[10, -10], [10, 10]], [[10, 10], [-10, 10]], [[-10, 10], [-10, -10]], [[-6, -10], [-6, 6]], [[-2, 10], [-2, -6]], [[2, -10], [2, 2]], [[6, -10], [6, 4]]];
+export const STROKES = [[[-10, -10], [10, -10]], [[10, -10], [10, 10]], [[10, 10], [-10, 10]], [[-10, 10], [-10, -10]], [[-6, -10], [-6, 6]], [[-2, 10], [-2, -6]], [[2, -10], [2, 2]], [[6, -10], [6, 2]]];
 const places = STROKES.flatMap((stroke) => wallsBetween(...stroke.map(([x, y]) => ({ x, y }))));
 const drive = program(
 	touch("cars", "keys", remove("collidee"), sound("ding"), say(words.drive.found)),
@@ -219,7 +219,7 @@ const drive = program(
 		goal(words.drive.goal), limit(60, words.drive.lost), solid("walls"),
 		create(1, "cars", "car", size(1.6), go(-8, -8, 0), heading(90)),
 		create(1, "keys", "key", size(1.6), go(4, -8, 0.2)),
-		create(1, "houses", "house", size(2.4), go(8, -8, 0)),
+		create(1, "houses", "house", size(2), go(8, -8, 0)),
 		...places.map(([x, y, turned, long]) => wall(x, y, long, turned)),
 	)),
 	folded(key("up", "held", "cars", walk(0.15))),

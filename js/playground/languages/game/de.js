@@ -183,6 +183,6 @@ export const texts = {
 		pinball: { goal: "Triff die Prellböcke zwanzigmal: Pfeil links und Pfeil rechts bewegen den Schläger. Du hast drei Bälle.", won: "Zwanzig Treffer!", lost: "Alle drei Bälle sind weg." },
 		hills: { goal: "Sammle in 40 Sekunden die fünf goldenen Kugeln auf den Hügeln.", won: "Du hast alle fünf!", lost: "Die Zeit ist um." },
 		jump: { goal: "Sammle die fünf Münzen und erreiche das Haus: Pfeil links und rechts gehen, die Leertaste springt. Spring auf Schildkröten.", again: "Zurück zum Start!", more: "Erst alle fünf Münzen!", won: "Du bist zu Hause!", lost: "Eine Schildkröte hat dich erwischt." },
-		drive: { goal: "Hol den Schlüssel und fahre in 60 Sekunden zum Haus: Die Pfeiltasten fahren. Mit „Bauen“ baust du weiter.", found: "Ich habe den Schlüssel!", more: "Erst den Schlüssel!", won: "Du bist zu Hause!", lost: "Die Zeit ist um." },
+		drive: { goal: "Hol den Schlüssel und fahre in 60 Sekunden zum Haus. Die Pfeiltasten fahren.", found: "Ich habe den Schlüssel!", more: "Erst den Schlüssel!", won: "Du bist zu Hause!", lost: "Die Zeit ist um." },
 	},
 };

@@ -185,6 +185,6 @@ export const texts = {
 		pinball: { goal: "Hit the bumpers twenty times: left and right arrow move the bat. You have three balls.", won: "Twenty hits!", lost: "All three balls are gone." },
 		hills: { goal: "Gather the five golden balls on the hills in 40 seconds.", won: "All five are yours!", lost: "The time is over." },
 		jump: { goal: "Gather the five coins and reach the house: left and right arrow walk, the space bar jumps. Jump onto turtles.", again: "Back to the start!", more: "First all five coins!", won: "You are at home!", lost: "A turtle has caught you." },
-		drive: { goal: "Fetch the key, and drive to the house within 60 seconds: the arrow keys drive. Build on with “Build”.", found: "I have the key!", more: "First the key!", won: "You are at home!", lost: "The time is over." },
+		drive: { goal: "Fetch the key, and drive to the house within 60 seconds. The arrow keys drive.", found: "I have the key!", more: "First the key!", won: "You are at home!", lost: "The time is over." },
 	},
 };

@@ -133,6 +133,7 @@ test('in lessons on a small laptop, the world has 45 % of the window below the h
 	const { pane, drawer, tops } = await scripts(page);
 	assert.ok(pane.right - drawer > 280, `${pane.right - drawer} pixels beside the drawer`);
 	assert.ok(tops.every(({ left, right }) => left >= drawer && right <= pane.right), JSON.stringify(tops));
+	assert.ok((await boxOf(page, '.lesson h2')).height < 30, 'the name of the lesson is in one line');
 	// nothing of the task and of the buttons is covered
 	const covered = await page.evaluate(() => [...document.querySelectorAll('.lesson :is(h2, .text, .challenge, button:not(.away)), .controls > button, .corner > *')].filter((each) => {
 		const { left, right, top, bottom } = each.getBoundingClientRect();

@@ -467,6 +467,25 @@ test('lessons: to choose the system is enough, a wrong one is told why, and one\
 	await leave();
 });
 
+test('the line about dragging is gone after five seconds, and for good after the first drag', async () => {
+	const { page, said, leave } = await open(site, 'play/lesson-wing', SMALL);
+	const note = page.locator('.drag-note');
+	assert.ok(await note.isVisible());
+	await rest(page, 5200);
+	assert.equal(await note.isVisible(), false, 'after five seconds');
+	await choose(page, 'lesson-helmet');
+	assert.ok(await note.isVisible(), 'in the next lesson it is there again');
+	const { left, top, width } = await boxOf(page, '.world');
+	await page.mouse.move(left + width / 2, top + 20);
+	await page.mouse.down();
+	await page.mouse.move(left + width / 2 + 60, top + 20, { steps: 3 });
+	await page.mouse.up();
+	await choose(page, 'lesson-wing');
+	assert.equal(await note.isVisible(), false, 'after the first drag');
+	assert.deepEqual(said, []);
+	await leave();
+});
+
 test('agents are dragged in the world, and who touches whom is shown at once; elsewhere the picture turns', async () => {
 	const { page, said, leave } = await open(site, 'play/lesson-blocks', SMALL);
 	await openProgram(page, 'two', program(

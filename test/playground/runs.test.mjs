@@ -121,6 +121,17 @@ test('at the first visit no button leads back to a game that nobody opened; draw
 	}, [category, types]);
 	assert.deepEqual(await empty('Control', ['logic_compare', 'logic_operation', 'logic_negate']), [['logic_compare', 0], ['logic_operation', 0], ['logic_negate', 0]]);
 	assert.deepEqual(await empty('Variables', ['variables_set']), [['variables_set', 0]]);
+	// the drawer is open for the new variable
+	await page.locator('.blocklyFlyoutButton').first().click();
+	await page.locator('.ask input').fill('lives');
+	await page.keyboard.press('Enter');
+	await page.locator('.ask').waitFor({ state: 'detached' });
+	await rest(page, 100);
+	const drawer = () => page.evaluate(() => {
+		const flyout = globalThis.playground.editor.workspace.getFlyout();
+		return flyout.isVisible() && flyout.getWorkspace().getTopBlocks().filter(({ type }) => type === 'variables_get').map((block) => block.getField('VAR').getText());
+	});
+	assert.deepEqual(await drawer(), ['item', 'lives', 'place']);
 	assert.deepEqual(said, []);
 	await leave();
 });

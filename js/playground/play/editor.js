@@ -34,7 +34,14 @@ const picturedShapes = () => MENUS.SHAPE().map(([text, value]) => [h("span.shape
 Blockly.Scrollbar.scrollbarThickness = 9;
 Blockly.dialog.setPrompt(async (message, value, callback) => {
 	const { ask } = await import("./ask.js");
+	const toolbox = Blockly.getMainWorkspace().getToolbox();
+	const drawer = toolbox.getSelectedItem();
 	callback(await ask(message, value, LONGEST));
+	// the dialog closes it
+	if (drawer) {
+		toolbox.clearSelection();
+		toolbox.setSelectedItem(drawer);
+	}
 });
 Blockly.common.defineBlocksWithJsonArray(DEFINITIONS.map((definition) => ({
 	...definition,

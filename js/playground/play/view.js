@@ -274,6 +274,8 @@ class PlayView {
 		this.camera.value = this.scene.lookAt(program, camera);
 		// it matters where a few agents are looked at closely
 		this.dragNote.hidden = this.isDragKnown || this.buildBar.isOn || this.scene.camera !== "all" || this.world.agents.length > FEW || !this.stage.renderer;
+		// it is there for some seconds, see style.css
+		for (const each of this.dragNote.getAnimations()) each.currentTime = 0;
 		this.draw();
 	}
 

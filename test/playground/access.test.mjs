@@ -6,6 +6,8 @@ import { SIZES, begin, open, rest } from './browser.mjs';
 
 const LOW = { ...SIZES.laptop, viewport: { width: 1366, height: 625 } };
 const PHONE = SIZES.phone;
+/** A phone that is held across. */
+const ACROSS = { ...PHONE, viewport: { width: 844, height: 390 } };
 
 let site;
 before(async () => {
@@ -83,8 +85,8 @@ test('a refused file moves nothing, and its note goes by itself', async () => {
 });
 
 test('a problem covers neither the camera nor other controls, and is read whole', async () => {
-	for (const language of ['en', 'de']) {
-		const { page, leave } = await open(site, 'play/paintball', LOW);
+	for (const [language, size] of [['en', LOW], ['de', LOW], ['en', ACROSS], ['de', ACROSS]]) {
+		const { page, leave } = await open(site, 'play/paintball', size);
 		if (language === 'de') {
 			await page.goto(`${site.url}?language=de#play/paintball`);
 			await page.waitForSelector('main[data-ready="play"]');
@@ -97,7 +99,7 @@ test('a problem covers neither the camera nor other controls, and is read whole'
 			const { left, top, width, height } = each.getBoundingClientRect();
 			return document.elementFromPoint(left + width / 2, top + height / 2)?.closest('.problem, .whole');
 		}).map((each) => each.outerHTML));
-		assert.deepEqual(covered, [], language);
+		assert.deepEqual(covered, [], `${language}, ${size.viewport.height} pixels`);
 		assert.equal(await page.locator('.whole').textContent(), problem);
 		assert.ok(await page.locator('.whole').isVisible());
 		await page.evaluate(() => globalThis.playground.say('short'));

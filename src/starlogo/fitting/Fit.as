@@ -39,7 +39,7 @@ package starlogo.fitting
             return _structure;
         }
 
-        /** Does the next step. After the last step it does nothing, because several fits may share this one and continue it. */
+        /** @inheritDoc */
         public function step():Boolean
         {
             return _work.step();

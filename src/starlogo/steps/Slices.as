@@ -7,6 +7,7 @@ package starlogo.steps
         private var _size:int;
         private var _work:Function;
         private var _next:int = 0;
+        private var _isDone:Boolean = false;
 
         /**
          * Creates the work. None of its steps is done yet.
@@ -26,10 +27,14 @@ package starlogo.steps
         /** @inheritDoc */
         public function step():Boolean
         {
-            var first:int = _next;
-            _next = Math.min(first + _size, _count);
-            _work(first, _next);
-            return _next < _count;
+            if (!_isDone)
+            {
+                var first:int = _next;
+                _next = Math.min(first + _size, _count);
+                _work(first, _next);
+                _isDone = _next >= _count;
+            }
+            return !_isDone;
         }
     }
 }

@@ -8,7 +8,8 @@ package starlogo.steps
      * var loading:StepSequence = new StepSequence().call(parse).begin(newReader).call(store);
      * </listing>
      *
-     * <p>Nothing is called before the first step. A part is released when it is done.</p>
+     * <p>Nothing is called before the first step. A part is released when it is done. If a part is added when no step was left, there are
+     * steps again.</p>
      *
      * <p>Use it in every class of the engine that works in phases. An internal class extends this one and adds its parts in the
      * constructor. A class that clients name keeps a sequence in a field, and its <code>step()</code> calls the sequence's. Use

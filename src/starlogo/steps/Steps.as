@@ -1,10 +1,15 @@
 package starlogo.steps
 {
-    /** Work that is done in small steps, so that a game can go on meanwhile. */
+    /**
+     * Work that is done in small steps, so that a game can go on meanwhile. This package has two kinds of it: StepSequence is made of parts
+     * that are done one after the other, and Slices is a loop over many things. <code>finish()</code> does all steps at once. Read
+     * StepSequence next.
+     */
     public interface Steps
     {
         /**
-         * Does the next step, in a few milliseconds at most. Do not call it again after it has returned false or thrown.
+         * Does the next step, in a few milliseconds at most. When no step is left, it does nothing and returns false. Do not call it again
+         * after it has thrown.
          *
          * @return whether there is more to do
          */

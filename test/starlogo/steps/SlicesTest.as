@@ -22,6 +22,18 @@ package starlogo.steps
             assertFalse(new Slices(0, 3, note).step());
         }
 
+        [Test]
+        public function doesNothingWhenNoStepIsLeft():void
+        {
+            for each (var count:int in [0, 2, 3])
+            {
+                var work:Slices = new Slices(count, 3, note);
+                var before:String = trail(work);
+                assertFalse(work.step());
+                assertEquals(before, _log.join("|"));
+            }
+        }
+
         private function note(first:int, end:int):void
         {
             _log.push(first + "-" + end);

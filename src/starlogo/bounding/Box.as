@@ -143,16 +143,6 @@ package starlogo.bounding
             writeExtentOf(center.z, axisX.z, axisY.z, axisZ.z, margin, out, offset + 4);
         }
 
-        /** @private Writes a corner. Its number has a bit for each axis along which it is on the far side. */
-        engine function cornerInto(corner:int, out:Vector3D):void
-        {
-            var x:Number = (corner & 1) == 0 ? -halfX : halfX;
-            var y:Number = (corner & 2) == 0 ? -halfY : halfY;
-            var z:Number = (corner & 4) == 0 ? -halfZ : halfZ;
-            out.setTo(center.x + x * axisX.x + y * axisY.x + z * axisZ.x, center.y + x * axisX.y + y * axisY.y + z * axisZ.y,
-                    center.z + x * axisX.z + y * axisY.z + z * axisZ.z);
-        }
-
         /**
          * @inheritDoc
          *

@@ -1,10 +1,12 @@
 package starlogo.fitting
 {
+    import starlogo.bounding.BoundingStructure;
     import starlogo.fitting.hull.HullEnclosure;
 
     /**
      * Finds a convex hull of few corners around all vertices. It is beyond the thesis. No other convex shape around a model is smaller than
-     * its convex hull, but that may have hundreds of corners, and each makes a test slower. This hull is a few percent larger.
+     * its convex hull, but that may have hundreds of corners, and each makes a test slower. This hull is a few percent larger as a mean
+     * of many models. If rounding stops the search, it is a box.
      *
      * <p>It begins with the convex hull of the vertices, and loses edges until few corners are left. An edge is lost by adding a
      * corner outside of all faces at both of its ends, where the hull grows least (Sander and others, "Silhouette Clipping", SIGGRAPH
@@ -52,7 +54,10 @@ package starlogo.fitting
         override public function begin(session:FitSession):Fit
         {
             var enclosure:HullEnclosure = new HullEnclosure(session, _maxCorners);
-            return new Fit(session, enclosure.hullOf, enclosure);
+            return new Fit(session, function(session:FitSession):BoundingStructure
+                {
+                    return enclosure.hull;
+                }, enclosure);
         }
     }
 }

@@ -162,7 +162,7 @@ package starlogo.models
          *
          * @private
          */
-        internal function turn(by:AffineTransform, factor:Number = 1):void
+        internal function turn(by:AffineTransform, factor:Number):void
         {
             by.place(_numbers, 0, 3, _numbers, 0);
             _numbers[12] /= factor;

@@ -16,6 +16,7 @@ package starlogo.intersection
     import starlogo.intersection.distance.findClosest;
     import starlogo.intersection.sweep.findTimeOfImpact;
     import support.Effort;
+    import support.cornerOf;
 
     use namespace engine;
 
@@ -139,7 +140,7 @@ package starlogo.intersection
             var corner:Vector3D = new Vector3D();
             for (var i:int = 0; i < 8; i++)
             {
-                box.cornerInto(i, corner);
+                cornerOf(box, i, corner);
                 points.push(corner.x, corner.y, corner.z);
             }
             return new Hull(points);

@@ -17,6 +17,7 @@ package starlogo.intersection
     import support.Effort;
     import support.PlainDistance;
     import support.SurfaceDistance;
+    import support.cornerOf;
 
     use namespace engine;
 
@@ -25,7 +26,7 @@ package starlogo.intersection
     {
         private static const NEAR:Number = 1e-9;
 
-        // A box's twelve triangles as a strip of corners: each corner and the next two are a triangle. See Box.cornerInto().
+        // A box's twelve triangles as a strip of corners: each corner and the next two are a triangle. See cornerOf().
         private static const STRIP:Vector.<int> = new <int>[6, 7, 2, 3, 1, 7, 5, 6, 4, 2, 0, 1, 4, 5];
 
         private var _random:SeededRandom = new SeededRandom(3806);
@@ -210,7 +211,7 @@ package starlogo.intersection
             var corner:Vector3D = new Vector3D();
             for each (var number:int in STRIP)
             {
-                box.cornerInto(number, corner);
+                cornerOf(box, number, corner);
                 strip.push(corner.x, corner.y, corner.z);
             }
             var from:Vector3D = new Vector3D(corners[0], corners[1], corners[2]).subtract(box.center);

@@ -1,6 +1,5 @@
 package starlogo.fitting.hull
 {
-    import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Hull;
     import starlogo.engine;
     import starlogo.fitting.FitSession;
@@ -46,7 +45,7 @@ package starlogo.fitting.hull
         }
 
         /** The hull, when no step is left. */
-        public function hullOf(session:FitSession):BoundingStructure
+        public function get hull():Hull
         {
             return _hull;
         }

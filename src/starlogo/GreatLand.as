@@ -136,6 +136,7 @@ package starlogo
          *
          * @param model its name is the shape's name for agents
          * @throws ArgumentError if it is null, or as <code>add</code> of BoundingStructuresLibrary and HierarchiesLibrary
+         * @throws RangeError as <code>add</code> of BoundingStructuresLibrary
          */
         public function addModel(model:Model):void
         {
@@ -149,6 +150,7 @@ package starlogo
          *
          * @param model its name is the shape's name for agents; it must not change meanwhile
          * @throws ArgumentError if it is null; now or in a step, as <code>add</code> of BoundingStructuresLibrary and HierarchiesLibrary
+         * @throws RangeError in a step, as <code>add</code> of BoundingStructuresLibrary
          */
         public function receive(model:Model):Steps
         {
@@ -225,7 +227,7 @@ package starlogo
             return true;
         }
 
-        /** @private Increased whenever data of any model are replaced or removed. Results derived from the data are then out of date. */
+        /** @private Increased whenever data of any model is replaced, removed or posed. Results derived from the data are then out of date. */
         engine function get revision():int
         {
             return _models.revision;

@@ -96,7 +96,8 @@ package starlogo.libraries
         }
 
         /**
-         * The degrees between the rotations that the default oriented box fitter tries (thesis §3.8). It has no effect on other fitters.
+         * The degrees between the rotations that the default oriented box fitter tries (thesis §3.8). The default capsule is that of this
+         * box, so it changes too. It has no effect on fitters that you put into the list.
          *
          * @throws ArgumentError if you set it to a value that is not a positive, finite number
          */
@@ -118,6 +119,7 @@ package starlogo.libraries
          * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, if the number of coordinates is not a
          *     multiple of 3, or if a coordinate is not finite; if the list of fitters is empty, or one of them finds a structure that
          *     cannot be collided or does not enclose the vertices
+         * @throws RangeError if the vertices are in different places, but less than 1e-70 apart
          */
         public function add(name:String, vertices:Vector.<Number>):void
         {

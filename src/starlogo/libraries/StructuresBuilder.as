@@ -98,6 +98,7 @@ package starlogo.libraries
          * @throws ArgumentError if the vertices are null or empty, if the number of coordinates is not a multiple of 3, or if a
          *     coordinate is not finite; if a fitter finds a structure that cannot be collided or does not enclose the vertices, or
          *     refuses the vertices; the message names the shape
+         * @throws RangeError as a structure's constructor
          */
         override public function step():Boolean
         {

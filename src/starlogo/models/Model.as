@@ -13,7 +13,7 @@ package starlogo.models
      * model is scaled by the agent's size, turned about the model's origin and moved to the agent's position.</p>
      *
      * <p>Its coordinates are finite, and its triangles use only existing vertices. Triangles without area are kept. Only
-     * <code>pose()</code> changes a model.</p>
+     * <code>pose()</code> changes a model's shape. <code>setMaterials()</code> and <code>setMeshes()</code> change what hits tell.</p>
      *
      * <p>A triangle may have a material and a mesh, each a number that may have a name. Files say them: an OBJ file's <code>usemtl</code>, and
      * <code>o</code> or <code>g</code>; a COLLADA document's materials, and the nodes that place its geometries; a glTF file's materials, and
@@ -248,8 +248,9 @@ package starlogo.models
         }
 
         /**
-         * Whether the points make this model. They are normalised in the same way. Then they must equal its vertices to the last bit, and
-         * their frame must equal its source frame.
+         * Whether a model of these points and this model's triangles is this model. The points are normalised in the same way. Then they
+         * must equal its vertices to the last bit, and their frame must equal its source frame. The triangles must stay as they are, so the
+         * answer is false for a transform that mirrors.
          *
          * @private
          */

@@ -17,7 +17,7 @@ package starlogo.models
         /** The number of each run; -1 for none. */
         public var numbers:Vector.<int> = new Vector.<int>();
 
-        // The number of each key; the key is "#" and the key.
+        // The number of each key. A "#" stands before a key, so that none is the name of a property that every Object has.
         private var _known:Object = {};
 
         // The number of each triangle, after it was first needed.

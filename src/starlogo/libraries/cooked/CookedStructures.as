@@ -103,7 +103,8 @@ package starlogo.libraries.cooked
             }
             try
             {
-                // Both refuse numbers that make no structure. The constructor straightens a box's axes, which changes their last bits only.
+                // Numbers that make no structure are refused: by a hull's setNumbers(), by the constructors that clone() calls, or below, if a
+                // box's constructor has made its axes perpendicular and unit vectors, and has changed more than their last bits.
                 structure.setNumbers(numbers);
                 var made:Vector.<Number> = structure.clone().numbers();
             }

@@ -126,7 +126,7 @@ package starlogo.models.collada
             return target;
         }
 
-        /** Follows controllers down to the geometry. A skin is at rest, where its bind shape is. A morph is its base shape. */
+        /** Follows controllers down to the geometry. A skin stays where its bind shape matrix puts it. A morph is its base shape. */
         private function addController(element:ColladaElement, transform:AffineTransform):void
         {
             var target:ColladaElement = _document.target(element, "url", ["controller"]);

@@ -18,8 +18,9 @@ package starlogo.models.cooked
     use namespace engine;
 
     /**
-     * Reads the model of a cooked file. The file has the vertices and triangles of the source, and the transform and scaling. The vertices
-     * are normalised again, as for any source. So the model is always normalised, and equals the source's model to the last bit.
+     * Reads the model of a cooked file. In most forms the file has the vertices of the source, the transform and the scaling. These vertices
+     * are normalised again, as for any source. In the form DOUBLE it has the vertices of the model, and the model's place in its source. In
+     * both cases the model equals the source's model to the last bit.
      *
      * @private
      */

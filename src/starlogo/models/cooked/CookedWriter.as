@@ -10,8 +10,8 @@ package starlogo.models.cooked
     use namespace engine;
 
     /**
-     * Writes a model for a CookedReader. It writes the source's vertices in the shortest form that restores the model's vertices to the
-     * last bit.
+     * Writes a model for a CookedReader. It computes the source's vertices from the model's, and writes them with the fewest decimals that
+     * restore the model to the last bit, or as floats of 32 bits if these do. If nothing does, it writes the model's own vertices.
      *
      * @private
      */

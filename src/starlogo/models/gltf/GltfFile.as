@@ -25,8 +25,8 @@ package starlogo.models.gltf
 
         private static const BUFFERS_PER_STEP:int = 100;
 
-        // optional extensions that do not change shapes
-        private static const HARMLESS:RegExp = /^(KHR_mesh_quantization|KHR_(materials|techniques?|texture|lights|xmp|node)_|EXT_(texture|lights)_|MSFT_texture_|KHR_animation_pointer)/;
+        // extensions that are read (quantization), or that do not change shapes
+        private static const SUPPORTED:RegExp = /^(KHR_mesh_quantization|KHR_(materials|techniques?|texture|lights|xmp|node)_|EXT_(texture|lights)_|MSFT_texture_|KHR_animation_pointer)/;
         private static const DRACO:String = "KHR_draco_mesh_compression";
         private static const MESHOPT:RegExp = /^(EXT|KHR)_meshopt_compression$/;
         private static const DRACO_PROBLEM:String = "compressed with Draco (" + DRACO +
@@ -218,7 +218,7 @@ package starlogo.models.gltf
         {
             refuseIf(extension == DRACO, budget.name, "its meshes are " + DRACO_PROBLEM, "extensionsRequired");
             refuseIf(MESHOPT.test(extension), budget.name, "its data are " + MESHOPT_PROBLEM, "extensionsRequired");
-            refuseIf(!HARMLESS.test(extension), budget.name, "it needs the extension \"" + TextTokens.shorten(extension) +
+            refuseIf(!SUPPORTED.test(extension), budget.name, "it needs the extension \"" + TextTokens.shorten(extension) +
                     "\", which is not known: save the model without it", "extensionsRequired");
         }
 

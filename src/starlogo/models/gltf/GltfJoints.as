@@ -4,7 +4,7 @@ package starlogo.models.gltf
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
-    /** Finds how the joints of a skin move points at rest, in steps. */
+    /** Finds how the joints of a skin move points, in steps: at rest or in a pose, as the scene's nodes are. */
     internal final class GltfJoints extends StepSequence
     {
         private static const JOINTS_PER_STEP:int = 200;

@@ -15,7 +15,7 @@ package starlogo.models.gltf
         /** The index in the model of the first vertex. */
         public var firstVertex:int;
 
-        /** The number of vertices, when no step is left. */
+        /** The number of vertices that the steps add. */
         public var count:int;
 
         private var _name:String;

@@ -5,9 +5,10 @@ package starlogo.models.polygons
     /**
      * Cuts polygons in space into triangles. Polygons may be concave and have holes.
      *
-     * <p>Triangles, quads and convex polygons are cut at once. Other polygons become rings in a plane (PolygonRings). Then their holes
-     * are joined to the outline (HoleBridges), and ears are cut off (EarClipper). Every outline is accepted. Corners in a straight line,
-     * and outlines that cross or cover themselves, never produce a triangle of area 0.</p>
+     * <p>A triangle stays as it is, and a quad is cut along a diagonal. Other polygons become rings in a plane (PolygonRings). If their first
+     * corner sees all others, as in a convex polygon without corners in a straight line, they are cut from there. Otherwise their holes are
+     * joined to the outline (HoleBridges), and ears are cut off (EarClipper). Outlines may cross or cover themselves. Every triangle that is
+     * cut from a ring has an area in the plane. A ring without area has no triangles.</p>
      *
      * <p>Cost: linear for convex polygons, otherwise up to quadratic in the corners, but at most the budget's looks at corners. Beyond
      * that, corners are cut off without a test, and holes are filled.</p>
@@ -156,7 +157,8 @@ package starlogo.models.polygons
         }
 
         /**
-         * If the outline's first corner sees all of it, as in every convex polygon, cuts the outline from there. Returns whether it did.
+         * If the outline turns left as seen from its first corner, as a convex polygon without corners in a straight line does, cuts the
+         * outline from there. Returns whether it did.
          */
         private function addFan(count:int):Boolean
         {

@@ -2,7 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.models.AffineTransform;
 
-    /** A node of a COLLADA scene during the visit, or a geometry in the scene. One element may be visited often, through instance_node. */
+    /** A node of a COLLADA scene during the visit. One element may be visited often, through instance_node. */
     internal final class ColladaNode
     {
         /** The node's element. */
@@ -11,11 +11,8 @@ package starlogo.models.collada
         /** The node around this one, or null. */
         public var parent:ColladaNode;
 
-        /** First the parent's transform in the scene, later this node's own. */
+        /** The parent's transform in the scene, and those elements of the node that are visited so far. */
         public var transform:AffineTransform;
-
-        /** The geometry that is placed; null for a node. */
-        public var geometry:ColladaElement;
 
         /** The number of nodes around it. */
         public var depth:int;
@@ -24,11 +21,9 @@ package starlogo.models.collada
          * @param element the node's element
          * @param parent the node around it, or null
          * @param transform the parent's transform in the scene
-         * @param geometry the geometry that is placed; null for a node
          */
-        public function ColladaNode(element:ColladaElement, parent:ColladaNode, transform:AffineTransform, geometry:ColladaElement = null)
+        public function ColladaNode(element:ColladaElement, parent:ColladaNode, transform:AffineTransform)
         {
-            this.geometry = geometry;
             this.element = element;
             this.parent = parent;
             this.transform = transform;

@@ -24,19 +24,20 @@ package starlogo.models.collada
         private var _triangles:Vector.<uint>;
         private var _triangulator:Triangulator;
 
-        // A corner takes _stride words. The index of its position is the word at _offset.
+        // A corner takes _stride indices. That of its position is the one at _offset.
         private var _stride:int = 1;
         private var _offset:int;
 
-        // the lists of corners (p or ph), and the place reached in them
+        // the lists of corners (p or ph), the number of the next one, the words of all, the indices of the present list as texts, and the next
+        // of these
         private var _lists:Vector.<ColladaElement>;
         private var _list:int = 0;
-        private var _text:ColladaWords;
-        private var _words:Array = [];
-        private var _word:int = 0;
+        private var _indexWords:ColladaWords;
+        private var _indices:Array = [];
+        private var _next:int = 0;
 
-        // for a polylist: the number of corners of each polygon
-        private var _sizeText:ColladaWords;
+        // for a polylist: the number of corners of each polygon, as words and as texts; the next polygon; and the sum of the numbers
+        private var _sizeWords:ColladaWords;
         private var _sizes:Array;
         private var _size:int = 0;
         private var _sum:Number = 0;
@@ -97,13 +98,13 @@ package starlogo.models.collada
             switch (_element.name)
             {
                 case "triangles":
-                    _text = new ColladaWords(_lists);
-                    add(_text).begin(readingTriangles);
+                    _indexWords = new ColladaWords(_lists);
+                    add(_indexWords).begin(readingTriangles);
                     break;
                 case "polylist":
-                    _text = new ColladaWords(_lists);
-                    _sizeText = new ColladaWords(_element.childrenNamed("vcount").slice(0, 1));
-                    add(_text).add(_sizeText).begin(checkingSizes).repeat(_triangulator.cuttingBetween(readPolylist));
+                    _indexWords = new ColladaWords(_lists);
+                    _sizeWords = new ColladaWords(_element.childrenNamed("vcount").slice(0, 1));
+                    add(_indexWords).add(_sizeWords).begin(checkingSizes).repeat(_triangulator.cuttingBetween(readPolylist));
                     break;
                 default:
                     var arePolygons:Boolean = _element.name == "polygons";
@@ -116,7 +117,7 @@ package starlogo.models.collada
 
         private function readingTriangles():Steps
         {
-            _words = _text.words;
+            _indices = _indexWords.words;
             refuseIf(cornerCount % 3 != 0, _document.budget.name, "expected three corners for each triangle, but found " + cornerCount, _element);
             _document.checkCount(_element, cornerCount / 3, "triangles");
             return new Slices(cornerCount, CORNERS_PER_STEP, readTriangles);
@@ -133,8 +134,8 @@ package starlogo.models.collada
 
         private function checkingSizes():Steps
         {
-            _words = _text.words;
-            _sizes = _sizeText.words;
+            _indices = _indexWords.words;
+            _sizes = _sizeWords.words;
             _document.checkCount(_element, _sizes.length, "numbers in <vcount>");
             return new Slices(_sizes.length, SIZES_PER_STEP, addSizes);
         }
@@ -144,7 +145,7 @@ package starlogo.models.collada
             for (var i:int = first; i < end; i++)
             {
                 var size:Number = Decimal.ofIndex(_sizes[i]);
-                if (!(size >= 0 && size <= _words.length && size == int(size)))
+                if (!(size >= 0 && size <= _indices.length && size == int(size)))
                 {
                     throw new ModelError(_document.budget.name, String(_element.child("vcount")), "expected the number of a polygon's corners, but found \"" +
                             TextTokens.shorten(_sizes[i]) + "\"");
@@ -157,15 +158,15 @@ package starlogo.models.collada
 
         private function readPolylist():Boolean
         {
-            var end:int = _word + CORNERS_PER_STEP * _stride;
-            while (_size < _sizes.length && _word <= end && !_triangulator.isCutting)
+            var end:int = _next + CORNERS_PER_STEP * _stride;
+            while (_size < _sizes.length && _next <= end && !_triangulator.isCutting)
             {
                 var count:int = Number(_sizes[_size++]);
                 if (count > 2)
                 {
-                    _triangulator.addPolygon(cornersAt(_word, count));
+                    _triangulator.addPolygon(cornersAt(_next, count));
                 }
-                _word += count * _stride;
+                _next += count * _stride;
             }
             return _size < _sizes.length;
         }
@@ -214,41 +215,41 @@ package starlogo.models.collada
 
         private function loopOf(element:ColladaElement):Vector.<uint>
         {
-            _words = element.words;
+            _indices = element.words;
             return cornersAt(0, cornerCount);
         }
 
-        // Some corners. The indices of the first one begin at the given word.
-        private function cornersAt(word:int, count:int):Vector.<uint>
+        // Some corners. The indices of the first one begin at the given place.
+        private function cornersAt(place:int, count:int):Vector.<uint>
         {
             var corners:Vector.<uint> = new Vector.<uint>(count);
             for (var i:int = 0; i < count; i++)
             {
-                corners[i] = cornerAt(word + i * _stride);
+                corners[i] = cornerAt(place + i * _stride);
             }
             return corners;
         }
 
-        // The number of corners in the words.
+        // The number of corners in the present list.
         private function get cornerCount():int
         {
-            if (_words.length % _stride != 0)
+            if (_indices.length % _stride != 0)
             {
                 throw new ModelError(_document.budget.name, String(_element), "expected " + _stride + " indices for each corner, but found " +
-                        _words.length + " in all");
+                        _indices.length + " in all");
             }
-            return _words.length / _stride;
+            return _indices.length / _stride;
         }
 
-        /** The point of a corner. The corner's indices begin at the given word. */
-        private function cornerAt(word:int):uint
+        /** The point of a corner. The corner's indices begin at the given place. */
+        private function cornerAt(place:int):uint
         {
-            var value:Number = Decimal.ofIndex(_words[int(word + _offset)]);
+            var value:Number = Decimal.ofIndex(_indices[int(place + _offset)]);
             var index:int = int(value);
             if (index != value || index < 0 || index >= _positions.count)
             {
                 throw new ModelError(_document.budget.name, String(_element), "expected a position's index, 0 to " + (_positions.count - 1) +
-                        ", but found \"" + TextTokens.shorten(_words[word + _offset]) + "\"");
+                        ", but found \"" + TextTokens.shorten(_indices[place + _offset]) + "\"");
             }
             index += _positions.first;
             _isUsed[index] = 1;

@@ -61,7 +61,7 @@ package starlogo.models.collada
                 takeVertices("a scene or a library with a geometry in it");
                 return null;
             }
-            var instance:ColladaNode = _scene.instances[_instance];
+            var instance:ColladaInstance = _scene.instances[_instance];
             // each geometry is read once, even if it is in the scene many times
             var mesh:ColladaMesh = instance.geometry.mesh ||= new ColladaMesh(_document, instance.geometry);
             return new StepSequence().add(mesh).begin(function():Steps
@@ -75,7 +75,7 @@ package starlogo.models.collada
         /**
          * The work that adds a mesh at an instance's place. If the instance's transform mirrors, the triangles' corner order is reversed.
          */
-        private function placing(mesh:ColladaMesh, instance:ColladaNode, out:Vector.<Number>):Steps
+        private function placing(mesh:ColladaMesh, instance:ColladaInstance, out:Vector.<Number>):Steps
         {
             var firstVertex:int = out.length / 3;
             var firstCorner:int = data.triangles.length;
@@ -97,7 +97,7 @@ package starlogo.models.collada
         }
 
         // An instance is a mesh with the name of its node. Its materials are those that it binds to the symbols of its geometry.
-        private function addLabels(symbols:TriangleLabels, instance:ColladaNode, firstTriangle:int):void
+        private function addLabels(symbols:TriangleLabels, instance:ColladaInstance, firstTriangle:int):void
         {
             var element:ColladaElement = instance.element;
             var label:String = nameOf(element.name != "geometry" && element.parent != null ? element.parent : element) || nameOf(instance.geometry);

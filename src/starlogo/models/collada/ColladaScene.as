@@ -17,7 +17,7 @@ package starlogo.models.collada
         private static const THINGS_PER_PART:int = 2;
 
         /** The geometries in the document's order, when no step is left. */
-        public var instances:Vector.<ColladaNode> = new Vector.<ColladaNode>();
+        public var instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
 
         private var _document:ColladaDocument;
         private var _pending:Vector.<ColladaNode> = new Vector.<ColladaNode>();
@@ -73,7 +73,7 @@ package starlogo.models.collada
             {
                 for each (var geometry:ColladaElement in library.childrenNamed("geometry"))
                 {
-                    instances.push(new ColladaNode(geometry, null, up, geometry));
+                    instances.push(new ColladaInstance(geometry, geometry, up));
                 }
             }
         }
@@ -91,7 +91,7 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "instance_geometry":
-                    instances.push(new ColladaNode(element, null, _node.transform, _document.target(element, "url", ["geometry"])));
+                    instances.push(new ColladaInstance(element, _document.target(element, "url", ["geometry"]), _node.transform));
                     break;
                 case "instance_controller":
                     addController(element, _node.transform);
@@ -141,7 +141,7 @@ package starlogo.models.collada
                 refuseIf(i > MAX_CONTROLLERS, _document.budget.name, "more than " + MAX_CONTROLLERS +
                         " controllers follow one another, or they refer to each other in a circle", element);
             }
-            instances.push(new ColladaNode(element, null, transform, target));
+            instances.push(new ColladaInstance(element, target, transform));
         }
     }
 }

@@ -41,7 +41,7 @@ package starlogo.models.gltf
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        var world:AffineTransform = scene.worldOf(json.numberOf(joints[i], place + "[" + i + "]", "nodes"));
+                        var world:AffineTransform = scene.worldOf(json.checkedIndex(joints[i], place + "[" + i + "]", "nodes"));
                         transforms.push(matrices == null ? world : world.after(GltfScene.ofColumns(matrices.numbers, 16 * i)));
                     }
                 });

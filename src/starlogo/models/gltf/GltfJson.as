@@ -63,14 +63,14 @@ package starlogo.models.gltf
         /** The index of a thing to which an object refers; -1 if it refers to none. */
         public function reference(owner:Object, key:String, place:String, kind:String):int
         {
-            return owner[key] === undefined ? -1 : numberOf(owner[key], placeIn(place, key), kind);
+            return owner[key] === undefined ? -1 : checkedIndex(owner[key], placeIn(place, key), kind);
         }
 
         /** Checks an index of a thing and returns it. */
-        public function numberOf(value:*, place:String, kind:String):int
+        public function checkedIndex(value:*, place:String, kind:String):int
         {
             var most:int = count(kind);
-            value = JsonMeter.numberOf(value);
+            value = JsonMeter.restored(value);
             refuseIf(!isWhole(value, most - 1), name, "expected the number of one of " + most + " " + kind + ", but found " + shown(value), place);
             return value;
         }
@@ -78,7 +78,7 @@ package starlogo.models.gltf
         /** An integer property from 0 to a maximum; the preset value if there is none. */
         public function whole(owner:Object, key:String, place:String, most:int, preset:int):int
         {
-            var found:* = JsonMeter.numberOf(owner[key]);
+            var found:* = JsonMeter.restored(owner[key]);
             if (found === undefined && preset >= 0)
             {
                 return preset;
@@ -99,7 +99,7 @@ package starlogo.models.gltf
             var all:Vector.<Number> = new Vector.<Number>();
             for (var i:int = 0; i < list.length; i++)
             {
-                var found:* = JsonMeter.numberOf(list[i]);
+                var found:* = JsonMeter.restored(list[i]);
                 refuseIf(!(found is Number) || found - found != 0, name, "expected a finite number, but found " + shown(found), placeIn(place, key) + "[" + i + "]");
                 all.push(found);
             }
@@ -131,7 +131,7 @@ package starlogo.models.gltf
 
         private static function shown(value:*):String
         {
-            value = JsonMeter.numberOf(value);
+            value = JsonMeter.restored(value);
             if (value === undefined || value === null)
             {
                 return value === null ? "null" : "nothing";

@@ -80,7 +80,7 @@ package starlogo.models.gltf
                 var children:Array = _json.listIn(_json.entry("nodes", i), "children", "nodes[" + i + "]");
                 for (var k:int = 0; k < children.length; k++)
                 {
-                    var child:int = _json.numberOf(children[k], where + "[" + k + "]", "nodes");
+                    var child:int = _json.checkedIndex(children[k], where + "[" + k + "]", "nodes");
                     refuseIf(_parents[child] >= 0 || child == i, _json.name, "nodes[" + child + "] contains itself or has two parents", where + "[" + k + "]");
                     _parents[child] = i;
                 }
@@ -98,7 +98,7 @@ package starlogo.models.gltf
                 var roots:Array = _json.listIn(_json.entry("scenes", scene), "nodes", where);
                 for (var i:int = 0; i < roots.length; i++)
                 {
-                    enter(_json.numberOf(roots[i], where + ".nodes[" + i + "]", "nodes"));
+                    enter(_json.checkedIndex(roots[i], where + ".nodes[" + i + "]", "nodes"));
                 }
             }
             for (i = 0; i < _parents.length && sceneCount == 0; i++)
@@ -133,7 +133,7 @@ package starlogo.models.gltf
                 var children:Array = _json.listIn(object, "children", "nodes[" + node + "]");
                 for (var k:int = children.length - 1; k >= 0; k--)
                 {
-                    enter(_json.numberOf(children[k], "nodes[" + node + "].children[" + k + "]", "nodes"));
+                    enter(_json.checkedIndex(children[k], "nodes[" + node + "].children[" + k + "]", "nodes"));
                 }
             }
             return _pending.length > 0;

@@ -7,8 +7,8 @@ package starlogo.models.gltf
 
     /**
      * Checks the size of JSON before the player parses it, in steps. Parsers are recursive, so deep nesting could overflow the stack, and
-     * they create an object for every value. Players parse some numbers differently. Such numbers are marked as strings, and numberOf()
-     * reads them.
+     * they create an object for every value. Players parse some numbers differently. Such numbers are marked as strings, and restored()
+     * gives their values.
      */
     internal final class JsonMeter extends StepSequence
     {
@@ -55,8 +55,8 @@ package starlogo.models.gltf
             return _taken == 0 ? _text : _pieces.join("") + _text.substr(_taken);
         }
 
-        /** The number of a marked string. Any other value is returned unchanged. */
-        public static function numberOf(value:*):*
+        /** The value that the JSON had: the number of a marked string. Any other value is returned unchanged. */
+        public static function restored(value:*):*
         {
             return value is String && value.charAt(0) == MARK ? Decimal.of(value.substr(1)) : value;
         }

@@ -1,0 +1,29 @@
+package starlogo.models.collada
+{
+    import starlogo.models.AffineTransform;
+
+    /** A geometry at a place in a COLLADA scene. One geometry may be placed often. */
+    internal final class ColladaInstance
+    {
+        /** The element that places it; the geometry's own element if there is no scene. */
+        public var element:ColladaElement;
+
+        /** The geometry's element. */
+        public var geometry:ColladaElement;
+
+        /** Takes the geometry's points to the scene, with z up. */
+        public var transform:AffineTransform;
+
+        /**
+         * @param element the element that places it
+         * @param geometry the geometry's element
+         * @param transform takes its points to the scene
+         */
+        public function ColladaInstance(element:ColladaElement, geometry:ColladaElement, transform:AffineTransform)
+        {
+            this.element = element;
+            this.geometry = geometry;
+            this.transform = transform;
+        }
+    }
+}

@@ -243,7 +243,7 @@ package starlogo.bounding
         }
 
         /**
-         * A simpler structure around this one, which tests look at first; this structure if there is none.
+         * A simpler structure around this one, which tests take first; this structure if there is none.
          *
          * @private
          */
@@ -392,10 +392,10 @@ package starlogo.bounding
         }
 
         /** Writes the extent between two coordinates, in either order, enlarged by a length on both sides. */
-        protected static function writeExtent(from:Number, to:Number, reach:Number, out:Vector.<Number>, offset:int):void
+        protected static function writeExtent(from:Number, to:Number, margin:Number, out:Vector.<Number>, offset:int):void
         {
-            out[offset] = Math.min(from, to) - reach;
-            out[int(offset + 1)] = Math.max(from, to) + reach;
+            out[offset] = Math.min(from, to) - margin;
+            out[int(offset + 1)] = Math.max(from, to) + margin;
         }
 
         private static function isNear(value:Number, expected:Number):Boolean

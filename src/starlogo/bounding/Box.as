@@ -182,17 +182,17 @@ package starlogo.bounding
 
             // For each axis, how far the box extends along x, y and z.
             placement.turn(axisX, turned);
-            var reachX:Number = x * Math.abs(turned.x);
-            var reachY:Number = x * Math.abs(turned.y);
-            var reachZ:Number = x * Math.abs(turned.z);
+            var extentX:Number = x * Math.abs(turned.x);
+            var extentY:Number = x * Math.abs(turned.y);
+            var extentZ:Number = x * Math.abs(turned.z);
             placement.turn(axisY, turned);
-            reachX += y * Math.abs(turned.x);
-            reachY += y * Math.abs(turned.y);
-            reachZ += y * Math.abs(turned.z);
+            extentX += y * Math.abs(turned.x);
+            extentY += y * Math.abs(turned.y);
+            extentZ += y * Math.abs(turned.z);
             placement.turn(axisZ, turned);
-            out[3] = reachX + z * Math.abs(turned.x) + margin;
-            out[4] = reachY + z * Math.abs(turned.y) + margin;
-            out[5] = reachZ + z * Math.abs(turned.z) + margin;
+            out[3] = extentX + z * Math.abs(turned.x) + margin;
+            out[4] = extentY + z * Math.abs(turned.y) + margin;
+            out[5] = extentZ + z * Math.abs(turned.z) + margin;
         }
 
         /** @private */
@@ -218,8 +218,8 @@ package starlogo.bounding
         private function writeExtentOf(middle:Number, alongX:Number, alongY:Number, alongZ:Number, margin:Number, out:Vector.<Number>,
                 offset:int):void
         {
-            var reach:Number = margin + halfX * Math.abs(alongX) + halfY * Math.abs(alongY) + halfZ * Math.abs(alongZ);
-            writeExtent(middle, middle, reach, out, offset);
+            var halfExtent:Number = margin + halfX * Math.abs(alongX) + halfY * Math.abs(alongY) + halfZ * Math.abs(alongZ);
+            writeExtent(middle, middle, halfExtent, out, offset);
         }
 
         private static function isWithin(axis:Vector3D, x:Number, y:Number, z:Number, half:Number):Boolean

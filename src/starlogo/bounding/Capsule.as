@@ -52,8 +52,8 @@ package starlogo.bounding
             var y:Number = point.y - start.y;
             var z:Number = point.z - start.z;
             include "../geometry/pointToSegment.inc";
-            var reach:Number = radius + slack(radius + Math.sqrt(lengthSquared) / 2, start);
-            return x * x + y * y + z * z <= reach * reach;
+            var limit:Number = radius + slack(radius + Math.sqrt(lengthSquared) / 2, start);
+            return x * x + y * y + z * z <= limit * limit;
         }
 
         /** @inheritDoc */
@@ -65,11 +65,11 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
         {
-            var reach:Number = radius + Tolerances.ROUNDING * (radius + Math.max(Math.abs(start.x), Math.abs(end.x))
+            var outerRadius:Number = radius + Tolerances.ROUNDING * (radius + Math.max(Math.abs(start.x), Math.abs(end.x))
                     + Math.max(Math.abs(start.y), Math.abs(end.y)) + Math.max(Math.abs(start.z), Math.abs(end.z)));
-            writeExtent(start.x, end.x, reach, out, offset);
-            writeExtent(start.y, end.y, reach, out, offset + 2);
-            writeExtent(start.z, end.z, reach, out, offset + 4);
+            writeExtent(start.x, end.x, outerRadius, out, offset);
+            writeExtent(start.y, end.y, outerRadius, out, offset + 2);
+            writeExtent(start.z, end.z, outerRadius, out, offset + 4);
         }
 
         /**
@@ -101,17 +101,17 @@ package starlogo.bounding
             half.x = (end.x - start.x) / 2 * size;
             half.y = (end.y - start.y) / 2 * size;
             half.z = (end.z - start.z) / 2 * size;
-            var reach:Number = radius * size;
-            reach += Tolerances.ROUNDING * (reach + (Math.abs(middle.x) + Math.abs(middle.y) + Math.abs(middle.z)
+            var outerRadius:Number = radius * size;
+            outerRadius += Tolerances.ROUNDING * (outerRadius + (Math.abs(middle.x) + Math.abs(middle.y) + Math.abs(middle.z)
                         + (Math.abs(half.x) + Math.abs(half.y) + Math.abs(half.z))));
             placement.turn(middle, middle);
             placement.turn(half, half);
             out[0] = middle.x;
             out[1] = middle.y;
             out[2] = middle.z;
-            out[3] = Math.abs(half.x) + reach;
-            out[4] = Math.abs(half.y) + reach;
-            out[5] = Math.abs(half.z) + reach;
+            out[3] = Math.abs(half.x) + outerRadius;
+            out[4] = Math.abs(half.y) + outerRadius;
+            out[5] = Math.abs(half.z) + outerRadius;
         }
     }
 }

@@ -61,8 +61,8 @@ package starlogo.bounding
             x -= along / length * axisX;
             y -= along / length * axisY;
             z -= along / length * axisZ;
-            var reach:Number = radius + tolerance;
-            return x * x + y * y + z * z <= reach * reach;
+            var limit:Number = radius + tolerance;
+            return x * x + y * y + z * z <= limit * limit;
         }
 
         /** @inheritDoc */

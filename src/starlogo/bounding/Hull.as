@@ -169,11 +169,11 @@ package starlogo.bounding
             var x:Number = point.x - center.x;
             var y:Number = point.y - center.y;
             var z:Number = point.z - center.z;
-            var reach:Number = margin + slack(radius, center);
+            var limit:Number = margin + slack(radius, center);
             var planes:Vector.<Number> = halfSpaces;
             for (var i:int = 0; i < planes.length; i += 4)
             {
-                if (planes[i] * x + planes[i + 1] * y + planes[i + 2] * z > planes[i + 3] + reach)
+                if (planes[i] * x + planes[i + 1] * y + planes[i + 2] * z > planes[i + 3] + limit)
                 {
                     return false;
                 }
@@ -202,7 +202,7 @@ package starlogo.bounding
             {
                 placed.points.length = points.length;
             }
-            placement.turnPoints(points, placed.points);
+            placement.scaleAndTurnPoints(points, placed.points);
             placement.place(center, placed.center);
             _box.place(placement, placed._box);
             placed.margin = margin * placement.size;
@@ -234,10 +234,10 @@ package starlogo.bounding
                 highY = y > highY ? y : highY;
                 highZ = z > highZ ? z : highZ;
             }
-            var reach:Number = margin + rounding(highX - lowX + (highY - lowY) + (highZ - lowZ), center);
-            writeExtent(center.x + lowX, center.x + highX, reach, out, offset);
-            writeExtent(center.y + lowY, center.y + highY, reach, out, offset + 2);
-            writeExtent(center.z + lowZ, center.z + highZ, reach, out, offset + 4);
+            var outerMargin:Number = margin + rounding(highX - lowX + (highY - lowY) + (highZ - lowZ), center);
+            writeExtent(center.x + lowX, center.x + highX, outerMargin, out, offset);
+            writeExtent(center.y + lowY, center.y + highY, outerMargin, out, offset + 2);
+            writeExtent(center.z + lowZ, center.z + highZ, outerMargin, out, offset + 4);
         }
 
         /**
@@ -317,14 +317,14 @@ package starlogo.bounding
             var size:Number = placement.size;
             var middle:Vector3D = sMiddle;
             placement.turn(center, middle);
-            var reach:Number = margin + Tolerances.ROUNDING * (highX - lowX + (highY - lowY) + (highZ - lowZ)
+            var outerMargin:Number = margin + Tolerances.ROUNDING * (highX - lowX + (highY - lowY) + (highZ - lowZ)
                     + Math.abs(center.x) + Math.abs(center.y) + Math.abs(center.z));
             out[0] = size * (middle.x + (lowX + highX) / 2);
             out[1] = size * (middle.y + (lowY + highY) / 2);
             out[2] = size * (middle.z + (lowZ + highZ) / 2);
-            out[3] = size * ((highX - lowX) / 2 + reach);
-            out[4] = size * ((highY - lowY) / 2 + reach);
-            out[5] = size * ((highZ - lowZ) / 2 + reach);
+            out[3] = size * ((highX - lowX) / 2 + outerMargin);
+            out[4] = size * ((highY - lowY) / 2 + outerMargin);
+            out[5] = size * ((highZ - lowZ) / 2 + outerMargin);
         }
 
         /** @private */

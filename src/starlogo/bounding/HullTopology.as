@@ -142,7 +142,7 @@ package starlogo.bounding
             var height:Number = normalX * rightX + normalY * rightY + normalZ * rightZ;
             var length:Number = Math.sqrt(normalX * normalX + normalY * normalY + normalZ * normalZ)
                 * Math.sqrt(rightX * rightX + rightY * rightY + rightZ * rightZ);
-            return Math.abs(height) <= Tolerances.HULL_FLAT * length;
+            return Math.abs(height) <= Tolerances.UNIT_ROUNDING * length;
         }
 
         private static function firstNumbers(corners:Vector.<int>):Vector.<int>

@@ -53,8 +53,8 @@ package starlogo.bounding
             var x:Number = point.x - center.x;
             var y:Number = point.y - center.y;
             var z:Number = point.z - center.z;
-            var reach:Number = radius + slack(radius, center);
-            return x * x + y * y + z * z <= reach * reach;
+            var limit:Number = radius + slack(radius, center);
+            return x * x + y * y + z * z <= limit * limit;
         }
 
         /** @inheritDoc */
@@ -95,10 +95,10 @@ package starlogo.bounding
         override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
         {
             // This repeats rounding(), because V8 would allocate objects for Numbers that are passed.
-            var reach:Number = radius + Tolerances.ROUNDING * (radius + Math.abs(center.x) + Math.abs(center.y) + Math.abs(center.z));
-            writeExtent(center.x, center.x, reach, out, offset);
-            writeExtent(center.y, center.y, reach, out, offset + 2);
-            writeExtent(center.z, center.z, reach, out, offset + 4);
+            var outerRadius:Number = radius + Tolerances.ROUNDING * (radius + Math.abs(center.x) + Math.abs(center.y) + Math.abs(center.z));
+            writeExtent(center.x, center.x, outerRadius, out, offset);
+            writeExtent(center.y, center.y, outerRadius, out, offset + 2);
+            writeExtent(center.z, center.z, outerRadius, out, offset + 4);
         }
 
         /**

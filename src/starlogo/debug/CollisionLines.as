@@ -113,7 +113,7 @@ package starlogo.debug
         // A Matrix3D is not used, because it has single precision.
         private static function placed(lines:Vector.<Number>, placement:Placement, out:Vector.<Number>):Vector.<Number>
         {
-            var moved:Vector.<Number> = placement.movePoints(lines, 0, lines.length, new Vector.<Number>());
+            var moved:Vector.<Number> = placement.placePoints(lines, 0, lines.length, new Vector.<Number>());
             for (var i:int = 0; i < moved.length; i++)
             {
                 out.push(moved[i]);

@@ -126,10 +126,10 @@ package starlogo.fitting
                 x -= along * axisX;
                 y -= along * axisY;
                 z -= along * axisZ;
-                var reach:Number = square - (x * x + y * y + z * z);
-                reach = reach > 0 ? Math.sqrt(reach) : 0;
-                low = along + reach < low ? along + reach : low;
-                high = along - reach > high ? along - reach : high;
+                var halfChord:Number = square - (x * x + y * y + z * z);
+                halfChord = halfChord > 0 ? Math.sqrt(halfChord) : 0;
+                low = along + halfChord < low ? along + halfChord : low;
+                high = along - halfChord > high ? along - halfChord : high;
             }
             if (low > high)
             {

@@ -15,10 +15,10 @@ package starlogo.geometry
     {
         // Two planes are parallel if the squared sine of their angle is less than this. Three have no common point if the squared volume of
         // their normals is.
-        private static const PARALLEL:Number = Tolerances.NEARLY_PARALLEL;
+        private static const DEGENERATE:Number = Tolerances.NEARLY_PARALLEL;
 
         // How much less than required a way may go along a normal, as a fraction of its length, because of rounding.
-        private static const ROUNDING:Number = 1e-12;
+        private static const RELATIVE_SLACK:Number = 1e-12;
 
         /** The number of half-spaces. */
         public var count:int = 0;
@@ -94,7 +94,7 @@ package starlogo.geometry
         {
             var cosine:Number = _xs[i] * _xs[j] + _ys[i] * _ys[j] + _zs[i] * _zs[j];
             var squaredSine:Number = 1 - cosine * cosine;
-            if (squaredSine > PARALLEL)
+            if (squaredSine > DEGENERATE)
             {
                 var first:Number = (_depths[i] - cosine * _depths[j]) / squaredSine;
                 var second:Number = (_depths[j] - cosine * _depths[i]) / squaredSine;
@@ -108,7 +108,7 @@ package starlogo.geometry
         {
             var volume:Number = _xs[i] * (_ys[j] * _zs[k] - _zs[j] * _ys[k]) + _ys[i] * (_zs[j] * _xs[k] - _xs[j] * _zs[k])
                 + _zs[i] * (_xs[j] * _ys[k] - _ys[j] * _xs[k]);
-            if (volume * volume > PARALLEL)
+            if (volume * volume > DEGENERATE)
             {
                 _tried.setTo(0, 0, 0);
                 addCross(_depths[i] / volume, j, k);
@@ -143,7 +143,7 @@ package starlogo.geometry
 
         private function leadsOut(length:Number):Boolean
         {
-            var slack:Number = _slack + ROUNDING * length;
+            var slack:Number = _slack + RELATIVE_SLACK * length;
             for (var i:int = 0; i < count; i++)
             {
                 if (_tried.x * _xs[i] + _tried.y * _ys[i] + _tried.z * _zs[i] < _depths[i] - slack)

@@ -323,7 +323,7 @@ package starlogo.geometry
         }
 
         /**
-         * Transforms points.
+         * Transforms points, as place() transforms one.
          *
          * @param from x, y, z of each
          * @param first index of the first coordinate
@@ -332,7 +332,7 @@ package starlogo.geometry
          * @param to that index
          * @return out
          */
-        engine function movePoints(from:Vector.<Number>, first:int, end:int, out:Vector.<Number>, to:int = 0):Vector.<Number>
+        engine function placePoints(from:Vector.<Number>, first:int, end:int, out:Vector.<Number>, to:int = 0):Vector.<Number>
         {
             var scale:Number = size;
             var moveX:Number = x;
@@ -366,7 +366,7 @@ package starlogo.geometry
          * @param from x, y, z of each
          * @param out receives as many numbers; may be from
          */
-        engine function turnPoints(from:Vector.<Number>, out:Vector.<Number>):void
+        engine function scaleAndTurnPoints(from:Vector.<Number>, out:Vector.<Number>):void
         {
             var scale:Number = size;
             var end:int = from.length;

@@ -10,7 +10,7 @@ package starlogo.geometry
      */
     public final class PointTable
     {
-        private static const MOST_LOOKS:int = 64;
+        private static const MOST_PROBES:int = 64;
 
         /** The coordinates x, y, z, ... of the points, in the order in which they were first added. */
         public var coordinates:Vector.<Number> = new Vector.<Number>();
@@ -40,18 +40,18 @@ package starlogo.geometry
         {
             var mask:int = _slots.length - 1;
             var slot:int = hash(x, y, z) & mask;
-            var looks:int = 0;
-            while (_slots[slot] != 0 && looks < MOST_LOOKS)
+            var probes:int = 0;
+            while (_slots[slot] != 0 && probes < MOST_PROBES)
             {
                 if (isAt(_slots[slot] - 1, x, y, z))
                 {
                     return _slots[slot] - 1;
                 }
                 slot = (slot + 1) & mask;
-                looks++;
+                probes++;
             }
             coordinates.push(x, y, z);
-            if (looks < MOST_LOOKS)
+            if (probes < MOST_PROBES)
             {
                 _slots[slot] = _count + 1;
             }

@@ -93,6 +93,12 @@ package starlogo.geometry
         public static const HULL_FLAT:Number = 1e-12;
 
         /**
+         * The number up to which lengths, heights and determinants are rounding, where shapes have a size of about 1. Smaller: rounding
+         * decides how a hull loses corners, and flat sides of a hull have edges inside. Larger: short edges and shallow ones are lost.
+         */
+        public static const UNIT_ROUNDING:Number = 1e-12;
+
+        /**
          * This fraction of the largest coordinate is added to the thickness that HULL_FLAT allows. Smaller: a flat model far from the
          * origin counts as a solid one. Larger: a thin model far from the origin counts as a flat one.
          */

@@ -59,7 +59,7 @@ package starlogo.intersection
         /** Sets the shape to a triangle: nine numbers of a list, from an index on. The placement moves it into the other triangles' space. */
         public function setShapeToTriangle(corners:Vector.<Number>, at:int, placement:Placement):void
         {
-            placement.movePoints(corners, at, at + 9, _placed);
+            placement.placePoints(corners, at, at + 9, _placed);
             shape.setTriangle(_placed, 0);
         }
 

@@ -32,9 +32,9 @@ package starlogo.models
         /** The most bytes of a file. */
         public static const BYTES:int = 67108864;
 
-        /** The most corners that are examined while polygons are cut: LOOKS, and LOOKS_PER_BYTE more for each byte. */
-        private static const LOOKS_PER_BYTE:Number = 40;
-        private static const LOOKS:Number = 100000;
+        /** The most tests of corners while polygons are cut: CORNER_TESTS, and TESTS_PER_BYTE more for each byte. */
+        private static const TESTS_PER_BYTE:Number = 40;
+        private static const CORNER_TESTS:Number = 100000;
 
         private static const WHAT:Vector.<String> = new <String>["# vertices or 2000000 triangles", "1000000 vertices or # triangles",
                 "# numbers, each counted as often as it is used", "# numbers without data",
@@ -48,8 +48,8 @@ package starlogo.models
         /** The model's name. */
         public var name:String;
 
-        /** The corners that may still be looked at while polygons are cut. Afterwards corners are cut off without a test, and holes are filled. */
-        public var looks:Number;
+        /** The tests of corners that are left for cutting polygons. Afterwards corners are cut off without a test, and holes are filled. */
+        public var cornerTestsLeft:Number;
 
         private var _bytes:Number;
         private var _taken:Vector.<Number> = new Vector.<Number>(6, true);
@@ -62,7 +62,7 @@ package starlogo.models
         {
             this.name = name;
             _bytes = bytes;
-            looks = LOOKS + LOOKS_PER_BYTE * bytes;
+            cornerTestsLeft = CORNER_TESTS + TESTS_PER_BYTE * bytes;
         }
 
         /** A budget for the same bytes of which nothing is taken. */

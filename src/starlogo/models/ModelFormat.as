@@ -22,7 +22,7 @@ package starlogo.models
         /** The format of a file in a binary form; null if the bytes are in none. */
         internal static function ofBytes(bytes:ByteArray):String
         {
-            return CookedFile.isCooked(bytes) ? COOKED : (GltfFile.isBinary(bytes) ? GLTF : (StlReader.isBinary(bytes) ? STL : null));
+            return CookedFile.isCookedFile(bytes) ? COOKED : (GltfFile.isBinary(bytes) ? GLTF : (StlReader.isBinary(bytes) ? STL : null));
         }
 
         /**

@@ -16,13 +16,13 @@ package starlogo.models
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
         private var _isUsed:Vector.<uint>;
+        private var _newIndices:Vector.<uint>;
         private var _count:int = 0;
 
         /**
          * @param vertices x, y, z, ...; changed in place
          * @param triangles indices of used vertices; changed to the new indices
-         * @param isUsed a number for each vertex; the steps set it to 1 for all vertices of triangles, and remove the vertices with 0. Then
-         * it may have the new indices
+         * @param isUsed a number for each vertex; the steps set it to 1 for all vertices of triangles, and remove the vertices with 0
          */
         public function VertexFilter(vertices:Vector.<Number>, triangles:Vector.<uint>, isUsed:Vector.<uint>)
         {
@@ -42,7 +42,12 @@ package starlogo.models
 
         private function closingGaps():Steps
         {
-            return _isUsed.indexOf(0) < 0 ? null : new StepSequence().slices(_isUsed.length, VERTICES_PER_STEP, moveVertices)
+            if (_isUsed.indexOf(0) < 0)
+            {
+                return null;
+            }
+            _newIndices = new Vector.<uint>(_isUsed.length, true);
+            return new StepSequence().slices(_isUsed.length, VERTICES_PER_STEP, moveVertices)
                 .slices(_triangles.length, CORNERS_PER_STEP, renumber);
         }
 
@@ -58,7 +63,7 @@ package starlogo.models
                     _vertices[to] = _vertices[from];
                     _vertices[int(to + 1)] = _vertices[int(from + 1)];
                     _vertices[int(to + 2)] = _vertices[int(from + 2)];
-                    _isUsed[i] = _count++;
+                    _newIndices[i] = _count++;
                 }
             }
         }
@@ -68,7 +73,7 @@ package starlogo.models
             _vertices.length = 3 * _count;
             for (var i:int = first; i < end; i++)
             {
-                _triangles[i] = _isUsed[_triangles[i]];
+                _triangles[i] = _newIndices[_triangles[i]];
             }
         }
     }

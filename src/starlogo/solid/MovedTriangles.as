@@ -60,7 +60,7 @@ package starlogo.solid
                 return count;
             }
             _first = first;
-            pose.placement.movePoints(meshB.corners, 9 * first, 9 * (first + count), moved);
+            pose.placement.placePoints(meshB.corners, 9 * first, 9 * (first + count), moved);
             var corners:Vector.<Number> = moved;
             var spans:Vector.<Number> = extents;
             if (spans.length < 6 * count)

@@ -139,7 +139,7 @@ package starlogo.solid
         public function findContact(out:ContactPoint):void
         {
             var pose:RelativePose = _triangles.pose;
-            pose.placement.movePoints(_triangles.meshB.corners, _firstB, _firstB + 9, _corners);
+            pose.placement.placePoints(_triangles.meshB.corners, _firstB, _firstB + 9, _corners);
             _a.setTriangle(_triangles.meshA.corners, _firstA);
             _b.setTriangle(_corners, 0);
             _motion.time = pose.motion.time;

@@ -112,7 +112,7 @@ package starlogo.solid
         private static function turned(points:Vector.<Number>, turn:Placement):Vector.<Number>
         {
             var out:Vector.<Number> = new Vector.<Number>(points.length);
-            turn.turnPoints(points, out);
+            turn.scaleAndTurnPoints(points, out);
             return out;
         }
 

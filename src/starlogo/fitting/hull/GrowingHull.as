@@ -16,7 +16,7 @@ package starlogo.fitting.hull
      */
     public final class GrowingHull
     {
-        // More faces than this at one edge are not looked at. So a corner with an edge to all others costs no more than other corners.
+        // An edge with more faces than this at its ends is not lost. So a corner with an edge to all others costs no more than other corners.
         private static const MOST_FACES:int = 40;
 
         private var _points:Vector.<Number>;
@@ -276,7 +276,7 @@ package starlogo.fitting.hull
                     }
                     var at:int = 4 * neighbor;
                     height = planes[at] * x + planes[int(at + 1)] * y + planes[int(at + 2)] * z - planes[int(at + 3)];
-                    if (height > Tolerances.HULL_FLAT)
+                    if (height > Tolerances.UNIT_ROUNDING)
                     {
                         foundBy[neighbor] = search;
                         faces[count] = neighbor;
@@ -348,7 +348,7 @@ package starlogo.fitting.hull
             var z:Number = abX * acY - abY * acX;
             var length:Number = Math.sqrt(x * x + y * y + z * z);
             // A face without area has no plane. It gets a plane that no point is outside of.
-            var scale:Number = length > Tolerances.HULL_FLAT ? 1 / length : 0;
+            var scale:Number = length > Tolerances.UNIT_ROUNDING ? 1 / length : 0;
             x *= scale;
             y *= scale;
             z *= scale;

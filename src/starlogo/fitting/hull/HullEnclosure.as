@@ -11,7 +11,7 @@ package starlogo.fitting.hull
      * The steps that make a hull of few corners, and scale it until it encloses every vertex of a session in double precision.
      *
      * <p>A vertex may be outside of the corners' hull by Tolerances.HULL of its size. The hull is scaled about its centre. If it is flat, that
-     * does not help against vertices beside its plane. So its margin reaches these.</p>
+     * does not help against vertices beside its plane. So its margin covers these.</p>
      *
      * @private
      */
@@ -29,9 +29,9 @@ package starlogo.fitting.hull
         private var _excess:Number = LEAST_EXCESS;
         private var _rounds:int = 0;
 
-        // the vertices of the present round, and how far they reach in the direction of each half-space of the hull
+        // the vertices of the present round, and their largest height along the normal of each half-space of the hull
         private var _vertices:Vector.<Number>;
-        private var _reaches:Vector.<Number>;
+        private var _heights:Vector.<Number>;
 
         /**
          * @param session the vertices; their hull may not exist before the first step
@@ -61,7 +61,7 @@ package starlogo.fitting.hull
         private function addRound(vertices:Vector.<Number>):void
         {
             _vertices = vertices;
-            _reaches = new Vector.<Number>(_hull.halfSpaces.length / 4);
+            _heights = new Vector.<Number>(_hull.halfSpaces.length / 4);
             slices(vertices.length / 3, VERTICES_PER_STEP, measure).call(endRound);
         }
 
@@ -78,13 +78,13 @@ package starlogo.fitting.hull
                 var x:Number = halfSpaces[i];
                 var y:Number = halfSpaces[i + 1];
                 var z:Number = halfSpaces[i + 2];
-                var most:Number = _reaches[i / 4];
+                var most:Number = _heights[i / 4];
                 for (var k:int = 3 * first; k < last; k += 3)
                 {
-                    var reach:Number = x * (vertices[k] - centerX) + y * (vertices[int(k + 1)] - centerY) + z * (vertices[int(k + 2)] - centerZ);
-                    most = reach > most ? reach : most;
+                    var height:Number = x * (vertices[k] - centerX) + y * (vertices[int(k + 1)] - centerY) + z * (vertices[int(k + 2)] - centerZ);
+                    most = height > most ? height : most;
                 }
-                _reaches[i / 4] = most;
+                _heights[i / 4] = most;
             }
         }
 
@@ -92,16 +92,16 @@ package starlogo.fitting.hull
         {
             var halfSpaces:Vector.<Number> = _hull.halfSpaces;
             var factor:Number = 1;
-            for (var i:int = 0; i < _reaches.length; i++)
+            for (var i:int = 0; i < _heights.length; i++)
             {
                 var offset:Number = halfSpaces[4 * i + 3];
                 if (offset > 0)
                 {
-                    factor = Math.max(factor, _reaches[i] / offset);
+                    factor = Math.max(factor, _heights[i] / offset);
                 }
                 else
                 {
-                    _hull.margin = Math.max(_hull.margin, _reaches[i] - offset);
+                    _hull.margin = Math.max(_hull.margin, _heights[i] - offset);
                 }
             }
             if (factor > 1 && ++_rounds < MOST_ROUNDS)

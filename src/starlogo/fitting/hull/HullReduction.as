@@ -10,8 +10,9 @@ package starlogo.fitting.hull
     /**
      * The steps that find few corners whose hull is around the convex hull of a session's vertices, up to rounding.
      *
-     * <p>A GrowingHull loses edges, each time the edge for which it grows least. As long as it has many corners, the search looks only at the
-     * shortest edge of each face, and then at the shortest edge at each new corner, because short edges cost least. If rounding stops the search, the corners of a box are the result.</p>
+     * <p>A GrowingHull loses edges, each time the edge for which it grows least. As long as it has many corners, it queues only the shortest
+     * edge of each face, and then the shortest edge at each new corner, because short edges cost least. Later it queues all edges. If
+     * rounding stops the search, the corners of a box are the result.</p>
      *
      * <p>Vertices in a plane have a polygon instead of a solid hull. The search then takes the double pyramid on the polygon, and both tips
      * stay.</p>
@@ -23,7 +24,7 @@ package starlogo.fitting.hull
         private static const FACES_PER_STEP:int = 200;
         private static const EDGES_PER_STEP:int = 200;
 
-        // With this many times the wanted corners or fewer, the search looks at all edges.
+        // With this many times the wanted corners or fewer, all edges are queued.
         private static const FEW:Number = 1.5;
 
         // how far the tips are from the polygon's plane
@@ -36,7 +37,6 @@ package starlogo.fitting.hull
         private var _queue:EdgeQueue = new EdgeQueue();
         private var _isQueued:Vector.<int> = new Vector.<int>(); // by edge: 1 if it is in the queue
         private var _point:OuterPoint = new OuterPoint();
-        private var _looksAtAll:Boolean = false;
 
         // the number of tips, and the first tip; the second one is the next corner
         private var _tipCount:int = 0;
@@ -83,45 +83,49 @@ package starlogo.fitting.hull
                 triangles = pyramidsOn(outline);
             }
             _solid = new GrowingHull(points, triangles);
-            slices(_solid.faceCount, FACES_PER_STEP, lookAtShortest).repeat(reduceToFew).begin(lookingAtAll).repeat(reduceToMost);
+            slices(_solid.faceCount, FACES_PER_STEP, queueShortest).repeat(reduceToFew).begin(queueingAll).repeat(reduceToMost);
         }
 
-        private function lookAtShortest(first:int, end:int):void
+        private function queueShortest(first:int, end:int):void
         {
             for (var face:int = first; face < end; face++)
             {
-                look(_solid.shortestEdge(face));
+                queueEdge(_solid.shortestEdge(face));
             }
         }
 
-        private function lookingAtAll():Steps
+        private function queueingAll():Steps
         {
-            _looksAtAll = true;
             return new Slices(_solid.faceCount, FACES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var edge:int = 4 * first; edge < 4 * end; edge++)
                     {
-                        look(edge);
+                        queueEdge(edge);
                     }
                 });
         }
 
         private function reduceToFew():Boolean
         {
-            return reduce(FEW * _most);
+            return reduce(FEW * _most, queueShortestNew);
         }
 
         private function reduceToMost():Boolean
         {
-            return reduce(_most);
+            return reduce(_most, queueAllNew);
         }
 
-        // Takes some edges from the queue. Returns whether there is more to do.
-        private function reduce(most:int):Boolean
+        // Takes some edges from the queue. Each that is lost makes faces; queueNew queues edges of these: function(firstFace:int):void.
+        // Returns whether there is more to do.
+        private function reduce(most:int, queueNew:Function):Boolean
         {
             for (var i:int = 0; i < EDGES_PER_STEP && hasMoreThan(most) && !_queue.isEmpty; i++)
             {
-                takeFirst();
+                var face:int = takeFirst();
+                if (face >= 0)
+                {
+                    queueNew(face);
+                }
             }
             return hasMoreThan(most) && !_queue.isEmpty;
         }
@@ -131,41 +135,41 @@ package starlogo.fitting.hull
             return _solid.cornerCount - _tipCount > most;
         }
 
-        // Loses the first edge of the queue. If its cost has increased since it was queued, it is queued again.
-        private function takeFirst():void
+        // Loses the first edge of the queue. Returns the first new face, or -1 if the edge cannot be lost. If its cost has increased since
+        // it was queued, it is queued again.
+        private function takeFirst():int
         {
             var queued:int = _queue.pop();
             _isQueued[queued] = 0;
             var edge:int = _solid.presentEdge(queued);
             if (edge < 0 || isQueued(edge) || isQueued(_solid.acrossOf(edge)) || !_solid.findPoint(edge, _point))
             {
-                return;
+                return -1;
             }
             if (_point.growth > _queue.leastCost)
             {
                 enqueue(edge);
-                return;
+                return -1;
             }
-            var face:int = _solid.grow(_point);
-            if (face < 0)
-            {
-                return;
-            }
-            if (!_looksAtAll)
-            {
-                look(_solid.shortestNewEdge(face));
-                return;
-            }
-            while (face < _solid.faceCount)
+            return _solid.grow(_point);
+        }
+
+        private function queueShortestNew(firstFace:int):void
+        {
+            queueEdge(_solid.shortestNewEdge(firstFace));
+        }
+
+        private function queueAllNew(firstFace:int):void
+        {
+            for (var face:int = firstFace; face < _solid.faceCount; face++)
             {
                 // the edge to the new corner; the first edge of a new face is where an earlier edge was
-                look(4 * face + 1);
-                face++;
+                queueEdge(4 * face + 1);
             }
         }
 
         // Queues an edge if it can be lost, unless it is queued already.
-        private function look(edge:int):void
+        private function queueEdge(edge:int):void
         {
             if (!_solid.isEdge(edge) || isQueued(edge) || isQueued(_solid.acrossOf(edge)) || isTip(_solid.startOf(edge)) || isTip(_solid.endOf(edge)))
             {

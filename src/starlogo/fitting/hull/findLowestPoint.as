@@ -51,7 +51,7 @@ package starlogo.fitting.hull
             var abY:Number = aZ * bX - aX * bZ;
             var abZ:Number = aX * bY - aY * bX;
             var determinant:Number = aX * bcX + aY * bcY + aZ * bcZ;
-            if (!(Math.abs(determinant) > Tolerances.HULL_FLAT))
+            if (!(Math.abs(determinant) > Tolerances.UNIT_ROUNDING))
             {
                 return false;
             }
@@ -59,7 +59,7 @@ package starlogo.fitting.hull
             var y:Number = (a * bcY + b * caY + c * abY) / determinant;
             var z:Number = (a * bcZ + b * caZ + c * abZ) / determinant;
             var entering:int = -1;
-            var most:Number = Tolerances.HULL_FLAT;
+            var most:Number = Tolerances.UNIT_ROUNDING;
             for (var i:int = 0; i < count; i++)
             {
                 var at:int = 4 * faces[i];
@@ -84,9 +84,9 @@ package starlogo.fitting.hull
             var shareA:Number = (normalX * bcX + normalY * bcY + normalZ * bcZ) / determinant;
             var shareB:Number = (normalX * caX + normalY * caY + normalZ * caZ) / determinant;
             var shareC:Number = (normalX * abX + normalY * abY + normalZ * abZ) / determinant;
-            var lastsA:Number = shareA > Tolerances.HULL_FLAT ? (upX * bcX + upY * bcY + upZ * bcZ) / determinant / shareA : Infinity;
-            var lastsB:Number = shareB > Tolerances.HULL_FLAT ? (upX * caX + upY * caY + upZ * caZ) / determinant / shareB : Infinity;
-            var lastsC:Number = shareC > Tolerances.HULL_FLAT ? (upX * abX + upY * abY + upZ * abZ) / determinant / shareC : Infinity;
+            var lastsA:Number = shareA > Tolerances.UNIT_ROUNDING ? (upX * bcX + upY * bcY + upZ * bcZ) / determinant / shareA : Infinity;
+            var lastsB:Number = shareB > Tolerances.UNIT_ROUNDING ? (upX * caX + upY * caY + upZ * caZ) / determinant / shareB : Infinity;
+            var lastsC:Number = shareC > Tolerances.UNIT_ROUNDING ? (upX * abX + upY * abY + upZ * abZ) / determinant / shareC : Infinity;
             if (lastsA == Infinity && lastsB == Infinity && lastsC == Infinity)
             {
                 // No point is outside of these four planes.

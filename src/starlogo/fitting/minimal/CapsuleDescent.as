@@ -38,7 +38,9 @@ package starlogo.fitting.minimal
 
         private var _vertices:Vector.<Number>;
         private var _points:Vector.<Number>;
-        private var _distances:Vector.<Number>;
+
+        // by point: the square of its distance from the segment that was measured last
+        private var _squares:Vector.<Number>;
 
         /**
          * @param vertices x, y, z of each
@@ -50,7 +52,7 @@ package starlogo.fitting.minimal
             this.best = best;
             _vertices = vertices;
             _points = points;
-            _distances = new Vector.<Number>(points.length / 3);
+            _squares = new Vector.<Number>(points.length / 3);
         }
 
         /**
@@ -89,28 +91,28 @@ package starlogo.fitting.minimal
             // x, y, z of each
             var ends:Vector.<Number> = start.numbers();
             ends.length = 6;
-            var reach:Number = 0.1;
-            var radius:Number = farthest(ends);
+            var stepSize:Number = 0.1;
+            var radius:Number = measure(ends);
             var volume:Number = volumeOf(ends, radius);
-            for (var step:int = 0; step < STEPS && reach > 1e-7; step++)
+            for (var step:int = 0; step < STEPS && stepSize > 1e-7; step++)
             {
-                var trial:Vector.<Number> = solve(ends, radius, tangentsAt(ends, radius), reach);
+                var trial:Vector.<Number> = solve(ends, radius, tangentsAt(ends, radius), stepSize);
                 for (var i:int = 0; i < 6; i++)
                 {
                     trial[i] += ends[i];
                 }
-                var trialRadius:Number = farthest(trial);
+                var trialRadius:Number = measure(trial);
                 var trialVolume:Number = volumeOf(trial, trialRadius);
                 if (trialVolume < volume)
                 {
-                    reach *= trialVolume < volume * (1 - GAIN) ? 2 : 0.5;
+                    stepSize *= trialVolume < volume * (1 - GAIN) ? 2 : 0.5;
                     volume = trialVolume;
                     radius = trialRadius;
                     ends = trial;
                 }
                 else
                 {
-                    reach *= 0.3;
+                    stepSize *= 0.3;
                 }
             }
             keepAround(ends, radius);
@@ -184,8 +186,8 @@ package starlogo.fitting.minimal
             return Math.sqrt(x * x + y * y + z * z);
         }
 
-        // The largest distance of a point from the segment.
-        private function farthest(ends:Vector.<Number>):Number
+        // Writes the squared distance of each point from the segment. Returns the largest distance.
+        private function measure(ends:Vector.<Number>):Number
         {
             var startX:Number = ends[0];
             var startY:Number = ends[1];
@@ -193,10 +195,10 @@ package starlogo.fitting.minimal
             var alongX:Number = ends[3] - startX;
             var alongY:Number = ends[4] - startY;
             var alongZ:Number = ends[5] - startZ;
-            var square:Number = alongX * alongX + alongY * alongY + alongZ * alongZ;
-            var scale:Number = square > 0 ? 1 / square : 0;
+            var lengthSquared:Number = alongX * alongX + alongY * alongY + alongZ * alongZ;
+            var scale:Number = lengthSquared > 0 ? 1 / lengthSquared : 0;
             var most:Number = 0;
-            var count:int = _distances.length;
+            var count:int = _squares.length;
             for (var i:int = 0; i < count; i++)
             {
                 var at:int = 3 * i;
@@ -208,9 +210,9 @@ package starlogo.fitting.minimal
                 x -= t * alongX;
                 y -= t * alongY;
                 z -= t * alongZ;
-                var distance:Number = x * x + y * y + z * z;
-                _distances[i] = distance;
-                most = distance > most ? distance : most;
+                var square:Number = x * x + y * y + z * z;
+                _squares[i] = square;
+                most = square > most ? square : most;
             }
             return Math.sqrt(most);
         }
@@ -220,15 +222,15 @@ package starlogo.fitting.minimal
         private function tangentsAt(ends:Vector.<Number>, radius:Number):Vector.<Number>
         {
             var tangents:Vector.<Number> = new Vector.<Number>();
-            farthest(ends);
+            measure(ends);
             var least:Number = activeFrom(radius);
             var alongX:Number = ends[3] - ends[0];
             var alongY:Number = ends[4] - ends[1];
             var alongZ:Number = ends[5] - ends[2];
             var square:Number = alongX * alongX + alongY * alongY + alongZ * alongZ;
-            for (var i:int = 0; i < _distances.length; i++)
+            for (var i:int = 0; i < _squares.length; i++)
             {
-                if (_distances[i] < least || _distances[i] == 0)
+                if (_squares[i] < least || _squares[i] == 0)
                 {
                     continue;
                 }
@@ -237,7 +239,7 @@ package starlogo.fitting.minimal
                 var z:Number = _points[3 * i + 2] - ends[2];
                 var t:Number = square > 0 ? (x * alongX + y * alongY + z * alongZ) / square : 0;
                 t = t < 0 ? 0 : (t > 1 ? 1 : t);
-                var distance:Number = Math.sqrt(_distances[i]);
+                var distance:Number = Math.sqrt(_squares[i]);
                 // Moving the segment's nearest point towards the point shortens the distance.
                 x = (t * alongX - x) / distance;
                 y = (t * alongY - y) / distance;
@@ -256,9 +258,9 @@ package starlogo.fitting.minimal
                 var least:Number = radius * (1 - share);
                 least *= least;
                 var count:int = 0;
-                for (var i:int = 0; i < _distances.length; i++)
+                for (var i:int = 0; i < _squares.length; i++)
                 {
-                    count += _distances[i] >= least ? 1 : 0;
+                    count += _squares[i] >= least ? 1 : 0;
                 }
                 share /= 2;
             }
@@ -266,14 +268,14 @@ package starlogo.fitting.minimal
             return least;
         }
 
-        // Returns the change of the ends' coordinates and the radius that minimises gradient * change + |change|^2 / (2 reach), with
-        // tangents * change <= room. The units are the radius and its derivative, so that the reach is a share of the radius for models of
+        // Returns the change of the ends' coordinates and the radius that minimises gradient * change + |change|^2 / (2 stepSize), with
+        // tangents * change <= room. The units are the radius and its derivative, so that the step size is a share of the radius for models of
         // any size.
-        private static function solve(ends:Vector.<Number>, radius:Number, tangents:Vector.<Number>, reach:Number):Vector.<Number>
+        private static function solve(ends:Vector.<Number>, radius:Number, tangents:Vector.<Number>, stepSize:Number):Vector.<Number>
         {
             var change:Vector.<Number> = new Vector.<Number>(7);
             var gradient:Vector.<Number> = gradientOfVolume(ends, radius);
-            var scale:Number = reach * radius / gradient[6];
+            var scale:Number = stepSize * radius / gradient[6];
             var i:int;
             var k:int;
             for (k = 0; k < 7; k++)
@@ -310,7 +312,7 @@ package starlogo.fitting.minimal
                     }
                     most = Math.max(most, Math.abs(difference));
                 }
-                if (most < 1e-6 * reach * radius)
+                if (most < 1e-6 * stepSize * radius)
                 {
                     break;
                 }

@@ -44,7 +44,7 @@ package starlogo.geometry.hull
                 from = points;
                 work.slices(count, VERTICES_PER_STEP, function(first:int, end:int):void
                     {
-                        turning.movePoints(vertices, 3 * first, 3 * end, points, 3 * first);
+                        turning.placePoints(vertices, 3 * first, 3 * end, points, 3 * first);
                         bounds.add(points, first, end);
                     });
             }

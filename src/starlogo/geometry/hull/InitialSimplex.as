@@ -88,21 +88,25 @@ package starlogo.geometry.hull
         private function findCorner():void
         {
             _most = -1;
-            slices(_vertices.length / 3, VERTICES_PER_STEP, look).call(addCorner);
+            slices(_vertices.length / 3, VERTICES_PER_STEP, findFarthest).call(addCorner);
         }
 
         private function addCorner():void
         {
             corners.push(_farthest);
-            if ((corners.length == 1 || spans(_farthest)) && dimension < 3)
+            if (corners.length > 1 && !addDimension())
+            {
+                return;
+            }
+            if (dimension < 3)
             {
                 findCorner();
             }
         }
 
-        // Looks for the vertex that is farthest: first from the box's middle, then from the first corner, then from the line, then from the
+        // Finds the vertex that is farthest: first from the box's middle, then from the first corner, then from the line, then from the
         // plane.
-        private function look(first:int, end:int):void
+        private function findFarthest(first:int, end:int):void
         {
             var vertices:Vector.<Number> = _vertices;
             var fromX:Number = (bounds.minX + bounds.maxX) / 2;
@@ -148,14 +152,14 @@ package starlogo.geometry.hull
             }
         }
 
-        // Whether a vertex is outside of the space spanned so far. If so, the space gets one more dimension, and an axis towards the
-        // vertex.
-        private function spans(vertex:int):Boolean
+        // If the farthest vertex is outside of the space spanned so far, gives the space one more dimension, and an axis towards the vertex.
+        // Returns whether it is.
+        private function addDimension():Boolean
         {
             var from:int = 3 * corners[0];
-            var x:Number = _vertices[3 * vertex] - _vertices[from];
-            var y:Number = _vertices[3 * vertex + 1] - _vertices[from + 1];
-            var z:Number = _vertices[3 * vertex + 2] - _vertices[from + 2];
+            var x:Number = _vertices[3 * _farthest] - _vertices[from];
+            var y:Number = _vertices[3 * _farthest + 1] - _vertices[from + 1];
+            var z:Number = _vertices[3 * _farthest + 2] - _vertices[from + 2];
             // This is done twice, because the rounding left along the axes matters if the vertex is close to them.
             for (var i:int = 0; i < 2 * dimension; i++)
             {

@@ -123,8 +123,8 @@ package starlogo.geometry.hull
          * Continues the redistribution.
          *
          * @param faces the faces that receive the points
-         * @param most the largest number of points to look at
-         * @return the number of points looked at
+         * @param most the largest number of points to take
+         * @return the number of points taken
          */
         public function redistributeSome(faces:Vector.<HullFace>, most:int):int
         {

@@ -22,11 +22,11 @@ package starlogo.geometry.hull
         /** The largest coordinate of the grid. With it, a normal stays below 2^51, and the products of its halves stay below 2^53. */
         public static const GRID:Number = 33554432;
 
-        // The approximate work of a step: points put on lists, and points looked at for each new face. Making a face counts as
-        // LOOKS_PER_FACE points looked at.
+        // The approximate work of a step: points put on lists, and tests of a point against a new face. Making a face counts as
+        // TESTS_PER_FACE tests.
         private static const POINTS_PER_STEP:int = 500;
-        private static const LOOKS_PER_STEP:int = 3000;
-        private static const LOOKS_PER_FACE:int = 12;
+        private static const TESTS_PER_STEP:int = 3000;
+        private static const TESTS_PER_FACE:int = 12;
         private static const FACES_PER_STEP:int = 500;
 
         private var _points:Vector.<Number>;
@@ -107,13 +107,13 @@ package starlogo.geometry.hull
 
         private function grow():Boolean
         {
-            var looks:int = 0;
-            while (looks <= LOOKS_PER_STEP)
+            var testCount:int = 0;
+            while (testCount <= TESTS_PER_STEP)
             {
                 if (_outside.isRedistributing)
                 {
-                    var most:int = (LOOKS_PER_STEP - looks) / _created.length + 1;
-                    looks += _outside.redistributeSome(_created, most) * _created.length;
+                    var most:int = (TESTS_PER_STEP - testCount) / _created.length + 1;
+                    testCount += _outside.redistributeSome(_created, most) * _created.length;
                     continue;
                 }
                 var face:HullFace = _outside.nextFace();
@@ -122,7 +122,7 @@ package starlogo.geometry.hull
                     return false;
                 }
                 addVertex(face.farthest, face);
-                looks += LOOKS_PER_FACE * _created.length;
+                testCount += TESTS_PER_FACE * _created.length;
             }
             return true;
         }
@@ -152,14 +152,14 @@ package starlogo.geometry.hull
             for (var i:int = 0; i < _seen.length; i++)
             {
                 face = _seen[i];
-                look(eye, face.acrossAB, face.a, face.b);
-                look(eye, face.acrossBC, face.b, face.c);
-                look(eye, face.acrossCA, face.c, face.a);
+                visit(eye, face.acrossAB, face.a, face.b);
+                visit(eye, face.acrossBC, face.b, face.c);
+                visit(eye, face.acrossCA, face.c, face.a);
             }
         }
 
-        // Looks across an edge of a face that the eye sees.
-        private function look(eye:int, neighbor:HullFace, from:int, to:int):void
+        // Visits the neighbour across an edge of a face that the eye sees. If the eye does not see the neighbour, the edge gets a new face.
+        private function visit(eye:int, neighbor:HullFace, from:int, to:int):void
         {
             if (neighbor.isBuried)
             {

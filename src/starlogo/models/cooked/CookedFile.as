@@ -49,6 +49,7 @@ package starlogo.models.cooked
         private static const MAGIC:int = 0x4B4F4F43;
         private static const VERSION:int = 3;
 
+        private static const VERSION_AT:int = 4;
         private static const LENGTH_AT:int = 8;
         private static const TABLE:int = 16;
         private static const ENTRY_LENGTH:int = 16;
@@ -67,10 +68,12 @@ package starlogo.models.cooked
         /** @param bytes a possible cooked file; it is copied; only its position and byte order change; null for no file */
         public function CookedFile(bytes:ByteArray)
         {
-            if (bytes == null || !isCooked(bytes))
+            if (bytes == null || !isCookedFile(bytes))
             {
                 return;
             }
+            bytes.endian = Endian.LITTLE_ENDIAN;
+            bytes.position = VERSION_AT;
             isOfOtherVersion = bytes.readInt() != VERSION;
             if (!isOfOtherVersion && hasRightLength(bytes))
             {
@@ -81,11 +84,9 @@ package starlogo.models.cooked
         }
 
         /** Whether the bytes begin like a cooked file. */
-        public static function isCooked(bytes:ByteArray):Boolean
+        public static function isCookedFile(bytes:ByteArray):Boolean
         {
-            bytes.endian = Endian.LITTLE_ENDIAN;
-            bytes.position = 0;
-            return bytes.length >= TABLE + Fingerprint.LENGTH && bytes.readInt() == MAGIC;
+            return bytes.length >= TABLE + Fingerprint.LENGTH && bytes[0] == 0x43 && bytes[1] == 0x4F && bytes[2] == 0x4F && bytes[3] == 0x4B;
         }
 
         /**

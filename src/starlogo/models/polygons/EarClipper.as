@@ -33,16 +33,16 @@ package starlogo.models.polygons
             var next:Vector.<int> = _rings.next;
             var vertex:Vector.<uint> = _rings.vertex;
             var budget:ModelBudget = _rings.budget;
-            var end:Number = budget.looks - PolygonRings.LOOKS_PER_STEP;
+            var end:Number = budget.cornerTestsLeft - PolygonRings.TESTS_PER_STEP;
             _count ||= countCorners();
-            while (_count > 2 && budget.looks > end)
+            while (_count > 2 && budget.cornerTestsLeft > end)
             {
                 var before:int = _rings.previous[_node];
                 var after:int = next[_node];
                 var area:Number = _rings.orient2d(before, _node, after);
                 // An outline that crosses itself may have no ear left. After one round without an ear any left turn is cut, after two
                 // rounds any corner.
-                var isCut:Boolean = area == 0 || _misses > 2 * _count || --budget.looks < 0;
+                var isCut:Boolean = area == 0 || _misses > 2 * _count || --budget.cornerTestsLeft < 0;
                 if (isCut || area > 0 && (_misses > _count || isEar(before, _node, after)))
                 {
                     if (area > 0)
@@ -106,7 +106,7 @@ package starlogo.models.polygons
                 }
                 isClear = !_rings.isInside(node, before, tip, after);
             }
-            _rings.budget.looks -= seen;
+            _rings.budget.cornerTestsLeft -= seen;
             return isClear;
         }
     }

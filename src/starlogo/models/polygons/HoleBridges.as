@@ -31,8 +31,8 @@ package starlogo.models.polygons
         /** Joins holes until none is left, or for one step. Holes outside the outline are left out. Returns whether holes are left. */
         internal function join():Boolean
         {
-            var end:Number = _rings.budget.looks - PolygonRings.LOOKS_PER_STEP;
-            while (_nodes.length > 0 && _rings.budget.looks > end)
+            var end:Number = _rings.budget.cornerTestsLeft - PolygonRings.TESTS_PER_STEP;
+            while (_nodes.length > 0 && _rings.budget.cornerTestsLeft > end)
             {
                 addBridge(_nodes.pop());
             }
@@ -90,7 +90,7 @@ package starlogo.models.polygons
             var node:int = _outline;
             do
             {
-                if (--_rings.budget.looks < 0)
+                if (--_rings.budget.cornerTestsLeft < 0)
                 {
                     return -1;
                 }
@@ -131,7 +131,7 @@ package starlogo.models.polygons
             var node:int = _outline;
             do
             {
-                _rings.budget.looks--;
+                _rings.budget.cornerTestsLeft--;
                 if (xs[node] > x && node != corner && _rings.isInside(node, hole, second, third) && seesInside(node, hole))
                 {
                     var slope:Number = Math.abs(ys[node] - y) / (xs[node] - x);

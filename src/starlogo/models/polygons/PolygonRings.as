@@ -10,8 +10,8 @@ package starlogo.models.polygons
      */
     internal final class PolygonRings
     {
-        /** The corners that are looked at in one step. */
-        internal static const LOOKS_PER_STEP:int = 10000;
+        /** The tests of corners in one step. */
+        internal static const TESTS_PER_STEP:int = 10000;
 
         /** The projected coordinate of each node, scaled so that the outline has a size of about 1. */
         internal var x:Vector.<Number> = new Vector.<Number>();
@@ -26,7 +26,7 @@ package starlogo.models.polygons
         /** The previous node in the ring, for each node. */
         internal var previous:Vector.<int> = new Vector.<int>();
 
-        /** The looks at corners that the file may still take. */
+        /** Pays for the tests of corners. */
         internal var budget:ModelBudget;
 
         /** x, y, z of each vertex of the polygons. */
@@ -40,7 +40,7 @@ package starlogo.models.polygons
         private var _scale:Number;
 
         /**
-         * @param budget pays for the looks at corners
+         * @param budget pays for the tests of corners
          * @param vertices x, y, z, ...; corners are indices of these
          * @param triangles takes the triangles
          */

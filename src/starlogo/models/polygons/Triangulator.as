@@ -10,7 +10,7 @@ package starlogo.models.polygons
      * joined to the outline (HoleBridges), and ears are cut off (EarClipper). Outlines may cross or cover themselves. Every triangle that is
      * cut from a ring has an area in the plane. A ring without area has no triangles.</p>
      *
-     * <p>Cost: linear for convex polygons, otherwise up to quadratic in the corners, but at most the budget's looks at corners. Beyond
+     * <p>Cost: linear for convex polygons, otherwise up to quadratic in the corners, but at most the budget's tests of corners. Beyond
      * that, corners are cut off without a test, and holes are filled.</p>
      *
      * @private
@@ -28,7 +28,7 @@ package starlogo.models.polygons
         private var _clipper:EarClipper;
 
         /**
-         * @param budget pays for the looks at corners
+         * @param budget pays for the tests of corners
          * @param vertices x, y, z, ...; the polygons' corners are indices of these
          * @param triangles takes the triangles, three indices each, in the direction of their polygon
          */

@@ -145,12 +145,12 @@ package starlogo.search
                 findGroundExit(out);
                 return;
             }
-            findPush(out, Infinity, 0, MOST_CONTACTS);
+            findPush(out, Infinity);
             if (isComing(motion) && out.depth > DirectionSearch.SHALLOW * _pair.extent)
             {
                 _first.pointAgainst(motion);
                 _first.depth = 0;
-                findPush(out, DirectionSearch.GAIN * out.depth, 0, MOST_CONTACTS);
+                findPush(out, DirectionSearch.GAIN * out.depth);
             }
             if (out.depth == 0)
             {
@@ -189,7 +189,7 @@ package starlogo.search
         private function findGroundExit(out:ContactPoint):void
         {
             var maxDistance:Number = Math.max(DirectionSearch.SHALLOW * _pair.extent, Math.min(_first.depth, _pair.extent));
-            if (findPush(out, Math.max(_first.leastDepth / NEEDED, ROOM * _pair.extent), 0, MOST_CONTACTS))
+            if (findPush(out, Math.max(_first.leastDepth / NEEDED, ROOM * _pair.extent)))
             {
                 return;
             }
@@ -197,7 +197,7 @@ package starlogo.search
             _pair.findOuterContact(_below);
             _liftLength = _below.depth + Tolerances.SEPARATION * _pair.extent;
             _lift.setTo(0, 0, 1);
-            while (!findPush(out, maxDistance / NEEDED, maxDistance, MOST_PUSHES) && maxDistance / NEEDED <= _liftLength)
+            while (!findPushOrLift(out, maxDistance) && maxDistance / NEEDED <= _liftLength)
             {
                 maxDistance *= FARTHER;
             }
@@ -264,36 +264,15 @@ package starlogo.search
         }
 
         // Looks for the shortest push that leads out of all contacts, from the first one on. Takes it if it is not longer than
-        // <code>most</code>. In the ground it also tries a lift after each other push.
-        private function findPush(out:ContactPoint, most:Number, maxDistance:Number, tries:int):Boolean
+        // <code>most</code>. Returns whether it has taken one.
+        private function findPush(out:ContactPoint, most:Number):Boolean
         {
-            var slack:Number = SLACK * Tolerances.SEPARATION * _pair.extent + _pair.rounding;
-            _pushes.begin();
-            _left.copyFrom(_first);
-            _pair.putBack();
-            if (maxDistance > 0 && _isFirstLost)
-            {
-                _pair.findContact(_left);
-            }
-            while (tries > 0)
+            var slack:Number = beginPushes();
+            for (var tries:int = MOST_CONTACTS; tries > 0; tries--)
             {
                 _pushes.add(_left, slack);
-                if (maxDistance > 0)
+                if (!_pushes.next() || _pushes.length > most)
                 {
-                    addExits(maxDistance, slack);
-                    tryLift();
-                    most = Math.min(most, _liftLength);
-                }
-                if (!_pushes.next())
-                {
-                    return false;
-                }
-                if (_pushes.length > most)
-                {
-                    if (maxDistance > 0)
-                    {
-                        tryLift();
-                    }
                     return false;
                 }
                 if (tryPush())
@@ -305,9 +284,51 @@ package starlogo.search
                 {
                     return false;
                 }
-                tries--;
             }
             return false;
+        }
+
+        // Looks for the shortest push out of the ground, also out of its sides that are at most a distance away. Tries a lift after each other
+        // push. Takes a push that frees the body if it is neither much longer than the distance nor longer than the shortest lift. Returns
+        // whether it has taken one.
+        private function findPushOrLift(out:ContactPoint, maxDistance:Number):Boolean
+        {
+            var slack:Number = beginPushes();
+            if (_isFirstLost)
+            {
+                _pair.findContact(_left);
+            }
+            for (var tries:int = MOST_PUSHES; tries > 0; tries--)
+            {
+                _pushes.add(_left, slack);
+                addExits(maxDistance, slack);
+                tryLift();
+                if (!_pushes.next())
+                {
+                    return false;
+                }
+                if (_pushes.length > Math.min(maxDistance / NEEDED, _liftLength))
+                {
+                    tryLift();
+                    return false;
+                }
+                if (tryPush())
+                {
+                    takePush(out);
+                    return true;
+                }
+                findCorner();
+            }
+            return false;
+        }
+
+        // Begins with the first contact, where it is. Returns how much farther than its depth a push leads out of each contact.
+        private function beginPushes():Number
+        {
+            _pushes.begin();
+            _left.copyFrom(_first);
+            _pair.putBack();
+            return SLACK * Tolerances.SEPARATION * _pair.extent + _pair.rounding;
         }
 
         private function addExits(maxDistance:Number, slack:Number):void

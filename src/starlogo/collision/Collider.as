@@ -5,6 +5,7 @@ package starlogo.collision
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
+    import starlogo.geometry.requireGiven;
     import starlogo.search.AgentShapes;
     import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;
@@ -95,10 +96,7 @@ package starlogo.collision
         /** @inheritDoc */
         override public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            if (agents == null)
-            {
-                throw new ArgumentError("agents must not be null");
-            }
+            requireGiven("agents", agents);
             var asked:CollisionSearch = search;
             if (_owner != null && _phase != SEARCHING)
             {

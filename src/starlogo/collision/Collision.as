@@ -1,3 +1,6 @@
+// This room is what a game calls: a Collision finds who touches, once a frame, and calls handlers. Collider is the base of the four collision
+// systems, and BaseCollider of a game's own; HandlerCalls makes the calls, FrameContacts computes contacts for them, and Snapshots goes back to
+// earlier frames. Read this file first, then Collider, and then CollisionSearch in the room search.
 package starlogo.collision
 {
     import flash.errors.IllegalOperationError;
@@ -7,13 +10,14 @@ package starlogo.collision
     import starlogo.agents.AgentPredicate;
     import starlogo.agents.Breeds;
     import starlogo.engine;
+    import starlogo.geometry.requireGiven;
     import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.HandlerTable;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.BreedInterests;
     import starlogo.search.FrameInput;
-    import starlogo.search.textOf;
     import starlogo.search.NarrowPhase;
+    import starlogo.search.textOf;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
 
@@ -122,10 +126,7 @@ package starlogo.collision
 
         public function set collisionSystem(value:CollisionSystem):void
         {
-            if (value == null)
-            {
-                throw new ArgumentError("collisionSystem must not be null");
-            }
+            requireGiven("collisionSystem", value);
             var system:BaseCollider = BaseCollider.of(value);
             var inner:Collider = system.innerCollider;
             if (inner != null)
@@ -267,10 +268,7 @@ package starlogo.collision
             {
                 throw new IllegalOperationError("update must not be called from a handler, or from the filter");
             }
-            if (agents == null)
-            {
-                throw new ArgumentError("agents must not be null");
-            }
+            requireGiven("agents", agents);
             var start:Number = getTimer();
             _handlerErrors.length = 0;
             // what the filter or a handler exchanges counts from the next frame on
@@ -359,14 +357,8 @@ package starlogo.collision
         public function restore(bytes:ByteArray, agents:Vector.<Agent>):void
         {
             requireSearch("restore");
-            if (bytes == null)
-            {
-                throw new ArgumentError("bytes must not be null");
-            }
-            if (agents == null)
-            {
-                throw new ArgumentError("agents must not be null");
-            }
+            requireGiven("bytes", bytes);
+            requireGiven("agents", agents);
             var collider:Collider = _system.equivalentCollider;
             _touches = _snapshots.read(bytes, agents, collider.search, terrain, findWorldAgents());
             collider.seeFrame();

@@ -1,3 +1,5 @@
+// This room keeps a game's handlers, and the touches that begin and end. HandlerTable finds the handlers of two breeds (PairHandlers);
+// TouchTracker knows since which frame two agents touch (Touch). Read this file first, then HandlerCalls in the room collision, which calls them.
 package starlogo.handlers
 {
     import starlogo.agents.Breeds;

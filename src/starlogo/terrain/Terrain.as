@@ -1,3 +1,5 @@
+// This room has what a game knows of its world besides agents: the ground and the edges. Terrain has the heights, TerrainSurface makes triangles
+// of them for drawing, and WorldBounds has the edges; an agent stands for each (WorldAgent). Read this file first; the room ground computes.
 package starlogo.terrain
 {
     import flash.geom.Vector3D;

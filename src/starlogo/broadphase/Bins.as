@@ -1,3 +1,5 @@
+// This room finds which agents are near each other on the ground plane, as rows of a table. Bins sort all rows into cells and find the pairs;
+// BinLevels says how wide the cells are; CellLists finds what is near single rows that have changed since. Read this file first, then CellLists.
 package starlogo.broadphase
 {
     /**
@@ -263,8 +265,8 @@ package starlogo.broadphase
             var radii:Vector.<Number> = _radii;
             var ends:Vector.<int> = _ends;
             var candidates:Vector.<int> = _candidates;
-            var margin:Number = level.slack;
-            var farthest:Number = level.width + margin;
+            var slack:Number = level.slack;
+            var farthest:Number = level.width + slack;
             var base:int = level.base;
             var mask:int = level.mask;
             var toNextLine:int = level.stride - 1 - base;
@@ -287,7 +289,7 @@ package starlogo.broadphase
                 {
                     var middleX:Number = xs[slot];
                     var middleY:Number = ys[slot];
-                    var ownRadius:Number = radii[slot] + margin;
+                    var ownRadius:Number = radii[slot] + slack;
                     var candidateCount:int = 0;
                     for (var other:int = slot + 1; other < runEnd; other++)
                     {
@@ -331,8 +333,8 @@ package starlogo.broadphase
             var radii:Vector.<Number> = _radii;
             var ends:Vector.<int> = _ends;
             var candidates:Vector.<int> = _candidates;
-            var margin:Number = coarser.slack;
-            var wide:Number = level.width / 2 + coarser.width / 2 + margin;
+            var slack:Number = coarser.slack;
+            var wide:Number = level.width / 2 + coarser.width / 2 + slack;
             var cellsPerPatch:Number = coarser.cellsPerPatch;
             var mask:int = coarser.mask;
             var stride:int = coarser.stride;
@@ -342,7 +344,7 @@ package starlogo.broadphase
             {
                 var middleX:Number = xs[slot];
                 var middleY:Number = ys[slot];
-                var ownRadius:Number = radii[slot] + margin;
+                var ownRadius:Number = radii[slot] + slack;
                 var column:int = (middleX - wide) * cellsPerPatch + BIAS;
                 var columns:int = int((middleX + wide) * cellsPerPatch + BIAS) - column + 1;
                 var line:int = (middleY - wide) * cellsPerPatch + BIAS;

@@ -20,7 +20,7 @@ package starlogo.collision
     public class BaseCollider extends QuerySource implements CollisionSystem
     {
         private var _collisionSystem:CollisionSystem;
-        private var _found:Vector.<Agent> = new Vector.<Agent>();
+        private var _foundAgents:Vector.<Agent> = new Vector.<Agent>();
 
         // Reads the pairs that a game's own system has found.
         private var _foreign:ForeignPairs = null;
@@ -140,7 +140,7 @@ package starlogo.collision
             }
             var listed:Vector.<Agent> = input.takePart == null ? input.agents : chosen(input.agents, input.takePart);
             _foreign ||= new ForeignPairs();
-            _foreign.read(findCollisionsAmong(listed, input.interests, _found), input.agents, out);
+            _foreign.read(findCollisionsAmong(listed, input.interests, _foundAgents), input.agents, out);
         }
 
         /** @private Called when a Collision's frame is over, handlers included, with the Collision's statistics. */

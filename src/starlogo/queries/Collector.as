@@ -42,7 +42,7 @@ package starlogo.queries
         public var wanted:int = ALL;
 
         private var _seen:SeenAgents;
-        private var _order:KeySort = new KeySort();
+        private var _sort:KeySort = new KeySort();
 
         // When this number of rows is found, the rows that are not wanted are dropped. If 1 row is wanted, it is 1: each row that is found replaces
         // the last one.
@@ -161,7 +161,7 @@ package starlogo.queries
         // Sorts the rows, and keeps those that are wanted.
         private function sort():void
         {
-            _order.sort(rows, keys, count, _seen.table.list.ranks);
+            _sort.sort(rows, keys, count, _seen.table.list.ranks);
             if (count > wanted)
             {
                 count = wanted;
@@ -180,7 +180,7 @@ package starlogo.queries
             {
                 return;
             }
-            _order.sort(rows, keys, end, _seen.table.list.ranks);
+            _sort.sort(rows, keys, end, _seen.table.list.ranks);
             var decide:Function = filter.accepts;
             _seen.lock();
             _isAsking = true;

@@ -97,7 +97,7 @@ package starlogo.queries
             var whole:Body = _body.wholeAt(_end);
             var contact:ContactPoint = impact.contact;
             var left:Number = 1 - impact.time;
-            var skin:Number = _body.share * (contact.normalX * (whole.x - left * motion.x - contact.x)
+            var skin:Number = _body.shrink * (contact.normalX * (whole.x - left * motion.x - contact.x)
                     + contact.normalY * (whole.y - left * motion.y - contact.y)
                     + contact.normalZ * (whole.z - left * motion.z - contact.z));
             var early:Number = Math.max(0, Math.min(1, impact.time + skin / impact.along));

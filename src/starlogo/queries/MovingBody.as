@@ -56,7 +56,7 @@ package starlogo.queries
         public var isFlat:Boolean = false;
 
         /** The part of its size that the core loses. */
-        public var share:Number = 0;
+        public var shrink:Number = 0;
 
         /** Half of the largest extent of the body. */
         public var largestHalf:Number = 0;
@@ -124,7 +124,7 @@ package starlogo.queries
                 + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             clearance = slop / 4;
             setInset(slop);
-            isFlat = share * _source.leastHalf < FLAT * slop;
+            isFlat = shrink * _source.leastHalf < FLAT * slop;
         }
 
         /** The whole body at a place. */
@@ -139,7 +139,7 @@ package starlogo.queries
         {
             if (place.x != _coreAt.x || place.y != _coreAt.y || place.z != _coreAt.z)
             {
-                _core.readShrunk(_source, place, share);
+                _core.readShrunk(_source, place, shrink);
                 _coreAt.copyFrom(place);
             }
             return _core;
@@ -170,7 +170,7 @@ package starlogo.queries
             {
                 return _seen.narrowPhase.testsOf(whole, other).isDeeper(whole, other, slop);
             }
-            _smaller.readShrunk(other, null, shareOf(other.largestHalf, other.leastHalf, slop));
+            _smaller.readShrunk(other, null, shrinkOf(other.largestHalf, other.leastHalf, slop));
             return areTouching(whole, _smaller);
         }
 
@@ -286,10 +286,10 @@ package starlogo.queries
         {
             _inset = width;
             _coreAt.x = NaN;
-            share = shareOf(largestHalf, _source.leastHalf, width);
+            shrink = shrinkOf(largestHalf, _source.leastHalf, width);
         }
 
-        private static function shareOf(largestHalf:Number, leastHalf:Number, width:Number):Number
+        private static function shrinkOf(largestHalf:Number, leastHalf:Number, width:Number):Number
         {
             var taken:Number = width / Math.max(leastHalf, largestHalf / SLIMMEST);
             return taken < MOST_SHRINK ? taken : MOST_SHRINK;

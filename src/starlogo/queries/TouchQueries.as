@@ -1,5 +1,6 @@
 package starlogo.queries
 {
+    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
@@ -23,9 +24,10 @@ package starlogo.queries
         private var _found:Collector;
         private var _search:SweptBoxSearch = new SweptBoxSearch();
 
-        // The body that asks, as it is or at another place, and the body of the edges of the world.
+        // The body that asks, as it is or at another place; this place; and the body of the edges of the world.
         private var _body:Body = new Body();
         private var _displaced:Body = new Body();
+        private var _place:Vector3D = new Vector3D();
         private var _edges:Body = new Body();
 
         // For the questions of an accepts that these call.
@@ -70,10 +72,9 @@ package starlogo.queries
         {
             requireInWorld("a place", x, y, z);
             _seen.placeOf(agent);
+            _place.setTo(x, y, z);
             _displaced.copyFrom(_seen.bodyOf(agent, _body));
-            _displaced.placement.x = x;
-            _displaced.placement.y = y;
-            _displaced.placement.z = z;
+            _displaced.moveTo(_place);
             return find(agent, _displaced, 1, filter).end() > 0;
         }
 

@@ -58,8 +58,8 @@ package starlogo.search
 
         // The rows that are read, and those of them whose extents have to be computed again; the new shapes of the latter.
         private var _read:NumberList = new NumberList();
-        private var _changed:NumberList = new NumberList();
-        private var _changedShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
+        private var _reshaped:NumberList = new NumberList();
+        private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
         private var _modelShapes:ModelShapes;
 
@@ -113,10 +113,10 @@ package starlogo.search
         {
             forgetReplaced();
             var agent:Agent = list.agents[row];
-            _changed.count = 0;
+            _reshaped.count = 0;
             if (agent.placement.extentsRevision != _extentsRevisions[row])
             {
-                _changed.add(row);
+                _reshaped.add(row);
                 findShapes();
                 takeShapes();
             }
@@ -199,7 +199,7 @@ package starlogo.search
             var rowsRead:Vector.<int> = _read.numbers;
             var end:int = agents.length;
             var found:int = 0;
-            _changed.count = 0;
+            _reshaped.count = 0;
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = rows[i];
@@ -214,7 +214,7 @@ package starlogo.search
                     var placement:Placement = agent.placement;
                     if (placement.extentsRevision != extentsSeen[row])
                     {
-                        _changed.add(row);
+                        _reshaped.add(row);
                     }
                     rowsRead[found] = row;
                     found++;
@@ -324,7 +324,7 @@ package starlogo.search
         {
             _rowExtents.farOut.count = 0;
             _rowExtents.moveRows(places.changed, places.last, shapes);
-            _rowExtents.assignLevels(_changed, shapes);
+            _rowExtents.assignLevels(_reshaped, shapes);
             for (var i:int = 0; i < _rowExtents.farOut.count; i++)
             {
                 _extentsRevisions[_rowExtents.farOut.numbers[i]] = STALE;
@@ -334,16 +334,16 @@ package starlogo.search
         // Finds the shapes of agents that have changed. All shapes are found before any row changes, because an error must change no row.
         private function findShapes():void
         {
-            if (_changed.count > _changedShapes.length)
+            if (_reshaped.count > _newShapes.length)
             {
-                _changedShapes.length = _changed.count;
+                _newShapes.length = _reshaped.count;
             }
-            for (var i:int = 0; i < _changed.count; i++)
+            for (var i:int = 0; i < _reshaped.count; i++)
             {
-                var row:int = _changed.numbers[i];
+                var row:int = _reshaped.numbers[i];
                 if (needsShape(row))
                 {
-                    _changedShapes[i] = _modelShapes.shapeOf(list.agents[row]);
+                    _newShapes[i] = _modelShapes.shapeOf(list.agents[row]);
                 }
             }
         }
@@ -351,13 +351,13 @@ package starlogo.search
         // Gives the changed rows the shapes that findShapes has found, and finds their extents.
         private function takeShapes():void
         {
-            for (var i:int = 0; i < _changed.count; i++)
+            for (var i:int = 0; i < _reshaped.count; i++)
             {
-                var row:int = _changed.numbers[i];
+                var row:int = _reshaped.numbers[i];
                 if (needsShape(row))
                 {
-                    setShape(row, _changedShapes[i]);
-                    _changedShapes[i] = null;
+                    setShape(row, _newShapes[i]);
+                    _newShapes[i] = null;
                 }
                 if (shapes[row] == null)
                 {

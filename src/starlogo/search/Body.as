@@ -14,7 +14,7 @@ package starlogo.search
      * A shape at a place in the world: what tests take. Each row of a table has a body. A question makes bodies: of an agent as it is now, of a
      * structure, or of another body at another place.
      *
-     * <p>Change the placement's x, y and z only, and call <code>settle()</code> afterwards.</p>
+     * <p>To change the place, call <code>moveTo()</code>.</p>
      *
      * @private
      */
@@ -55,7 +55,7 @@ package starlogo.search
         internal var offsetY:Number = 0;
         internal var offsetZ:Number = 0;
 
-        // For the body of a row: the row's revision at which it was settled. The body's own placement.
+        // For the body of a row: the row's revision at which it has followed the row. The body's own placement.
         internal var revision:int = 0;
         private var _ownPlacement:Placement;
 
@@ -167,11 +167,11 @@ package starlogo.search
          *
          * @param whole the other body
          * @param place where the other body's place would be; null for where it is
-         * @param share the part of the size that is taken off, from 0 to 1
+         * @param shrink the part of the size that is taken off, from 0 to 1
          */
-        public function readShrunk(whole:Body, place:Vector3D, share:Number):void
+        public function readShrunk(whole:Body, place:Vector3D, shrink:Number):void
         {
-            var factor:Number = 1 - share;
+            var factor:Number = 1 - shrink;
             takeShape(whole.shape);
             rank = whole.rank;
             depth = whole.depth;
@@ -183,16 +183,16 @@ package starlogo.search
                 placement.y = place.y;
                 placement.z = place.z;
             }
-            placement.x += share * whole.offsetX;
-            placement.y += share * whole.offsetY;
-            placement.z += share * whole.offsetZ;
+            placement.x += shrink * whole.offsetX;
+            placement.y += shrink * whole.offsetY;
+            placement.z += shrink * whole.offsetZ;
             offsetX = factor * whole.offsetX;
             offsetY = factor * whole.offsetY;
             offsetZ = factor * whole.offsetZ;
             halfX = factor * whole.halfX;
             halfY = factor * whole.halfY;
             halfZ = factor * whole.halfZ;
-            settle();
+            _isPlaced = false;
         }
 
         /** Becomes the same as another body. While the other's model is loading, the shape is null, and only the place counts. */
@@ -249,14 +249,8 @@ package starlogo.search
                 placement.x = place.x;
                 placement.y = place.y;
                 placement.z = place.z;
-                settle();
+                _isPlaced = false;
             }
-        }
-
-        /** Call this after a change of the place. */
-        public function settle():void
-        {
-            _isPlaced = false;
         }
 
         /** The middle of the extents. */

@@ -35,14 +35,14 @@ package starlogo.search
 
         // The direction that is tried, with the distance of the last test. A distance along it at which the two touch, a distance at which they
         // do not, and the next step towards it.
-        private var _along:Displacement = new Displacement();
+        private var _tried:Displacement = new Displacement();
         private var _touching:Number = 0;
         private var _free:Number = 0;
         private var _step:Number = 0;
 
         // The sweep back, and the contact at its end.
         private var _back:RelativeMotion = new RelativeMotion();
-        private var _left:ContactPoint = new ContactPoint();
+        private var _parting:ContactPoint = new ContactPoint();
 
         /** @param pair has begun when a method is called */
         public function DirectionSearch(pair:DisplacedPair)
@@ -58,7 +58,7 @@ package starlogo.search
          */
         public function findAlong(guess:ContactPoint, out:ContactPoint):void
         {
-            point(guess);
+            aim(guess);
             _free = guess.depth + Tolerances.SEPARATION * _pair.extent;
             _step = SHALLOW * _pair.extent;
             goOut();
@@ -73,9 +73,9 @@ package starlogo.search
          */
         public function shorten(free:Displacement, out:ContactPoint):void
         {
-            _along.x = free.x;
-            _along.y = free.y;
-            _along.z = free.z;
+            _tried.x = free.x;
+            _tried.y = free.y;
+            _tried.z = free.z;
             _free = free.distance;
             _touching = 0;
             refine(out);
@@ -88,27 +88,27 @@ package starlogo.search
             sweepBack(out);
             if (out.depth > SHALLOW * _pair.extent)
             {
-                for (var left:int = IMPROVEMENTS; left > 0 && tryAlongLeft(out); left--)
+                for (var left:int = IMPROVEMENTS; left > 0 && tryPartingNormal(out); left--)
                 {
                     _touching = 0;
                     sweepBack(out);
                 }
-                out.x = _left.x - out.depth / 2 * out.normalX;
-                out.y = _left.y - out.depth / 2 * out.normalY;
-                out.z = _left.z - out.depth / 2 * out.normalZ;
+                out.x = _parting.x - out.depth / 2 * out.normalX;
+                out.y = _parting.y - out.depth / 2 * out.normalY;
+                out.z = _parting.z - out.depth / 2 * out.normalZ;
             }
             makeSure(out);
         }
 
         // Tries the normal of the surfaces at the end of the way. Returns whether the way out along it is shorter.
-        private function tryAlongLeft(out:ContactPoint):Boolean
+        private function tryPartingNormal(out:ContactPoint):Boolean
         {
-            var cosine:Number = _left.normalX * out.normalX + _left.normalY * out.normalY + _left.normalZ * out.normalZ;
+            var cosine:Number = _parting.normalX * out.normalX + _parting.normalY * out.normalY + _parting.normalZ * out.normalZ;
             if (!(cosine > 0 && cosine < GAIN))
             {
                 return false;
             }
-            point(_left);
+            aim(_parting);
             _free = cosine * out.depth + Tolerances.SEPARATION * _pair.extent;
             return !touchesFree();
         }
@@ -133,21 +133,21 @@ package starlogo.search
             {
                 halve();
             }
-            _along.distance = _touching;
-            _pair.displace(_along);
+            _tried.distance = _touching;
+            _pair.displace(_tried);
             var length:Number = _touching - _free;
-            _back.endAfter(length * _along.x, length * _along.y, length * _along.z);
-            _pair.pairTests.findImpact(_pair.first, _pair.second, _back, _left);
+            _back.endAfter(length * _tried.x, length * _tried.y, length * _tried.z);
+            _pair.pairTests.findImpact(_pair.first, _pair.second, _back, _parting);
             var time:Number = Math.min(_back.time, 1);
-            out.setNormal(_along.x, _along.y, _along.z);
+            out.setNormal(_tried.x, _tried.y, _tried.z);
             out.depth = _free + time * length;
         }
 
         private function halve():void
         {
             var middle:Number = (_touching + _free) / 2;
-            _along.distance = middle;
-            if (_pair.touchesAt(_along))
+            _tried.distance = middle;
+            if (_pair.touchesAt(_tried))
             {
                 _touching = middle;
             }
@@ -161,18 +161,18 @@ package starlogo.search
         private function makeSure(out:ContactPoint):void
         {
             var slack:Number = Tolerances.SEPARATION / 4 * _pair.extent;
-            point(out);
+            aim(out);
             _free = out.depth + slack;
             _step = slack;
             goOut();
             if (_touching == 0)
             {
-                _along.distance = out.depth - slack;
-                if (_along.distance <= 0 || _pair.touchesAt(_along))
+                _tried.distance = out.depth - slack;
+                if (_tried.distance <= 0 || _pair.touchesAt(_tried))
                 {
                     return;
                 }
-                _free = _along.distance;
+                _free = _tried.distance;
             }
             for (var i:int = 0; i < MOST_STEPS && _free - _touching > slack; i++)
             {
@@ -181,17 +181,17 @@ package starlogo.search
             out.depth = (_free + _touching) / 2;
         }
 
-        private function point(contact:ContactPoint):void
+        private function aim(contact:ContactPoint):void
         {
-            _along.x = contact.normalX;
-            _along.y = contact.normalY;
-            _along.z = contact.normalZ;
+            _tried.x = contact.normalX;
+            _tried.y = contact.normalY;
+            _tried.z = contact.normalZ;
         }
 
         private function touchesFree():Boolean
         {
-            _along.distance = _free;
-            return _pair.touchesAt(_along);
+            _tried.distance = _free;
+            return _pair.touchesAt(_tried);
         }
     }
 }

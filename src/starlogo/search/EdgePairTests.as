@@ -36,11 +36,11 @@ package starlogo.search
         private var _nearest:int = 0;
 
         // Half of the body's largest extent, and the largest gap between the body and an edge that still counts as a touch.
-        private var _largest:Number = 0;
-        private var _margin:Number = 0;
+        private var _largestHalf:Number = 0;
+        private var _tolerance:Number = 0;
 
         private var _farthest:SupportPoint = new SupportPoint();
-        private var _touch:ContactPoint = new ContactPoint();
+        private var _contact:ContactPoint = new ContactPoint();
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
         private var _shortest:WayOut = new WayOut();
 
@@ -56,7 +56,7 @@ package starlogo.search
             read(a, b, RelativeMotion.NONE);
             for (var edge:int = 0; edge < 6; edge++)
             {
-                if (_penetration[edge] + _margin >= 0)
+                if (_penetration[edge] + _tolerance >= 0)
                 {
                     return true;
                 }
@@ -71,7 +71,7 @@ package starlogo.search
             motion.time = RelativeMotion.NEVER;
             for (var edge:int = 0; edge < 6; edge++)
             {
-                var end:Number = _penetration[edge] + _margin;
+                var end:Number = _penetration[edge] + _tolerance;
                 var start:Number = end - along(edge, motion.x, motion.y, motion.z);
                 if (start >= 0)
                 {
@@ -100,7 +100,7 @@ package starlogo.search
                 _nearest = _penetration[edge] > _penetration[_nearest] ? edge : _nearest;
             }
             _farthest.setTo(a, _narrowPhase.treeLimits);
-            _farthest.findPoint(_outwards[_nearest], _largest);
+            _farthest.findPoint(_outwards[_nearest], _largestHalf);
             out.x = _farthest.point.x - left * motion.x;
             out.y = _farthest.point.y - left * motion.y;
             out.z = _farthest.point.z - left * motion.z;
@@ -109,7 +109,7 @@ package starlogo.search
             {
                 // of two opposite edges, the one with the larger value counts
                 var one:int = _penetration[edge] >= _penetration[int(edge + 1)] ? edge : edge + 1;
-                if (_penetration[one] >= -_margin || one == _nearest)
+                if (_penetration[one] >= -_tolerance || one == _nearest)
                 {
                     addEdge(one, out);
                 }
@@ -129,14 +129,14 @@ package starlogo.search
         /** @inheritDoc */
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            findOuterContact(a, b, _touch);
+            findOuterContact(a, b, _contact);
             var gap:Number = -_penetration[_nearest];
-            out.aX = _touch.x + gap / 2 * _touch.normalX;
-            out.aY = _touch.y + gap / 2 * _touch.normalY;
-            out.aZ = _touch.z + gap / 2 * _touch.normalZ;
-            out.bX = _touch.x - gap / 2 * _touch.normalX;
-            out.bY = _touch.y - gap / 2 * _touch.normalY;
-            out.bZ = _touch.z - gap / 2 * _touch.normalZ;
+            out.aX = _contact.x + gap / 2 * _contact.normalX;
+            out.aY = _contact.y + gap / 2 * _contact.normalY;
+            out.aZ = _contact.z + gap / 2 * _contact.normalZ;
+            out.bX = _contact.x - gap / 2 * _contact.normalX;
+            out.bY = _contact.y - gap / 2 * _contact.normalY;
+            out.bZ = _contact.z - gap / 2 * _contact.normalZ;
             out.distance = gap;
             out.settle(areTouching);
         }
@@ -146,8 +146,8 @@ package starlogo.search
         private function read(body:Body, edges:Body, motion:RelativeMotion, isForAll:Boolean = false):void
         {
             var worldAgent:WorldAgent = edges.shape.worldAgent;
-            _largest = body.largestHalf;
-            _margin = body.margin + Tolerances.ROUNDING * _largest;
+            _largestHalf = body.largestHalf;
+            _tolerance = body.margin + Tolerances.ROUNDING * _largestHalf;
             for (var edge:int = 0; edge < 6; edge++)
             {
                 // along(edge, 1, 1, 1) is 1 or -1: whether the direction out of the world is the axis or against it
@@ -155,7 +155,7 @@ package starlogo.search
                 var radius:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
                 var beyond:Number = radius + (along(edge, body.x, body.y, body.z) - _places[edge]);
                 _penetration[edge] = beyond;
-                if (body.form == ModelShape.TREE && (isForAll || beyond >= -_margin || beyond - along(edge, motion.x, motion.y, motion.z) >= -_margin))
+                if (body.form == ModelShape.TREE && (isForAll || beyond >= -_tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -_tolerance))
                 {
                     _farthest.setTo(body, _narrowPhase.treeLimits);
                     _farthest.find(_outwards[edge]);
@@ -177,7 +177,7 @@ package starlogo.search
         {
             var outwards:Vector3D = _outwards[edge];
             // the extents of a tree are larger than its shape
-            var extent:Number = _largest;
+            var extent:Number = _largestHalf;
             if (extent == 0)
             {
                 extent = 1;

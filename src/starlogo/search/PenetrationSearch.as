@@ -64,8 +64,8 @@ package starlogo.search
         private var _isFirstLost:Boolean = false;
 
         // The contact that was found last, and the displacement that is tried.
-        private var _left:ContactPoint = new ContactPoint();
-        private var _along:Displacement = new Displacement();
+        private var _contact:ContactPoint = new ContactPoint();
+        private var _tried:Displacement = new Displacement();
 
         // The pushes, and the contacts with which other ways begin.
         private var _pushes:PushSearch = new PushSearch();
@@ -119,9 +119,9 @@ package starlogo.search
         private function findGrazing(motion:RelativeMotion, out:ContactPoint):void
         {
             out.depth = 0;
-            pointAlong(out);
-            _along.distance = -Math.max(Tolerances.SEPARATION / 4 * _pair.extent, _pair.rounding);
-            if (!_pair.touchesAt(_along))
+            aim(out);
+            _tried.distance = -Math.max(Tolerances.SEPARATION / 4 * _pair.extent, _pair.rounding);
+            if (!_pair.touchesAt(_tried))
             {
                 out.pointAgainst(motion);
             }
@@ -170,17 +170,17 @@ package starlogo.search
         private function tryOuter(out:ContactPoint):void
         {
             _pair.putBack();
-            _pair.findOuterContact(_left);
+            _pair.findOuterContact(_contact);
             if (out.depth == Infinity)
             {
-                _directions.findAlong(_left, out);
+                _directions.findAlong(_contact, out);
                 return;
             }
-            pointAlong(_left);
-            _along.distance = out.depth - Tolerances.SEPARATION * _pair.extent;
-            if (_along.distance > 0 && !_pair.touchesAt(_along))
+            aim(_contact);
+            _tried.distance = out.depth - Tolerances.SEPARATION * _pair.extent;
+            if (_tried.distance > 0 && !_pair.touchesAt(_tried))
             {
-                _directions.shorten(_along, out);
+                _directions.shorten(_tried, out);
             }
         }
 
@@ -252,13 +252,13 @@ package starlogo.search
             {
                 return;
             }
-            _along.x = x / length;
-            _along.y = y / length;
-            _along.z = z / length;
-            _along.distance = length + Tolerances.SEPARATION * _pair.extent;
-            if (!_pair.touchesAt(_along))
+            _tried.x = x / length;
+            _tried.y = y / length;
+            _tried.z = z / length;
+            _tried.distance = length + Tolerances.SEPARATION * _pair.extent;
+            if (!_pair.touchesAt(_tried))
             {
-                _lift.setTo(_along.x, _along.y, _along.z);
+                _lift.setTo(_tried.x, _tried.y, _tried.z);
                 _liftLength = length;
             }
         }
@@ -270,7 +270,7 @@ package starlogo.search
             var slack:Number = beginPushes();
             for (var tries:int = MOST_CONTACTS; tries > 0; tries--)
             {
-                _pushes.add(_left, slack);
+                _pushes.add(_contact, slack);
                 if (!_pushes.next() || _pushes.length > most)
                 {
                     return false;
@@ -296,11 +296,11 @@ package starlogo.search
             var slack:Number = beginPushes();
             if (_isFirstLost)
             {
-                _pair.findContact(_left);
+                _pair.findContact(_contact);
             }
             for (var tries:int = MOST_PUSHES; tries > 0; tries--)
             {
-                _pushes.add(_left, slack);
+                _pushes.add(_contact, slack);
                 addExits(maxDistance, slack);
                 tryLift();
                 if (!_pushes.next())
@@ -326,7 +326,7 @@ package starlogo.search
         private function beginPushes():Number
         {
             _pushes.begin();
-            _left.copyFrom(_first);
+            _contact.copyFrom(_first);
             _pair.putBack();
             return SLACK * Tolerances.SEPARATION * _pair.extent + _pair.rounding;
         }
@@ -343,21 +343,21 @@ package starlogo.search
         // Tries the current push. Returns whether the first body is free after it.
         private function tryPush():Boolean
         {
-            _along.x = _pushes.push.x / _pushes.length;
-            _along.y = _pushes.push.y / _pushes.length;
-            _along.z = _pushes.push.z / _pushes.length;
+            _tried.x = _pushes.push.x / _pushes.length;
+            _tried.y = _pushes.push.y / _pushes.length;
+            _tried.z = _pushes.push.z / _pushes.length;
             var farther:Number = _pushes.length + Tolerances.SEPARATION / 4 * _pair.extent;
             if (_pushes.deciding > 1)
             {
                 // beyond its end, a push out of several contacts may lead into one of them again
-                _along.distance = _pushes.length;
-                if (_pair.touchesAt(_along))
+                _tried.distance = _pushes.length;
+                if (_pair.touchesAt(_tried))
                 {
                     return false;
                 }
             }
-            _along.distance = farther;
-            if (_pair.touchesAt(_along))
+            _tried.distance = farther;
+            if (_pair.touchesAt(_tried))
             {
                 return false;
             }
@@ -365,8 +365,8 @@ package starlogo.search
             {
                 return true;
             }
-            _along.distance = _pushes.length + ROOM * _pair.extent;
-            return !_pair.touchesAt(_along);
+            _tried.distance = _pushes.length + ROOM * _pair.extent;
+            return !_pair.touchesAt(_tried);
         }
 
         // Finds the contact after a push. Returns whether it may be a side of a corner. It may not if it points against the push, or along it
@@ -379,10 +379,10 @@ package starlogo.search
                 return false;
             }
             _isFirstLost = true;
-            _pair.findContact(_left);
-            var cosine:Number = _left.normalX * _along.x + _left.normalY * _along.y + _left.normalZ * _along.z;
+            _pair.findContact(_contact);
+            var cosine:Number = _contact.normalX * _tried.x + _contact.normalY * _tried.y + _contact.normalZ * _tried.z;
             // the body is a little farther than the push
-            _left.depth += (_along.distance - _pushes.length) * cosine;
+            _contact.depth += (_tried.distance - _pushes.length) * cosine;
             if (isGround)
             {
                 return true;
@@ -394,24 +394,24 @@ package starlogo.search
         // Takes the push. If the two are free before its end, the depth is refined. The first push out of the ground needs no test if its contact is sure of its depth.
         private function takePush(out:ContactPoint):void
         {
-            out.setNormal(_along.x, _along.y, _along.z);
+            out.setNormal(_tried.x, _tried.y, _tried.z);
             out.depth = _pushes.length;
             if (!_isFirstLost && _pair.isSecondGround && _first.isDepthSure)
             {
                 return;
             }
-            _along.distance = _pushes.length - Tolerances.SEPARATION / 4 * _pair.extent;
-            if (_along.distance > 0 && !_pair.touchesAt(_along))
+            _tried.distance = _pushes.length - Tolerances.SEPARATION / 4 * _pair.extent;
+            if (_tried.distance > 0 && !_pair.touchesAt(_tried))
             {
-                _directions.shorten(_along, out);
+                _directions.shorten(_tried, out);
             }
         }
 
-        private function pointAlong(contact:ContactPoint):void
+        private function aim(contact:ContactPoint):void
         {
-            _along.x = contact.normalX;
-            _along.y = contact.normalY;
-            _along.z = contact.normalZ;
+            _tried.x = contact.normalX;
+            _tried.y = contact.normalY;
+            _tried.z = contact.normalZ;
         }
     }
 }

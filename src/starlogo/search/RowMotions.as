@@ -29,8 +29,8 @@ package starlogo.search
         private var _narrowPhase:NarrowPhase;
 
         // When the extents of a pair overlap.
-        private var _times:ContactInterval = new ContactInterval();
-        private var _along:AxisMotion = new AxisMotion();
+        private var _interval:ContactInterval = new ContactInterval();
+        private var _axisMotion:AxisMotion = new AxisMotion();
 
         /** @param narrowPhase tests which rows touch */
         public function RowMotions(narrowPhase:NarrowPhase)
@@ -203,8 +203,8 @@ package starlogo.search
         // Whether the extents of two rows overlap in all directions at the same time, on their motions.
         private function overlapOnMotions(standing:Extents, slack:Number, a:int, b:int):Boolean
         {
-            _times.begin(1);
-            _along.tolerance = slack;
+            _interval.begin(1);
+            _axisMotion.tolerance = slack;
             return narrow(standing.x, standing.halfX, _motions.x, a, b) && narrow(standing.y, standing.halfY, _motions.y, a, b)
                 && narrow(standing.z, standing.halfZ, _motions.z, a, b);
         }
@@ -213,10 +213,10 @@ package starlogo.search
         private function narrow(at:Vector.<Number>, half:Vector.<Number>, motion:Vector.<Number>, a:int, b:int):Boolean
         {
             var speed:Number = motion[a] - motion[b];
-            _along.at = at[a] - at[b] - speed;
-            _along.speed = speed;
-            _along.radius = half[a] + half[b];
-            return _times.narrow(_along);
+            _axisMotion.at = at[a] - at[b] - speed;
+            _axisMotion.speed = speed;
+            _axisMotion.radius = half[a] + half[b];
+            return _interval.narrow(_axisMotion);
         }
     }
 }

@@ -148,7 +148,7 @@ package starlogo.ground
                 {
                     if (isTouchedBefore(first))
                     {
-                        first = _box.limit = _sweep.time;
+                        first = _box.latest = _sweep.time;
                         if (out != null)
                         {
                             _piece.findContact(_sweep, out);
@@ -300,7 +300,7 @@ package starlogo.ground
             {
                 if (_piece.findCloser(out))
                 {
-                    _box.reach = out.distance;
+                    _box.maxDistance = out.distance;
                 }
             }
         }
@@ -341,7 +341,7 @@ package starlogo.ground
         // Whether the moving piece touches the triangle before a time. If so, _sweep has the time.
         private function isTouchedBefore(time:Number):Boolean
         {
-            _sweep.latest = _box.limit;
+            _sweep.latest = _box.latest;
             if (_piece.staysBeside(_sweep))
             {
                 return false;

@@ -90,12 +90,12 @@ package starlogo.ground
         /**
          * Begins with all pieces.
          *
-         * @param motion of the pieces: triangles on their way count
-         * @param reach triangles count that are at most this far away
+         * @param motion of the pieces: triangles that they may meet count
+         * @param maxDistance triangles count that are at most this far away
          */
-        public function begin(motion:RelativeMotion, reach:Number):void
+        public function begin(motion:RelativeMotion, maxDistance:Number):void
         {
-            beginWhole(motion, reach);
+            beginWhole(motion, maxDistance);
             if (_tree != null)
             {
                 _isWhole = false;
@@ -105,14 +105,14 @@ package starlogo.ground
         }
 
         /** Begins with the structure around all pieces as the only one. */
-        public function beginWhole(motion:RelativeMotion, reach:Number):void
+        public function beginWhole(motion:RelativeMotion, maxDistance:Number):void
         {
             triangles.stop();
             _nodeCount = _triangle = _end = 0;
             _isWhole = true;
-            box.way = motion;
-            box.limit = 1;
-            box.reach = reach;
+            box.motion = motion;
+            box.latest = 1;
+            box.maxDistance = maxDistance;
             box.above = -Infinity;
         }
 
@@ -214,8 +214,8 @@ package starlogo.ground
                 return true;
             }
             triangles.stop();
-            addNode(tree.low[node] + 1);
-            addNode(tree.low[node]);
+            addNode(tree.left[node] + 1);
+            addNode(tree.left[node]);
             return false;
         }
 

@@ -17,7 +17,7 @@ package starlogo.ground
      */
     public final class GroundRay
     {
-        // Longer than any way between two places of the world.
+        // Longer than the distance of any two places of the world.
         private static const FARTHEST:Number = 4 * Agent.LARGEST_COORDINATE;
 
         private var _box:GroundBox = new GroundBox();
@@ -27,7 +27,7 @@ package starlogo.ground
 
         public function GroundRay()
         {
-            _box.way = new RelativeMotion();
+            _box.motion = new RelativeMotion();
         }
 
         /**
@@ -52,7 +52,7 @@ package starlogo.ground
                 if (_test.least < before || _test.triangle == 0 && !isHit)
                 {
                     isHit = true;
-                    _box.limit = _test.least;
+                    _box.latest = _test.least;
                     _outside.setTriangle(_triangles.corners, 0);
                 }
             }
@@ -98,13 +98,13 @@ package starlogo.ground
             _box.x = ray.x;
             _box.y = ray.y;
             _box.z = ray.z;
-            _box.way.x = ray.directionX;
-            _box.way.y = ray.directionY;
-            _box.way.z = ray.directionZ;
-            _box.limit = FARTHEST;
+            _box.motion.x = ray.directionX;
+            _box.motion.y = ray.directionY;
+            _box.motion.z = ray.directionZ;
+            _box.latest = FARTHEST;
             _triangles.begin(grid, _box);
             // only now, so that the distance does not depend on where the ray ends
-            _box.limit = Math.min(ray.to, FARTHEST);
+            _box.latest = Math.min(ray.to, FARTHEST);
             _test.begin(ray, _triangles.corners, grid.cellWidth, all);
         }
     }

@@ -11,10 +11,11 @@ package starlogo.ground
 
     /**
      * Finds the triangles of the ground's surface that a box may meet, one after the other: the source of triangles for all tests of the
-     * ground, and for drawing it. If the box moves, they come nearly in the order of its way.
+     * ground, and for drawing it. If the box moves, they come nearly in the order in which it meets them.
      *
-     * <p>The surface consists of the cells' tops and of upright walls. A wall stands where a column is higher than its neighbour. At the
-     * terrain's borders and around holes, walls reach down to below the box. A hole has no triangles.</p>
+     * <p>The surface consists of the cells' tops and of upright walls. A wall stands where a column is higher than its neighbour, at the
+     * terrain's borders and around holes. If the box has no floor, a wall goes down to below the box and below the cell's top, and up to a
+     * little above the box. A hole has no triangles.</p>
      *
      * <p>A stack has the squares that are still to be visited. If the box comes to the heights of a square, its smaller squares take its
      * place. The smallest squares, of level 0, are the cells.</p>
@@ -53,7 +54,7 @@ package starlogo.ground
         // Where the first cell begins, and the height 0.
         private var _corner:Vector3D = new Vector3D();
 
-        // The part of the way that cut() narrows, and the square of how far above or below the box something may be there.
+        // The part of the motion that cut() narrows, and the square of how far above or below the box something may be there.
         private var _from:Number = 0;
         private var _to:Number = 0;
         private var _squared:Number = 0;
@@ -69,15 +70,15 @@ package starlogo.ground
         private var _low:Number = 0;
         private var _high:Number = 0;
 
-        // Along x and y: the box's middle, half of its length and its way, and where the first cell begins. A list, because V8 would make objects
+        // Along x and y: the box's middle, half of its length and its motion, and where the first cell begins. A list, because V8 would make objects
         // for Numbers that are passed.
         private var _alongAxes:Vector.<Number> = new Vector.<Number>(8, true);
 
-        // The limit at the beginning of the walk.
+        // The latest time at the beginning of the search.
         private var _whole:Number = 0;
 
         // The results of passOver(): the heights between which the box is over the current square. For a cell with walls these are the heights up
-        // to _whole. Tall walls are cut there, so no corner depends on what the limit has become.
+        // to _whole. Tall walls are cut there, so no corner depends on what the latest time has become.
         private var _passLow:Number = 0;
         private var _passHigh:Number = 0;
 
@@ -99,8 +100,8 @@ package starlogo.ground
         /** Begins a search. The two objects are kept until it ends. */
         public function begin(grid:HeightGrid, box:GroundBox):void
         {
-            var way:RelativeMotion = box.way;
-            var limit:Number = box.limit;
+            var motion:RelativeMotion = box.motion;
+            var latest:Number = box.latest;
             var width:Number = grid.cellWidth;
             var border:Number = grid.isBlocky ? width / 2 : 0;
             var fewer:int = grid.isBlocky ? 1 : 2;
@@ -111,15 +112,15 @@ package starlogo.ground
             _corner.setTo(grid.x - box.origin.x - border, grid.y - box.origin.y - border, -box.origin.z);
             stop();
             _from = 0;
-            _to = _whole = limit;
-            var wayX:Number = limit * Math.abs(way.x);
-            var wayY:Number = limit * Math.abs(way.y);
+            _to = _whole = latest;
+            var pathX:Number = latest * Math.abs(motion.x);
+            var pathY:Number = latest * Math.abs(motion.y);
             var rounding:Number = Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(_corner.x) + Math.abs(box.y) + Math.abs(_corner.y) + Math.abs(box.z)
-                    + Math.abs(_corner.z) + width + wayX + wayY + limit * Math.abs(way.z));
+                    + Math.abs(_corner.z) + width + pathX + pathY + latest * Math.abs(motion.z));
             _halfX = box.halfX + rounding;
             _halfY = box.halfY + rounding;
             _halfZ = box.halfZ + rounding;
-            var length:Number = Math.max(2 * _halfX + wayX, 2 * _halfY + wayY) + 2 * box.reach;
+            var length:Number = Math.max(2 * _halfX + pathX, 2 * _halfY + pathY) + 2 * box.maxDistance;
             var level:int = 0;
             while (level < grid.levels && length > FIRST_SQUARES * width * (1 << (level * HeightGrid.SHIFT)))
             {
@@ -130,8 +131,8 @@ package starlogo.ground
             _alongAxes[1] = box.y;
             _alongAxes[2] = _halfX;
             _alongAxes[3] = _halfY;
-            _alongAxes[4] = way.x;
-            _alongAxes[5] = way.y;
+            _alongAxes[4] = motion.x;
+            _alongAxes[5] = motion.y;
             _alongAxes[6] = _corner.x;
             _alongAxes[7] = _corner.y;
             addSquares(level, 0, 0, int.MAX_VALUE);
@@ -154,29 +155,29 @@ package starlogo.ground
             return false;
         }
 
-        /** Ends the walk. */
+        /** Ends the search. */
         public function stop():void
         {
             _face = _faceCount = _top = 0;
         }
 
-        // Puts squares of a level on the stack: those of the given ones that the box may pass over on the current part of its way. The nearest
+        // Puts squares of a level on the stack: those of the given ones that the box may pass over in the current part of its motion. The nearest
         // is put last, and visited first.
         private function addSquares(level:int, first:int, firstRow:int, most:int):void
         {
             var shift:int = level * HeightGrid.SHIFT;
             _width = _grid.cellWidth * (1 << shift);
-            findRange(_box.x - _corner.x, _halfX + _box.reach, _box.way.x, first, Math.min(first + most - 1, _lastColumn >> shift));
+            findRange(_box.x - _corner.x, _halfX + _box.maxDistance, _box.motion.x, first, Math.min(first + most - 1, _lastColumn >> shift));
             first = _first;
             var last:int = _last;
-            findRange(_box.y - _corner.y, _halfY + _box.reach, _box.way.y, firstRow, Math.min(firstRow + most - 1, _lastRow >> shift));
+            findRange(_box.y - _corner.y, _halfY + _box.maxDistance, _box.motion.y, firstRow, Math.min(firstRow + most - 1, _lastRow >> shift));
             for (var row:int = _first; row <= _last; row++)
             {
                 for (var column:int = first; column <= last; column++)
                 {
                     _squares[_top] = level;
-                    _squares[int(_top + 1)] = _box.way.x < 0 ? column : first + last - column;
-                    _squares[int(_top + 2)] = _box.way.y < 0 ? row : _first + _last - row;
+                    _squares[int(_top + 1)] = _box.motion.x < 0 ? column : first + last - column;
+                    _squares[int(_top + 2)] = _box.motion.y < 0 ? row : _first + _last - row;
                     _top += 3;
                 }
             }
@@ -210,11 +211,11 @@ package starlogo.ground
             }
             if (_low <= greatest && _high >= least && !isBeyond(least, greatest))
             {
-                if (_box.way.z != 0)
+                if (_box.motion.z != 0)
                 {
-                    // only the part of the way that is between the heights
-                    var low:Number = (least - (_box.z + _halfZ)) / _box.way.z;
-                    var high:Number = (greatest - (_box.z - _halfZ)) / _box.way.z;
+                    // only the part of the motion that is between the heights
+                    var low:Number = (least - (_box.z + _halfZ)) / _box.motion.z;
+                    var high:Number = (greatest - (_box.z - _halfZ)) / _box.motion.z;
                     _from = Math.max(_from, Math.min(low, high));
                     _to = Math.min(_to, Math.max(low, high));
                 }
@@ -257,25 +258,25 @@ package starlogo.ground
             }
         }
 
-        // Whether the box passes over the current square, within the limit. Also finds the heights between which the box is there.
+        // Whether the box passes over the current square, until the latest time. Also finds the heights between which the box is there.
         private function isOver():Boolean
         {
-            _to = _box.limit;
+            _to = _box.latest;
             passOver();
             _low = _passLow;
             _high = _passHigh;
             return _from <= _to;
         }
 
-        // Narrows the way up to _to to the part on which the box is over the current square, and finds the heights between which it is there.
+        // Narrows the motion up to _to to the part in which the box is over the current square, and finds the heights between which it is there.
         private function passOver():void
         {
             _from = 0;
-            _squared = _box.reach * _box.reach;
+            _squared = _box.maxDistance * _box.maxDistance;
             cut(0, _column);
             cut(1, _row);
-            var start:Number = _box.z + _from * _box.way.z;
-            var end:Number = _box.z + _to * _box.way.z;
+            var start:Number = _box.z + _from * _box.motion.z;
+            var end:Number = _box.z + _to * _box.motion.z;
             // a triangle beside the box must be nearer in height to be within reach
             var up:Number = Math.sqrt(Math.max(0, _squared));
             var bottom:Number = Math.min(start, end) - _halfZ;
@@ -283,7 +284,7 @@ package starlogo.ground
             _passHigh = Math.max(start, end) + _halfZ + up;
         }
 
-        // Whether the structure on its way stays farther away from the current square than a triangle may be. The square is between two heights.
+        // Whether the structure stays farther away from the current square than a triangle may be. The square is between two heights.
         private function isBeyond(least:Number, greatest:Number):Boolean
         {
             if (_box.structure == null)
@@ -295,8 +296,8 @@ package starlogo.ground
             _least.setTo(x, y, least);
             _greatest.setTo(x + _width, y + _width, greatest);
             _separation.find(_box.structure, _least, _greatest);
-            var come:Number = _box.limit * (_separation.direction.x * _box.way.x + _separation.direction.y * _box.way.y + _separation.direction.z * _box.way.z);
-            return _separation.distance + Math.min(0, come) > _box.reach + _slack;
+            var come:Number = _box.latest * (_separation.direction.x * _box.motion.x + _separation.direction.y * _box.motion.y + _separation.direction.z * _box.motion.z);
+            return _separation.distance + Math.min(0, come) > _box.maxDistance + _slack;
         }
 
         // Writes the triangle with a number: two on top, then two on each side. Returns false if the cell has no such triangle, or if the
@@ -320,7 +321,8 @@ package starlogo.ground
         }
 
         // Writes half of the wall on a side, from one corner to the next. The half with the upper edge comes second. Returns false if there is
-        // no wall near the box. Tall walls are cut a cell's width above and below the box, because long triangles have larger rounding errors.
+        // no wall near the box. Walls are cut a cell's width above the box, and below it if it has no floor, because long triangles have larger
+        // rounding errors.
         private function findWall(side:int, isUpper:Boolean):Boolean
         {
             var end:int = (side + 1) & 3;
@@ -360,7 +362,7 @@ package starlogo.ground
             corners[int(to + 2)] = _tops[corner];
         }
 
-        // Narrows the part of the way to the part on which the box comes over the current square, or within reach of it, along one axis.
+        // Narrows the part of the motion to the part in which the box comes over the current square, or near enough to it, along one axis.
         private function cut(axis:int, square:int):void
         {
             var at:Number = _alongAxes[axis];
@@ -371,7 +373,7 @@ package starlogo.ground
             {
                 var off:Number = Math.max(0, Math.abs(at - begin - (square + 0.5) * _width) - _width / 2 - extent);
                 _squared -= off * off;
-                if (off > _box.reach)
+                if (off > _box.maxDistance)
                 {
                     _to = -1;
                 }
@@ -383,7 +385,7 @@ package starlogo.ground
             _to = Math.min(_to, Math.max(low, high));
         }
 
-        // Finds which columns or rows the box passes over on the part of its way, within a range. The place is its distance from the first.
+        // Finds which columns or rows the box passes over in the part of its motion, within a range. The place is its distance from the first.
         private function findRange(place:Number, extent:Number, motion:Number, first:int, last:int):void
         {
             var start:Number = place + _from * motion;

@@ -2,10 +2,13 @@ package starlogo.ground
 {
     /**
      * The heights of a terrain, with bounds for squares of cells: how high the ground is at a place, and between which heights it is around
-     * one. GroundTriangles makes its triangles, which GroundPair tests with bodies and GroundRay with rays; GroundEarlyOut answers before
-     * that from a few heights. Read this class first, then GroundTriangles.
+     * one.
      *
-     * <p>Questions write to records, because V8 allocates an object for each Number that is passed or returned.</p>
+     * <p>The package ground says how shapes and rays meet such a grid. GroundTriangles finds its triangles near a box. GroundPair tests a
+     * model's convex pieces, which GroundPieces goes through, with these triangles. GroundRay tests rays. GroundEarlyOut decides about most
+     * agents before, from a few heights. Read this class first, then GroundTriangles, then GroundPair.</p>
+     *
+     * <p>Frequent questions write to records, because V8 allocates an object for each Number that is passed or returned.</p>
      *
      * @private
      */
@@ -81,7 +84,6 @@ package starlogo.ground
                 begins.push(size);
                 size += BOUNDS * countSquares(columns, levels) * countSquares(rows, levels);
             }
-            bounds = new Vector.<Number>(size, true);
             reset();
         }
 
@@ -96,7 +98,8 @@ package starlogo.ground
         {
             revision++;
             heights = new Vector.<Number>(columns * rows, true);
-            bounds = new Vector.<Number>(bounds.length, true);
+            // the last level is one square
+            bounds = new Vector.<Number>(begins[levels] + BOUNDS, true);
             holes = null;
         }
 
@@ -395,18 +398,18 @@ package starlogo.ground
         }
 
         /**
-         * Finds bounds of the heights that the ground has within a reach of a place along x and y, and of how much neighbours differ. A large
-         * range is extended to whole squares.
+         * Finds bounds of the heights that the ground has in a rectangle around a place, and of how much neighbours differ. A large rectangle
+         * is extended to whole squares.
          */
-        public function findAround(atX:Number, atY:Number, reachX:Number, reachY:Number, out:HeightRange):void
+        public function findAround(atX:Number, atY:Number, halfX:Number, halfY:Number, out:HeightRange):void
         {
             var border:Number = isBlocky ? 0.5 : 0;
             var toX:Number = (atX - x) / cellWidth;
             var toY:Number = (atY - y) / cellWidth;
-            var first:int = Math.max(0, Math.floor(toX - reachX / cellWidth + border));
-            var firstRow:int = Math.max(0, Math.floor(toY - reachY / cellWidth + border));
-            var last:int = Math.min(columns - 1, Math.ceil(toX + reachX / cellWidth - border));
-            var lastRow:int = Math.min(rows - 1, Math.ceil(toY + reachY / cellWidth - border));
+            var first:int = Math.max(0, Math.floor(toX - halfX / cellWidth + border));
+            var firstRow:int = Math.max(0, Math.floor(toY - halfY / cellWidth + border));
+            var last:int = Math.min(columns - 1, Math.ceil(toX + halfX / cellWidth - border));
+            var lastRow:int = Math.min(rows - 1, Math.ceil(toY + halfY / cellWidth - border));
             var level:int = 0;
             while (level < levels && (last - first > MOST_SQUARES || lastRow - firstRow > MOST_SQUARES))
             {

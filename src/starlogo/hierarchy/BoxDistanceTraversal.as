@@ -12,8 +12,8 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Finds the distance of two trees. The gap between two boxes' extents, along the axes of one box or the other, is a lower bound of their
-     * distance and takes few products. Only pairs that decide are measured exactly.
+     * Finds the distance of two trees. The distance of two boxes' extents, along the axes of one box or the other, is a lower bound of the
+     * boxes' distance and takes few products. Only pairs that decide are measured exactly.
      *
      * <p>The results are nested, to the last bit: a result is never greater than the result for greater depths, or for the leaves'
      * contents. Nodes are a little larger than the nodes below them (Tolerances.NESTING). That outweighs the rounding of short distances.
@@ -24,7 +24,7 @@ package starlogo.hierarchy
      */
     public final class BoxDistanceTraversal extends NodePairTraversal
     {
-        /** The closest points of the nearest pair, in the first model's space. */
+        /** The closest points of the nearest pair, and their distance, in the first model's space. */
         public var points:ClosestPoints = new ClosestPoints();
 
         // An estimate is smaller than the distances below it by this fraction, which is more than the errors of rounding and nesting.
@@ -39,8 +39,8 @@ package starlogo.hierarchy
         private var _boxesA:Vector.<Number>;
         private var _boxesB:Vector.<Number>;
 
-        // How far both models together extend from their middles. The rounding error is relative to it.
-        private var _reach:Number;
+        // The radii of the spheres around both trees together. The rounding error is relative to it.
+        private var _radii:Number;
 
         // The vector from the first model's point to the second's at the smallest distance so far.
         private var _directionX:Number;
@@ -58,15 +58,15 @@ package starlogo.hierarchy
             _boxesA = a.boxes;
             _boxesB = b.boxes;
             _directionX = _directionY = _directionZ = 0;
-            _reach = a.radius + b.radius * pose.placement.size;
+            _radii = a.radius + b.radius * pose.placement.size;
             _axes.readAxes(pose.placement, pose.placement.size);
         }
 
         /**
          * @inheritDoc
          *
-         * <p>The steps are: the vector from the middle of a's box to the middle of b's box; the gaps along a's axes; the gaps along b's axes;
-         * the gap along the line between the closest points so far.</p>
+         * <p>The steps are: the vector from the middle of a's box to the middle of b's box; the distances along a's axes; the distances along b's axes;
+         * the distance along the line between the closest points so far.</p>
          */
         override protected function estimate(a:int, b:int, out:NodePairBounds):void
         {
@@ -93,27 +93,27 @@ package starlogo.hierarchy
             var halfY:Number = boxes[int(at + 4)];
             var halfZ:Number = boxes[int(at + 5)];
             var squared:Number = 0;
-            var gap:Number = x < 0 ? -x : x;
-            gap -= halfX + axes.absXx * bX + axes.absXy * bY + axes.absXz * bZ;
-            if (gap > 0)
+            var distance:Number = x < 0 ? -x : x;
+            distance -= halfX + axes.absXx * bX + axes.absXy * bY + axes.absXz * bZ;
+            if (distance > 0)
             {
-                squared = gap * gap;
+                squared = distance * distance;
             }
-            gap = y < 0 ? -y : y;
-            gap -= halfY + axes.absYx * bX + axes.absYy * bY + axes.absYz * bZ;
-            if (gap > 0)
+            distance = y < 0 ? -y : y;
+            distance -= halfY + axes.absYx * bX + axes.absYy * bY + axes.absYz * bZ;
+            if (distance > 0)
             {
-                squared += gap * gap;
+                squared += distance * distance;
             }
-            gap = z < 0 ? -z : z;
-            gap -= halfZ + axes.absZx * bX + axes.absZy * bY + axes.absZz * bZ;
-            if (gap > 0)
+            distance = z < 0 ? -z : z;
+            distance -= halfZ + axes.absZx * bX + axes.absZy * bY + axes.absZz * bZ;
+            if (distance > 0)
             {
-                squared += gap * gap;
+                squared += distance * distance;
             }
 
             // A pair that is too far away anyway need not be estimated exactly.
-            var far:Number = out.least + _pose.gap + 2 * SLACK * (out.least + _reach);
+            var far:Number = out.least + _pose.tolerance + 2 * SLACK * (out.least + _radii);
             if (squared > far * far)
             {
                 out.current = out.least;
@@ -122,28 +122,28 @@ package starlogo.hierarchy
 
             // These products contain the scale.
             var squaredInB:Number = 0;
-            gap = axes.xx * x + axes.yx * y + axes.zx * z;
-            gap = gap < 0 ? -gap : gap;
-            gap = (gap - axes.absXx * halfX - axes.absYx * halfY - axes.absZx * halfZ) / scale - scale * bX;
-            if (gap > 0)
+            distance = axes.xx * x + axes.yx * y + axes.zx * z;
+            distance = distance < 0 ? -distance : distance;
+            distance = (distance - axes.absXx * halfX - axes.absYx * halfY - axes.absZx * halfZ) / scale - scale * bX;
+            if (distance > 0)
             {
-                squaredInB = gap * gap;
+                squaredInB = distance * distance;
             }
-            gap = axes.xy * x + axes.yy * y + axes.zy * z;
-            gap = gap < 0 ? -gap : gap;
-            gap = (gap - axes.absXy * halfX - axes.absYy * halfY - axes.absZy * halfZ) / scale - scale * bY;
-            if (gap > 0)
+            distance = axes.xy * x + axes.yy * y + axes.zy * z;
+            distance = distance < 0 ? -distance : distance;
+            distance = (distance - axes.absXy * halfX - axes.absYy * halfY - axes.absZy * halfZ) / scale - scale * bY;
+            if (distance > 0)
             {
-                squaredInB += gap * gap;
+                squaredInB += distance * distance;
             }
-            gap = axes.xz * x + axes.yz * y + axes.zz * z;
-            gap = gap < 0 ? -gap : gap;
-            gap = (gap - axes.absXz * halfX - axes.absYz * halfY - axes.absZz * halfZ) / scale - scale * bZ;
-            if (gap > 0)
+            distance = axes.xz * x + axes.yz * y + axes.zz * z;
+            distance = distance < 0 ? -distance : distance;
+            distance = (distance - axes.absXz * halfX - axes.absYz * halfY - axes.absZz * halfZ) / scale - scale * bZ;
+            if (distance > 0)
             {
-                squaredInB += gap * gap;
+                squaredInB += distance * distance;
             }
-            var apart:Number = Math.sqrt(squared > squaredInB ? squared : squaredInB);
+            var bound:Number = Math.sqrt(squared > squaredInB ? squared : squaredInB);
 
             // This line rules out most of the pairs that are not nearer.
             var toX:Number = _directionX;
@@ -152,26 +152,26 @@ package starlogo.hierarchy
             var length:Number = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
             if (length > 0)
             {
-                var reachX:Number = toX * axes.xx + toY * axes.yx + toZ * axes.zx;
-                var reachY:Number = toX * axes.xy + toY * axes.yy + toZ * axes.zy;
-                var reachZ:Number = toX * axes.xz + toY * axes.yz + toZ * axes.zz;
-                reachX = reachX < 0 ? -reachX : reachX;
-                reachY = reachY < 0 ? -reachY : reachY;
-                reachZ = reachZ < 0 ? -reachZ : reachZ;
-                gap = x * toX + y * toY + z * toZ - reachX * bX - reachY * bY - reachZ * bZ;
+                var alongX:Number = toX * axes.xx + toY * axes.yx + toZ * axes.zx;
+                var alongY:Number = toX * axes.xy + toY * axes.yy + toZ * axes.zy;
+                var alongZ:Number = toX * axes.xz + toY * axes.yz + toZ * axes.zz;
+                alongX = alongX < 0 ? -alongX : alongX;
+                alongY = alongY < 0 ? -alongY : alongY;
+                alongZ = alongZ < 0 ? -alongZ : alongZ;
+                distance = x * toX + y * toY + z * toZ - alongX * bX - alongY * bY - alongZ * bZ;
                 toX = toX < 0 ? -toX : toX;
                 toY = toY < 0 ? -toY : toY;
                 toZ = toZ < 0 ? -toZ : toZ;
-                gap = (gap - halfX * toX - halfY * toY - halfZ * toZ) / length;
-                if (gap > apart)
+                distance = (distance - halfX * toX - halfY * toY - halfZ * toZ) / length;
+                if (distance > bound)
                 {
-                    apart = gap;
+                    bound = distance;
                 }
             }
-            apart -= SLACK * (apart + _reach) + _pose.gap;
-            if (apart > out.current)
+            bound -= SLACK * (bound + _radii) + _pose.tolerance;
+            if (bound > out.current)
             {
-                out.current = apart;
+                out.current = bound;
             }
         }
 
@@ -186,12 +186,12 @@ package starlogo.hierarchy
             else
             {
                 leaves.least = out.least;
-                out.current = leaves.touch(treeA, a, treeB, b) ? leaves.least : Infinity;
+                out.current = leaves.testLeaves(treeA, a, treeB, b) ? leaves.least : Infinity;
                 found = leaves.points;
             }
             if (out.current < out.least)
             {
-                points.copyPoints(found);
+                points.copyFrom(found);
                 _directionX = found.bX - found.aX;
                 _directionY = found.bY - found.aY;
                 _directionZ = found.bZ - found.aZ;
@@ -202,7 +202,7 @@ package starlogo.hierarchy
         private function measure(treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:NodePairBounds):void
         {
             findClosest(treeA.writeBox(a, _boxA), _pose.placeWidened(treeB.writeBox(b, _boxB)), _measured);
-            reduce(_measured, treeA.levelOf(a), treeB.levelOf(b), _reach);
+            reduce(_measured, treeA.levelOf(a), treeB.levelOf(b), _radii);
             out.current = _measured.distance;
         }
 
@@ -211,11 +211,11 @@ package starlogo.hierarchy
          *
          * @param levelA the level of a node; 0 for a structure
          * @param levelB the level of the other
-         * @param reach how far both models together extend
+         * @param radii the radii of both models together
          */
-        internal static function reduce(measured:ClosestPoints, levelA:int, levelB:int, reach:Number):void
+        internal static function reduce(measured:ClosestPoints, levelA:int, levelB:int, radii:Number):void
         {
-            var distance:Number = measured.distance - Tolerances.NESTING * (levelsBelow(levelA) + levelsBelow(levelB)) * (measured.distance + reach);
+            var distance:Number = measured.distance - Tolerances.NESTING * (levelsBelow(levelA) + levelsBelow(levelB)) * (measured.distance + radii);
             measured.distance = distance > 0 ? distance : 0;
         }
 

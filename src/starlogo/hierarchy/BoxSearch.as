@@ -5,19 +5,19 @@ package starlogo.hierarchy
     import starlogo.intersection.ray.Ray;
 
     /**
-     * Finds the leaves of a tree that an axis-aligned box may meet on its way, or that are near it: the loop over a shape and a tree. The nearer
-     * of two children comes first. A ray is a box without extents. A box that stands has no motion.
+     * Finds the leaves of a tree that an axis-aligned box may meet while it moves, or that are near it: the loop over a shape and a tree. The
+     * nearer of two children comes first. A ray is a box without extents. A box that stands has no motion.
      *
-     * <p>A place on the way is a multiple of the motion. The box meets a node between two places on each axis (Kay and Kajiya, "Ray tracing
+     * <p>A time is a multiple of the motion. The box meets a node between two times on each axis (Kay and Kajiya, "Ray tracing
      * complex scenes", SIGGRAPH 1986).</p>
      *
      * @private
      */
     public final class BoxSearch
     {
-        // 1 divided by the least motion: a smaller one counts as 0. No way is longer than FARTHEST. Larger numbers might be infinite.
+        // 1 divided by the least motion; a smaller one counts as 0. Then the latest time. Larger numbers might become infinite.
         private static const SLOWEST:Number = 1e100;
-        private static const FARTHEST:Number = 1e90;
+        private static const LATEST:Number = 1e90;
 
         // How much larger boxes are on each side because of rounding, as a fraction of the tree's radius.
         private static const MARGIN:Number = 1.5e-8;
@@ -25,7 +25,7 @@ package starlogo.hierarchy
         /** The number of nodes visited. The caller sets it to 0. */
         public var nodeVisits:int = 0;
 
-        /** The middle of the box at place 0. */
+        /** The middle of the box at time 0. */
         public var x:Number = 0;
         public var y:Number = 0;
         public var z:Number = 0;
@@ -35,7 +35,7 @@ package starlogo.hierarchy
         public var halfY:Number = 0;
         public var halfZ:Number = 0;
 
-        // The motion, and the place where the way begins.
+        // The motion, and the earliest time.
         private var _motionX:Number = 0;
         private var _motionY:Number = 0;
         private var _motionZ:Number = 0;
@@ -74,22 +74,22 @@ package starlogo.hierarchy
         public function setRay(ray:Ray):void
         {
             setPlace(ray.x, ray.y, ray.z, 0);
-            setWay(ray.directionX, ray.directionY, ray.directionZ, ray.from);
+            setVector(ray.directionX, ray.directionY, ray.directionZ, ray.from);
         }
 
         /** Sets the motion. */
         public function setMotion(motion:RelativeMotion):void
         {
-            setWay(motion.x, motion.y, motion.z, motion.earliest);
+            setVector(motion.x, motion.y, motion.z, motion.earliest);
         }
 
         /** Sets a motion along an axis. @param axis 0, 1 or 2 @param side 1, or -1 towards the smaller coordinates */
         public function setAxis(axis:int, side:int):void
         {
-            setWay(axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0, 0);
+            setVector(axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0, 0);
         }
 
-        private function setWay(x:Number, y:Number, z:Number, from:Number):void
+        private function setVector(x:Number, y:Number, z:Number, from:Number):void
         {
             _motionX = x;
             _motionY = y;
@@ -98,11 +98,11 @@ package starlogo.hierarchy
         }
 
         /**
-         * Lets a test look at the leaves that the box may meet on its way.
+         * Tests the leaves that the box may meet during its motion.
          *
          * @param tree the tree
          * @param depth how many of its levels are visited. Nodes at the last one count as leaves
-         * @param test its <code>least</code> must be the place where the way ends; 0 if the box stands
+         * @param test its <code>least</code> must be the latest time; 0 if the box stands
          */
         public function find(tree:BoxTree, depth:int, test:LeafTest):void
         {
@@ -123,12 +123,12 @@ package starlogo.hierarchy
             var absY:Number = inverseY < 0 ? -inverseY : inverseY;
             var absZ:Number = inverseZ < 0 ? -inverseZ : inverseZ;
             var boxes:Vector.<Number> = tree.boxes;
-            var children:Vector.<int> = tree.low;
+            var children:Vector.<int> = tree.left;
             var stop:Vector.<int> = tree.stop;
             var nodes:Vector.<int> = _nodes;
             var enters:Vector.<Number> = _enters;
             var begin:Number = _from;
-            var limit:Number = test.least < FARTHEST ? test.least : FARTHEST;
+            var latest:Number = test.least < LATEST ? test.least : LATEST;
             var stands:Boolean = _motionX == 0 && _motionY == 0 && _motionZ == 0;
             var visits:int = 0;
             var top:int = 0;
@@ -139,17 +139,17 @@ package starlogo.hierarchy
                 if (stop[node] >= depth)
                 {
                     test.testLeaf(node, tree.first[node], tree.end[node]);
-                    limit = test.least < limit ? test.least : limit;
+                    latest = test.least < latest ? test.least : latest;
                 }
                 else
                 {
-                    var low:int = children[node];
-                    var at:int = 6 * low;
+                    var left:int = children[node];
+                    var at:int = 6 * left;
                     var middle:Number;
                     var half:Number;
                     var place:Number;
                     var enter:Number = begin;
-                    var leave:Number = limit;
+                    var leave:Number = latest;
                     middle = (boxes[at] - fromX) * inverseX;
                     half = (boxes[int(at + 3)] + widerX) * absX;
                     enter = middle - half > enter ? middle - half : enter;
@@ -162,10 +162,10 @@ package starlogo.hierarchy
                     half = (boxes[int(at + 5)] + widerZ) * absZ;
                     enter = middle - half > enter ? middle - half : enter;
                     leave = middle + half < leave ? middle + half : leave;
-                    var enterLow:Number = enter;
-                    var leaveLow:Number = leave;
+                    var enterLeft:Number = enter;
+                    var leaveLeft:Number = leave;
                     enter = begin;
-                    leave = limit;
+                    leave = latest;
                     middle = (boxes[int(at + 6)] - fromX) * inverseX;
                     half = (boxes[int(at + 9)] + widerX) * absX;
                     enter = middle - half > enter ? middle - half : enter;
@@ -178,14 +178,14 @@ package starlogo.hierarchy
                     half = (boxes[int(at + 11)] + widerZ) * absZ;
                     enter = middle - half > enter ? middle - half : enter;
                     leave = middle + half < leave ? middle + half : leave;
-                    if (enterLow <= leaveLow)
+                    if (enterLeft <= leaveLeft)
                     {
                         if (enter > leave)
                         {
-                            node = low;
+                            node = left;
                             continue;
                         }
-                        var isHighFirst:Boolean = enter < enterLow;
+                        var isRightFirst:Boolean = enter < enterLeft;
                         if (stands)
                         {
                             place = 2 * fromZ - boxes[int(at + 8)] - boxes[int(at + 2)];
@@ -198,26 +198,26 @@ package starlogo.hierarchy
                             {
                                 place = 2 * fromY - boxes[int(at + 7)] - boxes[int(at + 1)];
                             }
-                            isHighFirst = place >= 0;
+                            isRightFirst = place >= 0;
                         }
-                        if (isHighFirst)
+                        if (isRightFirst)
                         {
-                            nodes[top] = low;
-                            enters[top] = enterLow;
-                            node = low + 1;
+                            nodes[top] = left;
+                            enters[top] = enterLeft;
+                            node = left + 1;
                         }
                         else
                         {
-                            nodes[top] = low + 1;
+                            nodes[top] = left + 1;
                             enters[top] = enter;
-                            node = low;
+                            node = left;
                         }
                         top++;
                         continue;
                     }
                     if (enter <= leave)
                     {
-                        node = low + 1;
+                        node = left + 1;
                         continue;
                     }
                 }
@@ -230,13 +230,13 @@ package starlogo.hierarchy
                     }
                     top--;
                 }
-                while (enters[top] > limit);
+                while (enters[top] > latest);
                 node = nodes[top];
             }
         }
 
         /**
-         * Lets a test look at the leaves that are near the standing box.
+         * Tests the leaves that are near the standing box.
          *
          * @param tree the tree
          * @param depth how many of its levels are visited. Nodes at the last one count as leaves
@@ -245,16 +245,16 @@ package starlogo.hierarchy
         public function findNear(tree:BoxTree, depth:int, test:LeafTest):void
         {
             var nodes:Vector.<int> = _nodes;
-            var gaps:Vector.<Number> = _enters;
+            var distances:Vector.<Number> = _enters;
             var margin:Number = MARGIN * tree.radius;
             var top:int = 1;
             nodes[0] = 0;
-            gaps[0] = 0;
+            distances[0] = 0;
             while (top > 0)
             {
                 top--;
                 var node:int = nodes[top];
-                if (gaps[top] > test.least)
+                if (distances[top] > test.least)
                 {
                     continue;
                 }
@@ -264,16 +264,16 @@ package starlogo.hierarchy
                     test.testLeaf(node, tree.first[node], tree.end[node]);
                     continue;
                 }
-                node = tree.low[node];
+                node = tree.left[node];
                 nodes[top] = node;
                 nodes[int(top + 1)] = node + 1;
-                writeGap(tree.boxes, 6 * node, margin, gaps, top);
-                writeGap(tree.boxes, 6 * node + 6, margin, gaps, top + 1);
-                if (gaps[top] < gaps[int(top + 1)])
+                writeDistance(tree.boxes, 6 * node, margin, distances, top);
+                writeDistance(tree.boxes, 6 * node + 6, margin, distances, top + 1);
+                if (distances[top] < distances[int(top + 1)])
                 {
-                    var gap:Number = gaps[top];
-                    gaps[top] = gaps[int(top + 1)];
-                    gaps[int(top + 1)] = gap;
+                    var distance:Number = distances[top];
+                    distances[top] = distances[int(top + 1)];
+                    distances[int(top + 1)] = distance;
                     nodes[top] = node + 1;
                     nodes[int(top + 1)] = node;
                 }
@@ -282,12 +282,12 @@ package starlogo.hierarchy
         }
 
         // Writes how far the box is from the box of a node, less a margin.
-        private function writeGap(boxes:Vector.<Number>, at:int, margin:Number, out:Vector.<Number>, to:int):void
+        private function writeDistance(boxes:Vector.<Number>, at:int, margin:Number, out:Vector.<Number>, to:int):void
         {
-            var gapX:Number = Math.max(0, Math.abs(boxes[at] - x) - boxes[int(at + 3)] - halfX);
-            var gapY:Number = Math.max(0, Math.abs(boxes[int(at + 1)] - y) - boxes[int(at + 4)] - halfY);
-            var gapZ:Number = Math.max(0, Math.abs(boxes[int(at + 2)] - z) - boxes[int(at + 5)] - halfZ);
-            out[to] = Math.sqrt(gapX * gapX + gapY * gapY + gapZ * gapZ) - margin;
+            var distanceX:Number = Math.max(0, Math.abs(boxes[at] - x) - boxes[int(at + 3)] - halfX);
+            var distanceY:Number = Math.max(0, Math.abs(boxes[int(at + 1)] - y) - boxes[int(at + 4)] - halfY);
+            var distanceZ:Number = Math.max(0, Math.abs(boxes[int(at + 2)] - z) - boxes[int(at + 5)] - halfZ);
+            out[to] = Math.sqrt(distanceX * distanceX + distanceY * distanceY + distanceZ * distanceZ) - margin;
         }
     }
 }

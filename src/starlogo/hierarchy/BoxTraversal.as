@@ -12,7 +12,7 @@ package starlogo.hierarchy
      *
      * <p>In the first model's space, its own boxes are axis-aligned, and all boxes of the second have the same rotation. So a pair of boxes
      * takes a few products (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996; Ericson, "Real-Time Collision Detection", §4.4.1). If
-     * two nodes overlap, the larger one is divided, or deep down both, and the child nearer to the other node is visited first. The axes of the edges are
+     * two nodes overlap, the larger one is divided, or both if the overlap is deep. The child nearer to the other node is visited first. The axes of the edges are
      * tried only for pairs whose boxes decide. Higher up, the next boxes separate most of what these axes would separate (van den Bergen,
      * "Efficient collision detection of complex deformable models using AABB trees", 1997).</p>
      *
@@ -36,8 +36,8 @@ package starlogo.hierarchy
          * the distance of b's middle from a, compared with the spheres around b and inside of it; the faces of b; and if the boxes decide, the
          * nine pairs of edges. A face of a separates most pairs, mostly its top or bottom, so the other steps take little time.</p>
          *
-         * <p>All of b's numbers are scaled. So are the entries of its rotation (m00 ...) and their absolute values (abs00 ...). The
-         * absolute values are larger by a rounding error, because cross products of nearly parallel edges cancel. All values are locals,
+         * <p>The entries of b's rotation (m00 ...) and their absolute values (abs00 ...) contain b's scale. b's half-extents (bX ...) do not, except
+         * for the edges. The absolute values are larger by a rounding error, because cross products of nearly parallel edges cancel. All values are locals,
          * and the calls are to the test of leaves and for the axis of a node.</p>
          *
          * @param pose the pose of the second tree's nodes in the first model's space
@@ -74,7 +74,7 @@ package starlogo.hierarchy
             var abs21:Number = m21 < 0 ? widened - m21 : widened + m21;
             var abs22:Number = m22 < 0 ? widened - m22 : widened + m22;
             var scaleSquared:Number = scale * scale;
-            var touching:Number = pose.gap;
+            var touching:Number = pose.tolerance;
             var boxesA:Vector.<Number> = treeA.boxes;
             var boxesB:Vector.<Number> = treeB.boxes;
             var stopA:Vector.<int> = treeA.stop;
@@ -157,7 +157,7 @@ package starlogo.hierarchy
                     var bEnds:Boolean = stopB[b] >= depthB;
                     if (aEnds && bEnds)
                     {
-                        if (leaves == null || leaves.touch(treeA, a, treeB, b))
+                        if (leaves == null || leaves.testLeaves(treeA, a, treeB, b))
                         {
                             nodeVisits += visits;
                             return true;
@@ -182,7 +182,7 @@ package starlogo.hierarchy
                             {
                                 side = y;
                             }
-                            near = treeA.low[a];
+                            near = treeA.left[a];
                             far = near + 1;
                             if (side > 0)
                             {
@@ -212,7 +212,7 @@ package starlogo.hierarchy
                             {
                                 side = m02 * x + m12 * y + m22 * z;
                             }
-                            near = treeB.low[b];
+                            near = treeB.left[b];
                             far = near + 1;
                             if (side < 0)
                             {

@@ -11,9 +11,9 @@ package starlogo.hierarchy
     /**
      * A model's tree of boxes (thesis §4.3). Its items are the model's triangles, or its vertices if it has no triangles.
      *
-     * <p>The package hierarchy keeps, builds and visits such trees. A BoxTreeBuilder makes a tree of a model's items. A NodePairTraversal visits
-     * pairs of nodes of two trees, and a BoxSearch visits the nodes that a box or ray meets. Read this class first, then BoxTreeBuilder, then
-     * BoxSearch, then NodePairTraversal.</p>
+     * <p>The package hierarchy keeps, builds and visits such trees. A BoxTreeBuilder makes a tree of a model's items. A BoxSearch visits the nodes
+     * that a box or a ray meets, or that are near a box. A BoxTraversal or a NodePairTraversal visits pairs of nodes of two trees. Read this
+     * class first, then BoxSearch, then BoxTraversal.</p>
      *
      * <p>A node is an index into the columns. The root is 0. The two children of a node stand side by side, after their parent. Once the
      * tree is made, only <code>refit()</code> changes it: it gives all nodes new boxes. Clients see a node as a HierarchyNode.</p>
@@ -46,8 +46,8 @@ package starlogo.hierarchy
         /** Six numbers for each node: the middle of its box (x, y, z), and half of the box's extents. */
         public var boxes:Vector.<Number> = new Vector.<Number>();
 
-        /** For each node, its child on the low side of the split. The other child is the next node. 0 if the node has no children. */
-        public var low:Vector.<int> = new Vector.<int>();
+        /** For each node, its left child, which is on the low side of the split. The right child is the next node. 0 if the node has no children. */
+        public var left:Vector.<int> = new Vector.<int>();
 
         /** For each node, the index of its first item in the order. */
         public var first:Vector.<int> = new Vector.<int>();
@@ -70,8 +70,8 @@ package starlogo.hierarchy
         // For each node, four times its level plus the axis along which it is split. The root's level is 1.
         private var _splits:Vector.<int> = new Vector.<int>();
 
-        // How far the model extends from its origin. The rounding error is relative to it.
-        private var _reach:Number = 0;
+        // The radius of a sphere around the origin that contains the model. The rounding error is relative to it.
+        private var _boundingRadius:Number = 0;
 
         /**
          * Creates a tree without nodes. A BoxTreeBuilder or a TreeReader makes them.
@@ -242,7 +242,7 @@ package starlogo.hierarchy
         engine function measure(node:int, extents:Vector.<Number>):void
         {
             var at:int = 6 * node;
-            var child:int = 6 * low[node];
+            var child:int = 6 * left[node];
             if (child == 0)
             {
                 writeExtents(first[node], end[node], extents, at);
@@ -266,7 +266,7 @@ package starlogo.hierarchy
         engine function refit():void
         {
             var extents:Vector.<Number> = sExtents;
-            var count:int = low.length;
+            var count:int = left.length;
             if (extents.length < 6 * count)
             {
                 extents.length = 6 * count;
@@ -293,22 +293,22 @@ package starlogo.hierarchy
         /** For makers of trees: removes all nodes of a tree that cannot be made. */
         engine function clear():void
         {
-            boxes.length = low.length = first.length = end.length = stop.length = _splits.length = 0;
+            boxes.length = left.length = first.length = end.length = stop.length = _splits.length = 0;
         }
 
         /**
          * For makers of trees: gives a node two children. They have no boxes yet.
          *
          * @param axis the axis along which it is split
-         * @param middle the index in the order of the high child's first item
+         * @param middle the index in the order of the right child's first item
          * @param isBelow whether the node is a leaf of the thesis's tree, or below one
-         * @return the low child
+         * @return the left child
          */
         engine function divide(node:int, axis:int, middle:int, isBelow:Boolean):int
         {
             var level:int = levelOf(node);
-            var child:int = low.length;
-            low[node] = child;
+            var child:int = left.length;
+            left[node] = child;
             stop[node] = isBelow ? LARGEST_DEPTH : level;
             _splits[node] = level << 2 | axis;
             addNode(first[node], middle, level + 1);
@@ -324,13 +324,13 @@ package starlogo.hierarchy
          */
         engine function setExtents(extents:Vector.<Number>):void
         {
-            _reach = 0;
+            _boundingRadius = 0;
             for (var i:int = 0; i < 6; i++)
             {
-                _reach = Math.max(_reach, Math.abs(extents[i]));
+                _boundingRadius = Math.max(_boundingRadius, Math.abs(extents[i]));
             }
-            VertexBounds.requireWithin(_reach);
-            _reach *= Math.sqrt(3);
+            VertexBounds.requireWithin(_boundingRadius);
+            _boundingRadius *= Math.sqrt(3);
         }
 
         /**
@@ -342,7 +342,7 @@ package starlogo.hierarchy
          */
         engine function enclose(node:int, extents:Vector.<Number>, at:int = 0):void
         {
-            var margin:Number = _reach * (Tolerances.SURFACES + Tolerances.NESTING * Math.max(1, Tolerances.NESTED_LEVELS - levelOf(node)));
+            var margin:Number = _boundingRadius * (Tolerances.SURFACES + Tolerances.NESTING * Math.max(1, Tolerances.NESTED_LEVELS - levelOf(node)));
             var minX:Number = extents[at];
             var minY:Number = extents[int(at + 1)];
             var minZ:Number = extents[int(at + 2)];
@@ -362,7 +362,7 @@ package starlogo.hierarchy
         engine function finish():void
         {
             boxes = boxes.slice();
-            low = low.slice();
+            left = left.slice();
             first = first.slice();
             end = end.slice();
             stop = stop.slice();
@@ -379,7 +379,7 @@ package starlogo.hierarchy
         private function addNode(from:int, to:int, level:int):void
         {
             boxes.push(0, 0, 0, 0, 0, 0);
-            low.push(0);
+            left.push(0);
             first.push(from);
             end.push(to);
             stop.push(int.MAX_VALUE);

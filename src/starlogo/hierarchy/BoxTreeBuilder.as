@@ -46,8 +46,8 @@ package starlogo.hierarchy
         private var _isBySpread:Boolean;
 
         // The extents of the two halves of a node that is divided by the number of its items.
-        private var _lowExtents:Vector.<Number> = new Vector.<Number>(6, true);
-        private var _highExtents:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _leftExtents:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _rightExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /**
          * @param tree without nodes; receives them, and the order of its items
@@ -87,19 +87,19 @@ package starlogo.hierarchy
 
         private function divide():Boolean
         {
-            var left:int = ITEMS_PER_STEP;
-            while (left > 0 && _waiting.length > 0)
+            var rest:int = ITEMS_PER_STEP;
+            while (rest > 0 && _waiting.length > 0)
             {
                 var node:int = _waiting[_waiting.length - 1];
                 if (!_isDividing)
                 {
                     _isDividing = beginNode(node);
-                    left -= ITEMS_PER_NODE;
+                    rest -= ITEMS_PER_NODE;
                 }
                 if (_isDividing)
                 {
                     _isDividing = advance(node);
-                    left -= _tree.end[node] - _tree.first[node];
+                    rest -= _tree.end[node] - _tree.first[node];
                 }
                 if (!_isDividing)
                 {
@@ -112,7 +112,7 @@ package starlogo.hierarchy
         // Goes on to the children of a node, or to the next node if it has none.
         private function goOn(node:int):void
         {
-            var child:int = _tree.low[node];
+            var child:int = _tree.left[node];
             var isBelow:Boolean = _areBelow.pop();
             _waiting.pop();
             if (child > 0)
@@ -191,16 +191,16 @@ package starlogo.hierarchy
         private function halve(node:int):void
         {
             var middle:int = (_tree.first[node] + _tree.end[node]) >> 1;
-            _tree.writeExtents(_tree.first[node], middle, _lowExtents);
-            _tree.writeExtents(middle, _tree.end[node], _highExtents);
-            divideAt(middle, node, _tree.longestAxisOf(node), _lowExtents, _highExtents);
+            _tree.writeExtents(_tree.first[node], middle, _leftExtents);
+            _tree.writeExtents(middle, _tree.end[node], _rightExtents);
+            divideAt(middle, node, _tree.longestAxisOf(node), _leftExtents, _rightExtents);
         }
 
-        private function divideAt(middle:int, node:int, axis:int, low:Vector.<Number>, high:Vector.<Number>):void
+        private function divideAt(middle:int, node:int, axis:int, left:Vector.<Number>, right:Vector.<Number>):void
         {
             var child:int = _tree.divide(node, axis, middle, _areBelow[_waiting.length - 1]);
-            _tree.enclose(child, low);
-            _tree.enclose(child + 1, high);
+            _tree.enclose(child, left);
+            _tree.enclose(child + 1, right);
         }
     }
 }

@@ -46,7 +46,7 @@ package starlogo.hierarchy
         {
             if (_left == null && !isLeaf)
             {
-                _left = of(_tree, _tree.low[_node]);
+                _left = of(_tree, _tree.left[_node]);
             }
             return _left;
         }
@@ -56,7 +56,7 @@ package starlogo.hierarchy
         {
             if (_right == null && !isLeaf)
             {
-                _right = of(_tree, _tree.low[_node] + 1);
+                _right = of(_tree, _tree.left[_node] + 1);
             }
             return _right;
         }

@@ -27,7 +27,7 @@ package starlogo.hierarchy
          * @param treeB the second model's tree
          * @param b a leaf of it
          */
-        public function touch(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
+        public function testLeaves(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
         {
             return true;
         }

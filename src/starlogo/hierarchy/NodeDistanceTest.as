@@ -18,7 +18,7 @@ package starlogo.hierarchy
 
         private var _tree:BoxTree;
         private var _structure:BoundingStructure;
-        private var _reach:Number = 0;
+        private var _radii:Number = 0;
         private var _measured:ClosestPoints = new ClosestPoints();
         private var _nearest:ClosestPoints;
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -38,7 +38,7 @@ package starlogo.hierarchy
             _structure = pose.placeWidened(structure);
             _structure.extentsInto(_extents);
             boxes.setExtents(_extents, 0);
-            _reach = tree.radius + boxes.halfX + boxes.halfY + boxes.halfZ;
+            _radii = tree.radius + boxes.halfX + boxes.halfY + boxes.halfZ;
             _nearest = out;
             least = out.distance = Infinity;
             boxes.findNear(tree, depth, this);
@@ -48,7 +48,7 @@ package starlogo.hierarchy
         override public function testLeaf(node:int, first:int, end:int):void
         {
             findClosest(_tree.writeBox(node, _box), _structure, _measured);
-            BoxDistanceTraversal.reduce(_measured, _tree.levelOf(node), 0, _reach);
+            BoxDistanceTraversal.reduce(_measured, _tree.levelOf(node), 0, _radii);
             if (_measured.distance < least)
             {
                 least = _measured.distance;

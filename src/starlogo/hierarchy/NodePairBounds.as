@@ -8,9 +8,6 @@ package starlogo.hierarchy
      */
     public final class NodePairBounds
     {
-        /** The least bound that there can be. A pair with this bound ends the search. */
-        public var lowest:Number = 0;
-
         /** The best time or distance found, or Infinity. */
         public var least:Number = Infinity;
 

@@ -23,8 +23,8 @@ package starlogo.hierarchy
         public var bounds:NodePairBounds = new NodePairBounds();
 
         /** The best pair of nodes. Undefined if none is found. */
-        public var firstA:int = 0;
-        public var firstB:int = 0;
+        public var bestA:int = 0;
+        public var bestB:int = 0;
 
         // The pairs of nodes still to visit, and their bounds.
         private var _nodes:Vector.<int> = new Vector.<int>();
@@ -43,8 +43,8 @@ package starlogo.hierarchy
          */
         public function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, leaves:LeafPairTest):Boolean
         {
-            var lowA:Vector.<int> = treeA.low;
-            var lowB:Vector.<int> = treeB.low;
+            var leftA:Vector.<int> = treeA.left;
+            var leftB:Vector.<int> = treeB.left;
             var stopA:Vector.<int> = treeA.stop;
             var stopB:Vector.<int> = treeB.stop;
             var a:int = 0;
@@ -56,7 +56,7 @@ package starlogo.hierarchy
             var top:int = 0;
             var visits:int = 1;
             out.least = Infinity;
-            out.current = out.lowest;
+            out.current = 0;
             begin(pose, treeA, treeB);
             estimate(a, b, out);
             while (true)
@@ -69,8 +69,8 @@ package starlogo.hierarchy
                     {
                         // The better of the two pairs with a child comes first.
                         var dividesA:Boolean = bEnds || !aEnds && isLarger(treeA.boxes, 6 * a, treeB.boxes, 6 * b, scale);
-                        var otherA:int = dividesA ? lowA[a] : a;
-                        var otherB:int = dividesA ? b : lowB[b];
+                        var otherA:int = dividesA ? leftA[a] : a;
+                        var otherB:int = dividesA ? b : leftB[b];
                         a = dividesA ? otherA + 1 : a;
                         b = dividesA ? b : otherB + 1;
                         var above:Number = out.current;
@@ -104,11 +104,11 @@ package starlogo.hierarchy
                     if (out.current < out.least)
                     {
                         out.least = out.current;
-                        firstA = a;
-                        firstB = b;
+                        bestA = a;
+                        bestB = b;
                     }
                 }
-                if (top == 0 || !(out.least > out.lowest))
+                if (top == 0 || !(out.least > 0))
                 {
                     nodeVisits += visits;
                     return out.least < Infinity;

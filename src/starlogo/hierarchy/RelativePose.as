@@ -20,7 +20,7 @@ package starlogo.hierarchy
         public var placement:Placement = new Placement();
 
         /** The largest distance at which the two models still touch, in the first model's space: the rounding error of their places. */
-        public var gap:Number = 0;
+        public var tolerance:Number = 0;
 
         /**
          * The second model's motion from its pose, from time 0 to time 1, in the first model's space. Its start is 0. If the models stand
@@ -58,7 +58,7 @@ package starlogo.hierarchy
             var z:Number = (b.z - a.z) / a.size;
             var relative:Placement = placement;
             relative.size = scale;
-            gap = (Touching.marginOfPlace(a.x, a.y, a.z) + Touching.marginOfPlace(b.x, b.y, b.z)) / a.size;
+            tolerance = (Touching.marginOfPlace(a.x, a.y, a.z) + Touching.marginOfPlace(b.x, b.y, b.z)) / a.size;
             var a02:Number = a.r02;
             var a12:Number = a.r12;
             var a20:Number = a.r20;
@@ -118,11 +118,11 @@ package starlogo.hierarchy
             return placed;
         }
 
-        /** The structure of <code>place()</code>, enlarged by the gap. V8 allocates no object for the gap, because only this function reads it. */
+        /** The structure of <code>place()</code>, enlarged by the tolerance. V8 allocates no object for the tolerance, because only this function reads it. */
         public function placeWidened(structure:BoundingStructure):BoundingStructure
         {
             var placed:BoundingStructure = place(structure);
-            placed.widen(gap);
+            placed.widen(tolerance);
             return placed;
         }
     }

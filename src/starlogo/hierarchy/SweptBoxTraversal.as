@@ -36,7 +36,7 @@ package starlogo.hierarchy
             _sweep.motionX = motion.x;
             _sweep.motionY = motion.y;
             _sweep.motionZ = motion.z;
-            _sweep.tolerance = pose.gap + Tolerances.ROUNDING * (Math.abs(relative.x) + Math.abs(relative.y) + Math.abs(relative.z)
+            _sweep.tolerance = pose.tolerance + Tolerances.ROUNDING * (Math.abs(relative.x) + Math.abs(relative.y) + Math.abs(relative.z)
                     + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
         }
 
@@ -55,7 +55,7 @@ package starlogo.hierarchy
                 return;
             }
             leaves.least = out.least < 1 ? out.least : 1;
-            out.current = leaves.touch(treeA, a, treeB, b) ? leaves.least : RelativeMotion.NEVER;
+            out.current = leaves.testLeaves(treeA, a, treeB, b) ? leaves.least : RelativeMotion.NEVER;
         }
 
         // Sets the bound to the first time at which no face separates two boxes. If withEdges is true, no edge separates them then either.

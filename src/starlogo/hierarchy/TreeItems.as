@@ -178,8 +178,8 @@ package starlogo.hierarchy
             var i:int = middle;
             var last:int = _last;
             var waiting:int = _waiting;
-            var left:int = last - i - waiting + 1 - most;
-            left = left < 0 ? 0 : left;
+            var rest:int = last - i - waiting + 1 - most;
+            rest = rest < 0 ? 0 : rest;
             var leftMinX:Number = leftExtents[0];
             var leftMinY:Number = leftExtents[1];
             var leftMinZ:Number = leftExtents[2];
@@ -192,7 +192,7 @@ package starlogo.hierarchy
             var rightMaxX:Number = rightExtents[3];
             var rightMaxY:Number = rightExtents[4];
             var rightMaxZ:Number = rightExtents[5];
-            while (last - i - waiting >= left)
+            while (last - i - waiting >= rest)
             {
                 var item:int = items[waiting == 0 ? i : last];
                 var at:int = 6 * item;
@@ -237,7 +237,7 @@ package starlogo.hierarchy
             middle = i;
             _last = last;
             _waiting = waiting;
-            return left > 0;
+            return rest > 0;
         }
 
         // Twice the centre of an item's extents along an axis.

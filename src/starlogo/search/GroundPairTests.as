@@ -53,7 +53,7 @@ package starlogo.search
             _extents.halfY[0] = a.halfY;
             _extents.halfZ[0] = a.halfZ;
             var earlyOut:GroundEarlyOut = earlyOutOf(b);
-            var found:int = earlyOut.lookAt(_extents, a.form, 0);
+            var found:int = earlyOut.decide(_extents, a.form, 0);
             return found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && pairOf(a, b).overlapsAt(RelativeMotion.NONE, 0);
         }
 
@@ -83,7 +83,7 @@ package starlogo.search
             for (var i:int = 0; i < count; i++)
             {
                 var row:int = rows[i];
-                var found:int = earlyOut.lookAt(table.extents, table.forms[row], row);
+                var found:int = earlyOut.decide(table.extents, table.forms[row], row);
                 if (found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && pairOf(table.bodyOf(row), b).overlapsAt(RelativeMotion.NONE, 0))
                 {
                     rows[kept] = row;

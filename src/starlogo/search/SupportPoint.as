@@ -127,11 +127,11 @@ package starlogo.search
                 }
                 if (tree.stop[node] < _depth)
                 {
-                    var low:int = tree.low[node];
+                    var left:int = tree.left[node];
                     var axis:int = tree.axisOf(node);
                     var along:Number = axis == 0 ? _direction.x : axis == 1 ? _direction.y : _direction.z;
-                    _nodes[top] = along > 0 ? low : low + 1;
-                    _nodes[top + 1] = along > 0 ? low + 1 : low;
+                    _nodes[top] = along > 0 ? left : left + 1;
+                    _nodes[top + 1] = along > 0 ? left + 1 : left;
                     _limits[top] = _limits[top + 1] = limit;
                     top += 2;
                 }
@@ -169,8 +169,8 @@ package starlogo.search
                 }
                 if (tree.stop[node] < _depth)
                 {
-                    _nodes[top] = tree.low[node] + 1;
-                    _nodes[top + 1] = tree.low[node];
+                    _nodes[top] = tree.left[node] + 1;
+                    _nodes[top + 1] = tree.left[node];
                     top += 2;
                 }
                 else if (_corners == null)

@@ -12,9 +12,9 @@ package starlogo.solid
     {
         private static const TRIANGLES_PER_STEP:int = 25;
 
-        // After so many looks at shells for each triangle, one point decides about each shell. Only models with very many nested shells reach
+        // After so many windings of shells for each triangle, one point decides about each shell. Only models with very many nested shells reach
         // this limit.
-        private static const LOOKS_PER_TRIANGLE:int = 20;
+        private static const WINDINGS_PER_TRIANGLE:int = 20;
 
         // How far inside of its shell a point is tested, as a fraction of the shell's extent. Smaller: rounding decides where shells touch.
         // Larger: it may be outside of a thin shell.
@@ -26,7 +26,8 @@ package starlogo.solid
         private var _interior:Interior;
         private var _balances:Vector.<int>;
 
-        // For each shell, its outermost points, a corner, six times the volume, and 1 or -1 for its orientation.
+        // For each shell: its outermost points; 0, or one more than the index of a corner; six times the volume; and 1 or -1 for its orientation,
+        // or 0 without a volume.
         private var _extremes:PartExtremes;
         private var _corners:Vector.<int>;
         private var _volumes:Vector.<Number>;
@@ -36,8 +37,8 @@ package starlogo.solid
         private var _around:Vector.<Vector.<int>>;
 
         private var _face:FaceNormal = new FaceNormal();
-        private var _looks:int = 0;
-        private var _mostLooks:int;
+        private var _windingCount:int = 0;
+        private var _mostWindings:int;
 
         /**
          * @param interior has the shells; receives the cavities
@@ -47,7 +48,7 @@ package starlogo.solid
         {
             var shells:int = balances.length;
             _interior = interior;
-            _mostLooks = LOOKS_PER_TRIANGLE * interior.surface.signedShells.length;
+            _mostWindings = WINDINGS_PER_TRIANGLE * interior.surface.signedShells.length;
             _balances = balances;
             if (shells > 1)
             {
@@ -120,17 +121,17 @@ package starlogo.solid
                     continue;
                 }
                 var shell:int = shellOf(i);
-                for (var corner:int = 3; corner >= 0 && isSolid(shell) && (_around[shell] == null || _around[shell].length > 0 && _looks < _mostLooks); corner--)
+                for (var corner:int = 3; corner >= 0 && isSolid(shell) && (_around[shell] == null || _around[shell].length > 0 && _windingCount < _mostWindings); corner--)
                 {
-                    windAround(shell, i, corner);
+                    countAround(shell, i, corner);
                     _around[shell] = stillAround(shell, _around[shell]);
-                    _interior.unwind();
+                    _interior.clearWindings();
                 }
             }
         }
 
         // Counts the windings around a point of _face that is a little inside of its shell.
-        private function windAround(shell:int, triangle:int, corner:int):void
+        private function countAround(shell:int, triangle:int, corner:int):void
         {
             var corners:Vector.<Number> = _interior.mesh.corners;
             var at:int = 9 * triangle;
@@ -143,8 +144,8 @@ package starlogo.solid
                 point[axis] += share * (corners[at + axis] + corners[at + 3 + axis] + corners[at + 6 + axis])
                     + (corner == 3 ? 0 : 0.97 * corners[at + 3 * corner + axis]);
             }
-            _interior.wind(point[0], point[1], point[2]);
-            _looks += _interior.woundCount;
+            _interior.countWindings(point[0], point[1], point[2]);
+            _windingCount += _interior.crossedCount;
         }
 
         // Returns the shells that wind around the last point; none if all of them have the orientation of this shell.
@@ -152,8 +153,8 @@ package starlogo.solid
         {
             var around:Vector.<int> = new Vector.<int>();
             var hasOpposite:Boolean = false;
-            var from:Vector.<int> = before == null ? _interior.wound : before;
-            var count:int = before == null ? _interior.woundCount : before.length;
+            var from:Vector.<int> = before == null ? _interior.crossed : before;
+            var count:int = before == null ? _interior.crossedCount : before.length;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = from[i];

@@ -14,7 +14,7 @@ package starlogo.solid
     {
         private static const EDGES_PER_STEP:int = 3000;
         private static const NON_MANIFOLD_PER_STEP:int = 100;
-        private static const MOST_LOOKS:int = 8;
+        private static const MOST_TRIED:int = 8;
 
         // Which edges a pass may match: opposite edges of different triangles, opposite edges, or any.
         private static const DIFFERENT:int = 0;
@@ -198,7 +198,8 @@ package starlogo.solid
             matchSome(matchSome(matchSome(rest, DIFFERENT), COPIES), ANY);
         }
 
-        // Matches each edge with the first waiting edge before it whose likeness is at most <code>alike</code>. Returns the edges that are left.
+        // Matches each edge with a waiting edge before it whose likeness is at most <code>alike</code>. Only the first MOST_TRIED of the waiting edges
+        // are tried, so the cost is linear. Returns the edges that are left.
         private function matchSome(edges:Array, alike:int):Array
         {
             var waiting:Array = [];
@@ -206,7 +207,7 @@ package starlogo.solid
             for each (var edge:int in edges)
             {
                 var at:int = next;
-                var end:int = Math.min(waiting.length, next + MOST_LOOKS);
+                var end:int = Math.min(waiting.length, next + MOST_TRIED);
                 while (at < end && likeness(waiting[at], edge) > alike)
                 {
                     at++;

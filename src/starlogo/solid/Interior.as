@@ -41,14 +41,14 @@ package starlogo.solid
         /** The extent of the smallest part: the longest of its three extents. */
         public var leastPartExtent:Number = Infinity;
 
-        /** How often each shell winds around the point of the last <code>wind()</code>. */
+        /** How often each shell winds around the point of the last <code>countWindings()</code>. */
         public var windings:Vector.<int>;
 
         /** The shells that may wind around that point. */
-        public var wound:Vector.<int> = new Vector.<int>();
+        public var crossed:Vector.<int> = new Vector.<int>();
 
-        /** The number of shells in <code>wound</code>. */
-        public var woundCount:int = 0;
+        /** The number of shells in <code>crossed</code>. */
+        public var crossedCount:int = 0;
 
         private var _boxes:BoxSearch = new BoxSearch();
 
@@ -92,17 +92,17 @@ package starlogo.solid
          */
         public function isInside(point:Vector3D):Boolean
         {
-            wind(point.x, point.y, point.z);
+            countWindings(point.x, point.y, point.z);
             var isFound:Boolean = false;
-            for (var i:int = 0; i < woundCount; i++)
+            for (var i:int = 0; i < crossedCount; i++)
             {
-                isFound ||= isAround(wound[i]);
+                isFound ||= isAround(crossed[i]);
             }
-            unwind();
+            clearWindings();
             return isFound;
         }
 
-        /** Whether the point of the last <code>wind()</code> is inside of a shell, and not in a cavity of it. */
+        /** Whether the point of the last <code>countWindings()</code> is inside of a shell, and not in a cavity of it. */
         public function isAround(shell:int):Boolean
         {
             var state:int = surface.shellStates[shell];
@@ -116,34 +116,34 @@ package starlogo.solid
          * <p>Seen along the ray, an edge is crossed by a half-line across the ray, or it is not. The two triangles at the edge have the same
          * answer to the last bit, because they have the same corners. So a ray through an edge or a corner needs no special case.</p>
          */
-        public function wind(x:Number, y:Number, z:Number):void
+        public function countWindings(x:Number, y:Number, z:Number):void
         {
             _a = _axis == 0 ? x : (_axis == 1 ? y : z);
             _b = _axis == 0 ? y : (_axis == 1 ? z : x);
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
             _isBackward = _a < mesh.tree.boxes[_axis];
-            var margin:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.reach;
+            var margin:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.boundingRadius;
             _boxes.setPlace(x, y, z, margin);
             _boxes.setAxis(_axis, _isBackward ? -1 : 1);
             _boxes.find(mesh.tree, int.MAX_VALUE, this);
-            for (var i:int = 0; i < woundCount; i++)
+            for (var i:int = 0; i < crossedCount; i++)
             {
-                var state:int = surface.shellStates[wound[i]];
-                if (state >= 0 && windings[wound[i]] != 0)
+                var state:int = surface.shellStates[crossed[i]];
+                if (state >= 0 && windings[crossed[i]] != 0)
                 {
                     windings[state] = 0;
                 }
             }
         }
 
-        /** Forgets the windings. Must be called between two calls of <code>wind()</code>. */
-        public function unwind():void
+        /** Forgets the windings. Must be called between two calls of <code>countWindings()</code>. */
+        public function clearWindings():void
         {
-            for (var i:int = 0; i < woundCount; i++)
+            for (var i:int = 0; i < crossedCount; i++)
             {
-                windings[wound[i]] = 0;
+                windings[crossed[i]] = 0;
             }
-            woundCount = 0;
+            crossedCount = 0;
         }
 
         /** @inheritDoc */
@@ -195,7 +195,7 @@ package starlogo.solid
                 var winding:int = windings[shell];
                 if (winding == 0)
                 {
-                    wound[woundCount++] = shell;
+                    crossed[crossedCount++] = shell;
                 }
                 windings[shell] = side > 0 ? winding + crossing : winding - crossing;
             }

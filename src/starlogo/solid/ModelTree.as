@@ -12,10 +12,10 @@ package starlogo.solid
      * A model's tree, together with its triangles and what is inside of them. Only <code>refit()</code> changes the tree. The triangles
      * and their inside are prepared when they are first needed, or when the model is loaded. For the engine.
      *
-     * <p>The package solid says how two models meet whose hierarchies, and for exact tests whose triangles, decide: whether they overlap, when they
-     * first touch, how far they are apart. A query for each of these (TreeOverlapQuery, TreeImpactQuery, TreeDistanceQuery) finds pairs of leaves
-     * that are near each other, and a test of the leaves' triangles decides about them. Read TreeOverlapQuery first, then TrianglePairTest, then Interior,
-     * which knows what is inside of a surface.</p>
+     * <p>The package solid says how two models meet if trees, or for exact tests triangles, decide: whether they overlap, when they first touch,
+     * how far they are apart. A query for each of these (TreeOverlapQuery, TreeImpactQuery, TreeDistanceQuery) finds pairs of leaves that are
+     * near each other, and a test of the leaves' triangles decides about them. Read this class first, then TreeOverlapQuery, then
+     * TrianglePairTest, then Interior, which knows what is inside of a surface.</p>
      *
      * @private
      */

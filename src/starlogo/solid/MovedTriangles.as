@@ -18,14 +18,14 @@ package starlogo.solid
         public var meshA:TriangleMesh = null;
         public var meshB:TriangleMesh = null;
 
-        /** The largest gap across which triangles of these models touch. */
-        public var gap:Number = 0;
+        /** The largest distance at which triangles of these models touch. */
+        public var tolerance:Number = 0;
 
         /**
-         * The gap of quick tests, which is larger: it includes the margin of the motion and Tolerances.CORES of the two triangles. A second
-         * <code>gap</code> is more than those CORES, because it has SURFACES of the radii.
+         * The tolerance of quick tests, which is larger: it includes the margin of the motion and Tolerances.CORES of the two triangles. A second
+         * <code>tolerance</code> is more than those CORES, because it has SURFACES of the radii.
          */
-        public var outerGap:Number = 0;
+        public var outerTolerance:Number = 0;
 
         /** The corners of the triangles in the leaf of the last <code>move()</code>: nine numbers each. */
         public var moved:Vector.<Number> = new Vector.<Number>();
@@ -46,8 +46,8 @@ package starlogo.solid
             meshA = a.mesh;
             meshB = b.mesh;
             _first = -1;
-            gap = pose.gap + Touching.marginOfSurface(a.tree.radius + b.tree.radius * pose.placement.size);
-            outerGap = 2 * gap + Tolerances.EXTENTS * (Math.abs(pose.motion.x) + Math.abs(pose.motion.y) + Math.abs(pose.motion.z));
+            tolerance = pose.tolerance + Touching.marginOfSurface(a.tree.radius + b.tree.radius * pose.placement.size);
+            outerTolerance = 2 * tolerance + Tolerances.EXTENTS * (Math.abs(pose.motion.x) + Math.abs(pose.motion.y) + Math.abs(pose.motion.z));
         }
 
         /** Computes the triangles of a leaf of the second model, and returns their number. If the leaf is the same as the last one, they are kept. */

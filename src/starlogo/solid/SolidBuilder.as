@@ -16,8 +16,8 @@ package starlogo.solid
         private static const TRIANGLES_PER_STEP:int = 400;
         private static const PARTS_PER_STEP:int = 50;
 
-        // After so many looks at shells for each triangle, the parts that are left stay as they are. The answers are the same.
-        private static const LOOKS_PER_TRIANGLE:int = 20;
+        // After so many windings of shells for each triangle, the parts that are left stay as they are. The answers are the same.
+        private static const WINDINGS_PER_TRIANGLE:int = 20;
 
         private var _model:ModelTree;
         private var _order:Vector.<int>;
@@ -32,7 +32,7 @@ package starlogo.solid
         // For each shell, its part; and the parts that are one because they overlap.
         private var _partOf:Vector.<int>;
         private var _sets:DisjointSets;
-        private var _looks:int = 0;
+        private var _windingCount:int = 0;
 
         // Null if no seam has a gap. The number of entries of the moved triangles' places.
         private var _welding:Welding = null;
@@ -114,21 +114,21 @@ package starlogo.solid
         private function joinParts(first:int, end:int):void
         {
             var points:Vector.<Number> = _extremes.points;
-            for (var part:int = first; part < end && _looks < LOOKS_PER_TRIANGLE * _order.length; part++)
+            for (var part:int = first; part < end && _windingCount < WINDINGS_PER_TRIANGLE * _order.length; part++)
             {
                 var at:int = _extremes.pointsAt[part];
                 for (var i:int = at; i < at + 3 * Interior.POINTS_PER_PART; i += 3)
                 {
-                    _interior.wind(points[i], points[i + 1], points[i + 2]);
-                    _looks += _interior.woundCount;
-                    for (var k:int = 0; k < _interior.woundCount; k++)
+                    _interior.countWindings(points[i], points[i + 1], points[i + 2]);
+                    _windingCount += _interior.crossedCount;
+                    for (var k:int = 0; k < _interior.crossedCount; k++)
                     {
-                        if (_interior.isAround(_interior.wound[k]))
+                        if (_interior.isAround(_interior.crossed[k]))
                         {
-                            _sets.join(_partOf[_interior.wound[k]], part);
+                            _sets.join(_partOf[_interior.crossed[k]], part);
                         }
                     }
-                    _interior.unwind();
+                    _interior.clearWindings();
                 }
             }
         }

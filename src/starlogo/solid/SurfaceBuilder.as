@@ -56,7 +56,7 @@ package starlogo.solid
 
         private function numberSome(first:int, end:int):void
         {
-            surface.widestSeam = _welding.widestGap;
+            surface.widestSeam = _welding.widestSeam;
             for (var i:int = first; i < end; i++)
             {
                 var root:int = _sets.rootOf(_welding.welded[_triangles[3 * i]]);

@@ -85,8 +85,7 @@ package starlogo.solid
             if (b != null)
             {
                 _boxes.find(_pose, a.tree, pair.depthA, b.tree, pair.depthB, pair.isExact ? _trianglePairs.begin(a, b, _pose) : null);
-                out.copyPoints(_boxes.points);
-                out.distance = _boxes.bounds.least;
+                out.copyFrom(_boxes.points);
             }
             else if (pair.isExact)
             {

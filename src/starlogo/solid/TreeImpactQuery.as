@@ -72,7 +72,7 @@ package starlogo.solid
 
         /**
          * Finds the first moment at which the two overlap, and the contact then. Rounding can miss a touch at the end of the motion. So if
-         * nothing is found on the way, the standing test is made at time 1 too.
+         * nothing is found before, the standing test is made at time 1 too.
          *
          * @param motion of the first model, relative to the second; receives the time, from 0 to 1, or RelativeMotion.NEVER
          * @param out receives the contact, in the world; null if only the time is needed
@@ -195,8 +195,8 @@ package starlogo.solid
         {
             if (!pair.isExact)
             {
-                var a:int = pair.b == null ? _nodes.firstNode : _boxes.firstA;
-                var b:BoundingStructure = pair.b == null ? pair.structureB : pair.b.tree.writeBox(_boxes.firstB, _boxB);
+                var a:int = pair.b == null ? _nodes.firstNode : _boxes.bestA;
+                var b:BoundingStructure = pair.b == null ? pair.structureB : pair.b.tree.writeBox(_boxes.bestB, _boxB);
                 findContactOf(pair.a.tree.writeBox(a, _boxA), pair.placementA, b, motion, out);
                 return;
             }
@@ -217,14 +217,14 @@ package starlogo.solid
                 out:ContactPoint):void
         {
             var time:Number = motion.time;
-            var way:RelativeMotion = _pose.motion;
-            _displacement.startX = -time * way.x;
-            _displacement.startY = -time * way.y;
-            _displacement.startZ = -time * way.z;
+            var inFirst:RelativeMotion = _pose.motion;
+            _displacement.startX = -time * inFirst.x;
+            _displacement.startY = -time * inFirst.y;
+            _displacement.startZ = -time * inFirst.z;
             findPairContact(a, _pose.place(b), _displacement, out);
-            out.x += time * way.x;
-            out.y += time * way.y;
-            out.z += time * way.z;
+            out.x += time * inFirst.x;
+            out.y += time * inFirst.y;
+            out.z += time * inFirst.z;
             moveToWorld(out, placementA, motion);
         }
 

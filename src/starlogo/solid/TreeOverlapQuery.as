@@ -93,11 +93,6 @@ package starlogo.solid
                 out.setPoint(_containment.innerPoint);
                 return _containment.isPointOfSecond ? pair.placementB : pair.placementA;
             }
-            if (pair.isExact && pair.b == null && touchesStructure(pair))
-            {
-                // No triangle crosses the surface of the box. So the box is around the triangles that touch it.
-                _triangles.takeCorner(_pose.placeWidened(pair.structureB), out);
-            }
             return pair.placementA;
         }
 

@@ -57,7 +57,7 @@ package starlogo.solid
         {
             for (var i:int = first; i < end && least > 0; i++)
             {
-                if (squaredGap(_extents, _mesh.corners, 9 * i) < least * least)
+                if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) < least * least)
                 {
                     triangleTests++;
                     _test.setTriangle(_mesh.corners, 9 * i);

@@ -17,10 +17,10 @@ package starlogo.solid
         /** The triangles' corners: nine numbers each. */
         public var corners:Vector.<Number>;
 
-        /** A distance from the origin that contains all triangles. */
-        public var reach:Number;
+        /** The radius of a sphere around the origin that contains all triangles. */
+        public var boundingRadius:Number;
 
-        /** How far a triangle's corners may be off its plane. */
+        /** How much the places of a triangle's corners along its normal may differ. */
         public var flatness:Number;
 
         // Null before they are first needed.
@@ -40,8 +40,8 @@ package starlogo.solid
         private function measure():void
         {
             var box:Vector.<Number> = tree.boxes;
-            reach = tree.radius + Math.abs(box[0]) + Math.abs(box[1]) + Math.abs(box[2]);
-            flatness = Tolerances.PLANES * reach;
+            boundingRadius = tree.radius + Math.abs(box[0]) + Math.abs(box[1]) + Math.abs(box[2]);
+            flatness = Tolerances.PLANES * boundingRadius;
         }
 
         /** Takes over new corners, after the tree has new boxes. */
@@ -59,9 +59,9 @@ package starlogo.solid
         }
 
         /**
-         * The triangles' planes: x, y, z of the unit normal, and the distance from the origin along the normal. The distance is NaN if a corner
-         * is farther off the plane than <code>flatness</code>. For a triangle without area the normal is 0 too. Rays need no planes. If they are
-         * not placed yet, they are placed now.
+         * The triangles' planes: x, y, z of the unit normal, and the distance from the origin along the normal. The distance is NaN if the
+         * corners' distances differ by more than <code>flatness</code>. For a triangle without area the normal is 0 and the distance NaN. Rays
+         * need no planes, so the first call may have to place them.
          */
         public function get planes():Vector.<Number>
         {

@@ -42,7 +42,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function touch(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
+        override public function testLeaves(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
         {
             var count:int = _triangles.move(treeB, b);
             for (var i:int = 0; i < count && points.distance > 0; i++)
@@ -76,32 +76,32 @@ package starlogo.solid
             {
                 extent = 6 * i;
                 var squared:Number = 0;
-                var gap:Number = extents[extent] - maxX;
-                if (gap < 0)
+                var distance:Number = extents[extent] - maxX;
+                if (distance < 0)
                 {
-                    gap = minX - extents[int(extent + 3)];
+                    distance = minX - extents[int(extent + 3)];
                 }
-                if (gap > 0)
+                if (distance > 0)
                 {
-                    squared = gap * gap;
+                    squared = distance * distance;
                 }
-                gap = extents[int(extent + 1)] - maxY;
-                if (gap < 0)
+                distance = extents[int(extent + 1)] - maxY;
+                if (distance < 0)
                 {
-                    gap = minY - extents[int(extent + 4)];
+                    distance = minY - extents[int(extent + 4)];
                 }
-                if (gap > 0)
+                if (distance > 0)
                 {
-                    squared += gap * gap;
+                    squared += distance * distance;
                 }
-                gap = extents[int(extent + 2)] - maxZ;
-                if (gap < 0)
+                distance = extents[int(extent + 2)] - maxZ;
+                if (distance < 0)
                 {
-                    gap = minZ - extents[int(extent + 5)];
+                    distance = minZ - extents[int(extent + 5)];
                 }
-                if (gap > 0)
+                if (distance > 0)
                 {
-                    squared += gap * gap;
+                    squared += distance * distance;
                 }
                 if (squared >= limit)
                 {

@@ -37,17 +37,17 @@ package starlogo.solid
             _motion.x = pose.motion.x;
             _motion.y = pose.motion.y;
             _motion.z = pose.motion.z;
-            _off = _triangles.outerGap + _triangles.meshA.flatness;
+            _off = _triangles.outerTolerance + _triangles.meshA.flatness;
             return this;
         }
 
         /** @inheritDoc */
-        override public function touch(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
+        override public function testLeaves(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
         {
             var count:int = _triangles.move(treeB, b);
             var first:int = treeA.first[a];
             var end:int = treeA.end[a];
-            var gap:Number = _triangles.outerGap;
+            var tolerance:Number = _triangles.outerTolerance;
             var mesh:TriangleMesh = _triangles.meshA;
             var motion:RelativeMotion = _motion;
             var latest:Number = least;
@@ -61,23 +61,23 @@ package starlogo.solid
             {
                 // the extents of the triangle during its motion until <code>latest</code>
                 var span:int = 6 * k;
-                var minX:Number = spans[span] - gap;
-                var minY:Number = spans[int(span + 1)] - gap;
-                var minZ:Number = spans[int(span + 2)] - gap;
-                var maxX:Number = spans[int(span + 3)] + gap;
-                var maxY:Number = spans[int(span + 4)] + gap;
-                var maxZ:Number = spans[int(span + 5)] + gap;
-                var way:Number = motion.x * latest;
-                minX = way < 0 ? minX + way : minX;
-                maxX = way > 0 ? maxX + way : maxX;
-                way = motion.y * latest;
-                minY = way < 0 ? minY + way : minY;
-                maxY = way > 0 ? maxY + way : maxY;
-                way = motion.z * latest;
-                minZ = way < 0 ? minZ + way : minZ;
-                maxZ = way > 0 ? maxZ + way : maxZ;
+                var minX:Number = spans[span] - tolerance;
+                var minY:Number = spans[int(span + 1)] - tolerance;
+                var minZ:Number = spans[int(span + 2)] - tolerance;
+                var maxX:Number = spans[int(span + 3)] + tolerance;
+                var maxY:Number = spans[int(span + 4)] + tolerance;
+                var maxZ:Number = spans[int(span + 5)] + tolerance;
+                var displacement:Number = motion.x * latest;
+                minX = displacement < 0 ? minX + displacement : minX;
+                maxX = displacement > 0 ? maxX + displacement : maxX;
+                displacement = motion.y * latest;
+                minY = displacement < 0 ? minY + displacement : minY;
+                maxY = displacement > 0 ? maxY + displacement : maxY;
+                displacement = motion.z * latest;
+                minZ = displacement < 0 ? minZ + displacement : minZ;
+                maxZ = displacement > 0 ? maxZ + displacement : maxZ;
                 _b.setTriangle(corners, 9 * k);
-                _b.margin += _triangles.gap;
+                _b.margin += _triangles.tolerance;
                 for (var i:int = end - 1; i >= first; i--)
                 {
                     var extent:int = 6 * i;
@@ -125,9 +125,9 @@ package starlogo.solid
             var p:Number = x * corners[corner] + y * corners[int(corner + 1)] + z * corners[int(corner + 2)] - place;
             var q:Number = x * corners[int(corner + 3)] + y * corners[int(corner + 4)] + z * corners[int(corner + 5)] - place;
             var r:Number = x * corners[int(corner + 6)] + y * corners[int(corner + 7)] + z * corners[int(corner + 8)] - place;
-            var way:Number = _motion.latest * (x * _motion.x + y * _motion.y + z * _motion.z);
-            var low:Number = way < 0 ? _off - way : _off;
-            var high:Number = way > 0 ? -_off - way : -_off;
+            var displacement:Number = _motion.latest * (x * _motion.x + y * _motion.y + z * _motion.z);
+            var low:Number = displacement < 0 ? _off - displacement : _off;
+            var high:Number = displacement > 0 ? -_off - displacement : -_off;
             return p > low && q > low && r > low || p < high && q < high && r < high;
         }
 

@@ -26,7 +26,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function touch(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
+        override public function testLeaves(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
         {
             var count:int = _triangles.move(treeB, b);
             for (var i:int = 0; i < count; i++)
@@ -45,13 +45,13 @@ package starlogo.solid
             var mesh:TriangleMesh = _triangles.meshA;
             var at:int = 6 * triangle;
             var extents:Vector.<Number> = _triangles.extents;
-            var gap:Number = _triangles.outerGap;
-            var minX:Number = extents[at] - gap;
-            var minY:Number = extents[int(at + 1)] - gap;
-            var minZ:Number = extents[int(at + 2)] - gap;
-            var maxX:Number = extents[int(at + 3)] + gap;
-            var maxY:Number = extents[int(at + 4)] + gap;
-            var maxZ:Number = extents[int(at + 5)] + gap;
+            var tolerance:Number = _triangles.outerTolerance;
+            var minX:Number = extents[at] - tolerance;
+            var minY:Number = extents[int(at + 1)] - tolerance;
+            var minZ:Number = extents[int(at + 2)] - tolerance;
+            var maxX:Number = extents[int(at + 3)] + tolerance;
+            var maxY:Number = extents[int(at + 4)] + tolerance;
+            var maxZ:Number = extents[int(at + 5)] + tolerance;
             var corners:Vector.<Number> = _triangles.moved;
             var corner:int = 9 * triangle;
             var px:Number = corners[corner];
@@ -65,9 +65,9 @@ package starlogo.solid
             var rz:Number = corners[int(corner + 8)];
             extents = mesh.extents;
             var planes:Vector.<Number> = mesh.planes;
-            var off:Number = gap + mesh.flatness;
+            var off:Number = tolerance + mesh.flatness;
             _b.setTriangle(corners, corner);
-            _b.margin += _triangles.gap;
+            _b.margin += _triangles.tolerance;
             for (var i:int = first; i < end; i++)
             {
                 at = 6 * i;

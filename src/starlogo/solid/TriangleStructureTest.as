@@ -2,7 +2,6 @@ package starlogo.solid
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
@@ -38,7 +37,7 @@ package starlogo.solid
         // or a segment.
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        // The structure's core, and the radius around it, with the gap across which it touches and a margin for rounding.
+        // The structure's core, and the radius around it, with the tolerance and a margin for rounding.
         private var _core:Zonotope = new Zonotope();
         private var _radius:Number = 0;
 
@@ -53,7 +52,6 @@ package starlogo.solid
         // Whether a triangle is touched, and the index of the first number of the one that is touched first.
         private var _isFound:Boolean = false;
         private var _first:int = 0;
-        private var _corner:Vector3D = new Vector3D();
 
         /**
          * Whether a triangle of a model touches a structure.
@@ -90,14 +88,14 @@ package starlogo.solid
             _mesh = model.mesh;
             _motion = motion;
             _test.setStructure(structure, pose.placement);
-            _test.shape.margin += pose.gap + Touching.marginOfSurface(model.tree.radius);
+            _test.shape.margin += pose.tolerance + Touching.marginOfSurface(model.tree.radius);
             _test.structure.extentsInto(_extents);
             var extents:Vector.<Number> = _extents;
-            var gap:Number = _test.shape.margin;
-            boxes.setExtents(extents, gap);
+            var margin:Number = _test.shape.margin;
+            boxes.setExtents(extents, margin);
             boxes.setMotion(motion);
             var round:Number = _test.shape.radius;
-            _radius = round + gap + Tolerances.EXTENTS * (boxes.halfX + boxes.halfY + boxes.halfZ);
+            _radius = round + margin + Tolerances.EXTENTS * (boxes.halfX + boxes.halfY + boxes.halfZ);
             for (var i:int = 0; i < 6; i += 2)
             {
                 extents[i] += round;
@@ -126,7 +124,7 @@ package starlogo.solid
             boxes.halfX += margin;
             boxes.halfY += margin;
             boxes.halfZ += margin;
-            // along each of the core's segments, and across it; for a sphere or a capsule also along the way of the segment
+            // along each of the core's segments, and across it; for a sphere or a capsule also along the motion across the segment
             var along:Vector.<Number> = _core.directions;
             var share:Number = _core.end == 3 ? along[0] * motion.x + along[1] * motion.y + along[2] * motion.z : 0;
             _axesEnd = 0;
@@ -151,23 +149,23 @@ package starlogo.solid
             var side:int = x * _motion.x + y * _motion.y + z * _motion.z < 0 ? -1 : 1;
             _axis.setTo(side * x, side * y, side * z);
             _core.measure(_axis);
-            var reach:Number = _core.projectedRadius + _radius * _axis.length;
+            var radius:Number = _core.projectedRadius + _radius * _axis.length;
             var middle:Number = _axis.x * _core.x + _axis.y * _core.y + _axis.z * _core.z;
             var speed:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
             axes[at] = _axis.x;
             axes[int(at + 1)] = _axis.y;
             axes[int(at + 2)] = _axis.z;
-            axes[int(at + 3)] = middle - reach + _motion.earliest * speed;
-            axes[int(at + 4)] = middle + reach;
+            axes[int(at + 3)] = middle - radius + _motion.earliest * speed;
+            axes[int(at + 4)] = middle + radius;
             axes[int(at + 5)] = speed;
             _axesEnd = at + 6;
         }
 
-        // Widens the extents along an axis to those of the motion from its earliest to its latest time. The way is the whole motion's.
-        private function widen(axis:int, way:Number):void
+        // Widens the extents along an axis to those of the motion from its earliest to its latest time. The displacement is the whole motion's.
+        private function widen(axis:int, displacement:Number):void
         {
-            var begin:Number = way * _motion.earliest;
-            var end:Number = way * _motion.latest;
+            var begin:Number = displacement * _motion.earliest;
+            var end:Number = displacement * _motion.latest;
             var low:Number = begin < end ? begin : end;
             var high:Number = begin < end ? end : begin;
             _extents[axis] += low;
@@ -180,7 +178,7 @@ package starlogo.solid
             var isMoving:Boolean = _motion !== RelativeMotion.NONE;
             for (var i:int = first; i < end; i++)
             {
-                if (squaredGap(_extents, _mesh.corners, 9 * i) > _radius * _radius)
+                if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) > _radius * _radius)
                 {
                     continue;
                 }
@@ -233,19 +231,6 @@ package starlogo.solid
             out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
         }
 
-        /**
-         * If a corner of the triangle that is touched first is inside of a structure, writes it in place of both closest points. Only after a triangle
-         * was touched.
-         */
-        public function takeCorner(structure:BoundingStructure, out:ClosestPoints):void
-        {
-            _corner.setTo(_mesh.corners[_first], _mesh.corners[int(_first + 1)], _mesh.corners[int(_first + 2)]);
-            if (structure.contains(_corner))
-            {
-                out.setPoint(_corner);
-            }
-        }
-
         // Finds when the structure first comes to a triangle's plane; it cannot touch the triangle before.
         private function findEarliest(triangle:int):void
         {
@@ -255,16 +240,16 @@ package starlogo.solid
             _axis.y = planes[int(at + 1)];
             _axis.z = planes[int(at + 2)];
             _core.measure(_axis);
-            var reach:Number = _core.projectedRadius + _radius + _mesh.flatness;
+            var radius:Number = _core.projectedRadius + _radius + _mesh.flatness;
             var from:Number = _axis.x * _core.x + _axis.y * _core.y + _axis.z * _core.z - planes[int(at + 3)];
             var speed:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
-            var gap:Number = from < 0 ? -from : from;
-            gap -= reach;
+            var distance:Number = from < 0 ? -from : from;
+            distance -= radius;
             var closing:Number = from < 0 ? speed : -speed;
             var earliest:Number = _motion.earliest;
-            if (gap > 0)
+            if (distance > 0)
             {
-                var time:Number = closing > 0 ? gap / closing : RelativeMotion.NEVER;
+                var time:Number = closing > 0 ? distance / closing : RelativeMotion.NEVER;
                 earliest = time > earliest ? time : earliest;
             }
             _sweep.earliest = earliest;
@@ -311,17 +296,17 @@ package starlogo.solid
             _axis.y = y;
             _axis.z = z;
             _core.measure(_axis);
-            var reach:Number = _core.projectedRadius + _radius * Math.sqrt(x * x + y * y + z * z);
+            var radius:Number = _core.projectedRadius + _radius * Math.sqrt(x * x + y * y + z * z);
             var edge:Number = x * ux + y * uy + z * uz;
             var apex:Number = x * (corners[r] - px) + y * (corners[int(r + 1)] - py) + z * (corners[int(r + 2)] - pz);
-            var low:Number = edge < 0 ? edge - reach : -reach;
-            low = apex - reach < low ? apex - reach : low;
-            var high:Number = edge > 0 ? edge + reach : reach;
-            high = apex + reach > high ? apex + reach : high;
+            var low:Number = edge < 0 ? edge - radius : -radius;
+            low = apex - radius < low ? apex - radius : low;
+            var high:Number = edge > 0 ? edge + radius : radius;
+            high = apex + radius > high ? apex + radius : high;
             var place:Number = x * (_core.x - px) + y * (_core.y - py) + z * (_core.z - pz);
-            var way:Number = x * _motion.x + y * _motion.y + z * _motion.z;
-            var from:Number = place + _motion.earliest * way;
-            var to:Number = place + least * way;
+            var speed:Number = x * _motion.x + y * _motion.y + z * _motion.z;
+            var from:Number = place + _motion.earliest * speed;
+            var to:Number = place + least * speed;
             return from > high && to > high || from < low && to < low;
         }
     }

@@ -17,7 +17,7 @@ package starlogo.solid
         public var welded:Vector.<int>;
 
         /** The largest distance of a vertex from the one to which it is welded. */
-        public var widestGap:Number = 0;
+        public var widestSeam:Number = 0;
 
         private var _vertices:Vector.<Number>;
         private var _bounds:VertexBounds = new VertexBounds();
@@ -31,7 +31,7 @@ package starlogo.solid
 
         // The nearest place found for the current vertex, or -1, and its distance.
         private var _nearest:int;
-        private var _gap:Number;
+        private var _distance:Number;
 
         /**
          * @param vertices x, y, z of each
@@ -84,15 +84,15 @@ package starlogo.solid
             var besideZ:int = z - cellZ < 0.5 ? cellZ - 1 : cellZ + 1;
             var own:int = hash(cellX, cellY, cellZ);
             _nearest = -1;
-            _gap = _tolerance;
-            look(own, vertex);
-            for (var i:int = 1; i < 8 && (_nearest < 0 || _gap > 0); i++)
+            _distance = _tolerance;
+            findNearest(own, vertex);
+            for (var i:int = 1; i < 8 && (_nearest < 0 || _distance > 0); i++)
             {
-                look(hash((i & 1) == 0 ? cellX : besideX, (i & 2) == 0 ? cellY : besideY, (i & 4) == 0 ? cellZ : besideZ), vertex);
+                findNearest(hash((i & 1) == 0 ? cellX : besideX, (i & 2) == 0 ? cellY : besideY, (i & 4) == 0 ? cellZ : besideZ), vertex);
             }
             if (_nearest >= 0)
             {
-                widestGap = _gap > widestGap ? _gap : widestGap;
+                widestSeam = _distance > widestSeam ? _distance : widestSeam;
                 return _nearest;
             }
             _before[vertex] = _last[own];
@@ -100,18 +100,18 @@ package starlogo.solid
             return vertex;
         }
 
-        // Looks at the places with a hash, most of which are in one cell.
-        private function look(hash:int, vertex:int):void
+        // Looks for a nearer place among those with a hash, most of which are in one cell.
+        private function findNearest(hash:int, vertex:int):void
         {
             for (var place:int = _last[hash] - 1; place >= 0; place = _before[place] - 1)
             {
                 var x:Number = _vertices[3 * vertex] - _vertices[3 * place];
                 var y:Number = _vertices[int(3 * vertex + 1)] - _vertices[int(3 * place + 1)];
                 var z:Number = _vertices[int(3 * vertex + 2)] - _vertices[int(3 * place + 2)];
-                var gap:Number = Math.sqrt(x * x + y * y + z * z);
-                if (gap < _gap || gap == _gap && _nearest < 0)
+                var distance:Number = Math.sqrt(x * x + y * y + z * z);
+                if (distance < _distance || distance == _distance && _nearest < 0)
                 {
-                    _gap = gap;
+                    _distance = distance;
                     _nearest = place;
                 }
             }

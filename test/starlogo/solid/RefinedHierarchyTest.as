@@ -96,7 +96,7 @@ package starlogo.solid
         private static function deepestOf(tree:BoxTree):int
         {
             var deepest:int = 0;
-            for (var node:int = 0; node < tree.low.length; node++)
+            for (var node:int = 0; node < tree.left.length; node++)
             {
                 deepest = Math.max(deepest, tree.levelOf(node));
             }
@@ -132,7 +132,7 @@ package starlogo.solid
         private static function check(tree:BoxTree, node:int, extents:Vector.<Number>):int
         {
             var box:Vector.<Number> = tree.boxes.slice(6 * node, 6 * node + 6);
-            var low:int = tree.low[node];
+            var left:int = tree.left[node];
             var isLeaf:Boolean = tree.stop[node] >= BoxTree.LARGEST_DEPTH;
             assertTrue(tree.end[node] > tree.first[node]);
             for (var i:int = tree.first[node]; i < tree.end[node]; i++)
@@ -143,19 +143,19 @@ package starlogo.solid
                     assertTrue(box[axis] + box[axis + 3] > extents[6 * i + axis + 3]);
                 }
             }
-            if (low == 0)
+            if (left == 0)
             {
                 assertEquals(int.MAX_VALUE, tree.stop[node]);
                 assertTrue("triangles: " + (tree.end[node] - tree.first[node]), tree.end[node] - tree.first[node] <= MOST);
                 return 1;
             }
-            assertEquals(tree.first[node], tree.first[low]);
-            assertEquals(tree.end[low], tree.first[low + 1]);
-            assertEquals(tree.end[node], tree.end[low + 1]);
-            assertEquals(tree.levelOf(node) + 1, tree.levelOf(low));
+            assertEquals(tree.first[node], tree.first[left]);
+            assertEquals(tree.end[left], tree.first[left + 1]);
+            assertEquals(tree.end[node], tree.end[left + 1]);
+            assertEquals(tree.levelOf(node) + 1, tree.levelOf(left));
             assertEquals(isLeaf ? BoxTree.LARGEST_DEPTH : tree.levelOf(node), tree.stop[node]);
-            assertTrue("below a leaf are leaves", !isLeaf || tree.stop[low] >= BoxTree.LARGEST_DEPTH && tree.stop[low + 1] >= BoxTree.LARGEST_DEPTH);
-            return check(tree, low, extents) + check(tree, low + 1, extents);
+            assertTrue("below a leaf are leaves", !isLeaf || tree.stop[left] >= BoxTree.LARGEST_DEPTH && tree.stop[left + 1] >= BoxTree.LARGEST_DEPTH);
+            return check(tree, left, extents) + check(tree, left + 1, extents);
         }
 
         private static function describe(node:HierarchyNode):String

@@ -25,9 +25,9 @@ package starlogo.solid
         private static function axesOf(tree:BoxTree):String
         {
             var axes:Array = [];
-            for (var node:int = 0; node < tree.low.length; node++)
+            for (var node:int = 0; node < tree.left.length; node++)
             {
-                axes.push(tree.low[node] == 0 ? "." : tree.axisOf(node));
+                axes.push(tree.left[node] == 0 ? "." : tree.axisOf(node));
             }
             return axes.join("");
         }

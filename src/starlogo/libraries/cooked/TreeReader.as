@@ -131,8 +131,8 @@ package starlogo.libraries.cooked
             {
                 return false;
             }
-            var low:int = _tree.divide(node, division % BELOW, middle, division >= BELOW);
-            _waiting.push(low + 1, low);
+            var left:int = _tree.divide(node, division % BELOW, middle, division >= BELOW);
+            _waiting.push(left + 1, left);
             return true;
         }
 
@@ -140,8 +140,8 @@ package starlogo.libraries.cooked
         private function measuring():Steps
         {
             var tree:BoxTree = _tree;
-            var last:int = tree.low.length - 1;
-            var extents:Vector.<Number> = new Vector.<Number>(6 * tree.low.length, true);
+            var last:int = tree.left.length - 1;
+            var extents:Vector.<Number> = new Vector.<Number>(6 * tree.left.length, true);
             return new StepSequence().slices(last + 1, NODES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = last - first; i > last - end; i--)

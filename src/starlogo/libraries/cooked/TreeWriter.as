@@ -22,7 +22,7 @@ package starlogo.libraries.cooked
 
         /**
          * Writes the order of the items. Each index takes as few bytes as the number of items allows. Then it writes the nodes from the
-         * root down, low before high. A node without children is 0. Any other node is the sum of: 1; its axis; 3 if the node is a leaf of
+         * root down, left before right. A node without children is 0. Any other node is the sum of: 1; its axis; 3 if the node is a leaf of
          * the thesis's tree or below one; 6 times the number of items on its low side.
          *
          * @param tree the tree
@@ -42,14 +42,14 @@ package starlogo.libraries.cooked
             while (waiting.length > 0)
             {
                 var node:int = waiting.pop();
-                var low:int = tree.low[node];
-                if (low == 0)
+                var left:int = tree.left[node];
+                if (left == 0)
                 {
                     VarInt.write(0, out);
                     continue;
                 }
-                VarInt.write(1 + tree.axisOf(node) + (tree.stop[node] >= BoxTree.LARGEST_DEPTH ? 3 : 0) + 6 * (tree.end[low] - tree.first[low]), out);
-                waiting.push(low + 1, low);
+                VarInt.write(1 + tree.axisOf(node) + (tree.stop[node] >= BoxTree.LARGEST_DEPTH ? 3 : 0) + 6 * (tree.end[left] - tree.first[left]), out);
+                waiting.push(left + 1, left);
             }
         }
     }

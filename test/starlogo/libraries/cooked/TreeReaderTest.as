@@ -39,7 +39,7 @@ package starlogo.libraries.cooked
 
         private static function levelsOf(tree:BoxTree):int
         {
-            return tree.levelOf(tree.low.length - 1);
+            return tree.levelOf(tree.left.length - 1);
         }
     }
 }

@@ -8,7 +8,7 @@ package starlogo.solid
      * @param at index of the first of them
      * @private
      */
-    internal function squaredGap(extents:Vector.<Number>, corners:Vector.<Number>, at:int):Number
+    internal function squaredDistanceToExtents(extents:Vector.<Number>, corners:Vector.<Number>, at:int):Number
     {
         var squared:Number = 0;
         for (var axis:int = 0; axis < 6; axis += 2)
@@ -18,20 +18,20 @@ package starlogo.solid
             var r:Number = corners[int(at + 6)];
             var low:Number = extents[axis];
             var high:Number = extents[int(axis + 1)];
-            var gap:Number = 0;
+            var distance:Number = 0;
             if (p > high && q > high && r > high)
             {
-                gap = p < q ? p : q;
-                gap = gap < r ? gap : r;
-                gap -= high;
+                distance = p < q ? p : q;
+                distance = distance < r ? distance : r;
+                distance -= high;
             }
             else if (p < low && q < low && r < low)
             {
-                gap = p > q ? p : q;
-                gap = gap > r ? gap : r;
-                gap = low - gap;
+                distance = p > q ? p : q;
+                distance = distance > r ? distance : r;
+                distance = low - distance;
             }
-            squared += gap * gap;
+            squared += distance * distance;
             at++;
         }
         return squared;

@@ -2,8 +2,8 @@ package starlogo.blocks
 {
     import starlogo.agents.Agent;
     import starlogo.debug.CollisionLines;
+    import starlogo.geometry.HashTable;
     import starlogo.geometry.requireGiven;
-    import starlogo.search.HashTable;
 
     /**
      * The block "show bounding structures". It says which agents' structures are shown, and returns lines to draw: the shapes that the

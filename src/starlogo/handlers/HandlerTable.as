@@ -4,8 +4,8 @@ package starlogo.handlers
 {
     import starlogo.agents.Breeds;
     import starlogo.engine;
+    import starlogo.geometry.HashTable;
     import starlogo.search.BreedInterests;
-    import starlogo.search.HashTable;
     import starlogo.search.textOf;
 
     use namespace engine;

@@ -2,8 +2,8 @@ package starlogo.handlers
 {
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.geometry.HashTable;
     import starlogo.search.FoundPairs;
-    import starlogo.search.HashTable;
     import starlogo.search.KeySort;
     import starlogo.search.NumberList;
 

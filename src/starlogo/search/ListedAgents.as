@@ -3,6 +3,7 @@ package starlogo.search
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
     import starlogo.engine;
+    import starlogo.geometry.HashTable;
 
     use namespace engine;
 

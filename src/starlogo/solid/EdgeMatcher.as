@@ -1,5 +1,6 @@
 package starlogo.solid
 {
+    import starlogo.geometry.HashTable;
     import starlogo.steps.StepSequence;
 
     /**
@@ -29,9 +30,8 @@ package starlogo.solid
         private var _triangles:Vector.<uint>;
         private var _welding:Welding;
 
-        // A hash table of pairs of vertices: one more than the number of the last edge between the two. For each edge, one more than the
-        // number of the edge before it between the same vertices, or 0.
-        private var _lasts:Vector.<int>;
+        // The last edge between two vertices. For each edge, one more than the number of the edge before it between the same vertices, or 0.
+        private var _lasts:HashTable;
         private var _before:Vector.<int>;
 
         // If more than two edges are between the same two vertices, the last of these edges is in this list, in the order of the lower
@@ -49,12 +49,7 @@ package starlogo.solid
             _welding = welding;
             partners = new Vector.<int>(triangles.length, true);
             _before = new Vector.<int>(triangles.length, true);
-            var size:int = 2;
-            while (size < 2 * triangles.length)
-            {
-                size *= 2;
-            }
-            _lasts = new Vector.<int>(size, true);
+            _lasts = new HashTable(triangles.length);
             slices(triangles.length, EDGES_PER_STEP, link).slices(triangles.length, EDGES_PER_STEP, match).call(beginNonManifold);
         }
 
@@ -95,26 +90,13 @@ package starlogo.solid
                     continue;
                 }
                 var low:int = lowOf(edge);
-                var sum:int = beginOf(edge) + endOf(edge);
-                var hash:int = low * 69069 ^ sum;
-                hash = (hash ^ hash >>> 15) * 69069;
-                var at:int = (hash ^ hash >>> 15) & _lasts.length - 1;
-                while (_lasts[at] != 0 && !areBetween(_lasts[at] - 1, low, sum))
+                var high:int = beginOf(edge) + endOf(edge) - low;
+                var before:int = _lasts.set (low, high, edge);
+                if (before >= 0)
                 {
-                    at = at + 1 & _lasts.length - 1;
+                    _before[edge] = partners[before] = before + 1;
                 }
-                var before:int = _lasts[at];
-                if (before > 0)
-                {
-                    _before[edge] = partners[int(before - 1)] = before;
-                }
-                _lasts[at] = edge + 1;
             }
-        }
-
-        private function areBetween(edge:int, low:int, sum:int):Boolean
-        {
-            return lowOf(edge) == low && beginOf(edge) + endOf(edge) == sum;
         }
 
         private function match(first:int, end:int):void

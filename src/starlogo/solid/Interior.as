@@ -26,7 +26,7 @@ package starlogo.solid
         /** The corners of the triangles that were moved when seams were welded: nine numbers each. */
         public var places:Vector.<Number> = new Vector.<Number>();
 
-        /** For each triangle, the index of its first number in <code>places</code>, or -1. Null if no seam has a gap. */
+        /** For each triangle, the index of its first number in <code>places</code>, or -1. Null if all vertices of each seam are at one place. */
         public var placesAt:Vector.<int> = null;
 
         /** Whether a shell of the surface is closed, so that it has an inside. */

@@ -24,7 +24,7 @@ package starlogo.solid
         /** @private The tree of the model's triangles or vertices. */
         engine var tree:BoxTree;
 
-        private static const OPEN:AxisEscapeTest = new AxisEscapeTest();
+        private static const ESCAPE:AxisEscapeTest = new AxisEscapeTest();
 
         /** @private The surface, or null if nothing is known of it. */
         engine var surface:SurfaceTopology = null;
@@ -88,7 +88,7 @@ package starlogo.solid
                 || Math.abs(middle.z - box[2]) > box[5] - radius;
             if (!isOutside && readyInterior == null)
             {
-                isOutside = OPEN.hasOpenSide(middle, tree);
+                isOutside = ESCAPE.hasOpenSide(middle, tree);
             }
             return !isOutside && interior.isClosed && readyInterior.isInside(middle);
         }

@@ -34,7 +34,7 @@ package starlogo.solid
         private var _sets:DisjointSets;
         private var _windingCount:int = 0;
 
-        // Null if no seam has a gap. The number of entries of the moved triangles' places.
+        // Null if all vertices of each seam are at one place. The number of entries of the moved triangles' places.
         private var _welding:Welding = null;
         private var _placeCount:int = 0;
 

@@ -7,7 +7,8 @@ package starlogo.solid
     /**
      * Finds the vertices that are at the same place, within a tolerance, because rounding may have separated the vertices of a seam. A hash
      * table has the places by the cells of a grid. Each cell is twice as wide as the tolerance, so the places near a vertex are in eight
-     * cells at most. Places are farther apart than the tolerance, so a cell has few of them.
+     * cells at most. Places are farther apart than the tolerance, so a cell has few of them. The table is not a HashTable, because it need
+     * not tell cells apart: a vertex is compared with the places anyway. A HashTable would take longer.
      */
     internal final class Welding extends StepSequence
     {

@@ -1,6 +1,5 @@
-package starlogo.search
+package starlogo.geometry
 {
-
     /**
      * A hash table that stores a number for each pair of keys. It uses open addressing: if the own slot of the keys is taken, they are stored in the
      * next free slot. The table is at most half full. It grows, and never shrinks.
@@ -12,10 +11,23 @@ package starlogo.search
         private static const FEWEST:int = 4;
 
         // By slot: the two keys, and the value plus 1, which is 0 if the slot is free.
-        private var _firsts:Vector.<int> = new Vector.<int>(FEWEST);
-        private var _seconds:Vector.<int> = new Vector.<int>(FEWEST);
-        private var _values:Vector.<int> = new Vector.<int>(FEWEST);
+        private var _firsts:Vector.<int>;
+        private var _seconds:Vector.<int>;
+        private var _values:Vector.<int>;
         private var _count:int = 0;
+
+        /** @param expected room for so many keys, so that it does not grow while they are added */
+        public function HashTable(expected:int = 0)
+        {
+            var length:int = FEWEST;
+            while (length < 2 * expected)
+            {
+                length *= 2;
+            }
+            _firsts = new Vector.<int>(length);
+            _seconds = new Vector.<int>(length);
+            _values = new Vector.<int>(length);
+        }
 
         /** The value of two keys, or -1 if they have none. Their order matters. Pass 0 as the second key if one is enough. */
         public function valueOf(first:int, second:int):int
@@ -37,21 +49,27 @@ package starlogo.search
             return -1;
         }
 
-        /** Sets the value of two keys, which is 0 or more, and overwrites the value that they had. */
-        public function set (first:int, second:int, value:int):void
+        /**
+         * Sets the value of two keys, which is 0 or more.
+         *
+         * @return the value that they had, or -1
+         */
+        public function set (first:int, second:int, value:int):int
         {
             if (2 * _count >= _values.length)
             {
                 grow();
             }
             var slot:int = slotOf(first, second);
-            if (_values[slot] == 0)
+            var before:int = _values[slot] - 1;
+            if (before < 0)
             {
                 _firsts[slot] = first;
                 _seconds[slot] = second;
                 _count++;
             }
             _values[slot] = value + 1;
+            return before;
         }
 
         /** Removes two keys, if they have a value. */
@@ -101,9 +119,11 @@ package starlogo.search
         // The slot of two keys, or the free slot where they belong.
         private function slotOf(first:int, second:int):int
         {
-            var mask:int = _values.length - 1;
+            var firsts:Vector.<int> = _firsts;
+            var values:Vector.<int> = _values;
+            var mask:int = values.length - 1;
             var slot:int = hashOf(first, second) & mask;
-            while (_values[slot] != 0 && (_firsts[slot] != first || _seconds[slot] != second))
+            while (values[slot] != 0 && (firsts[slot] != first || _seconds[slot] != second))
             {
                 slot = (slot + 1) & mask;
             }

@@ -1,4 +1,4 @@
-package starlogo.search
+package starlogo.geometry
 {
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
@@ -29,7 +29,7 @@ package starlogo.search
                 assertEquals(key, key in known ? known[key] : -1, table.valueOf(first, second));
                 if (random.chance(0.6))
                 {
-                    table.set (first, second, i);
+                    assertEquals(key, key in known ? known[key] : -1, table.set (first, second, i));
                     known[key] = i;
                 }
                 else

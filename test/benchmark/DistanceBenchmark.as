@@ -6,6 +6,7 @@ package benchmark
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.hierarchy.TreeCounts;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;
@@ -33,8 +34,9 @@ package benchmark
 
         private var _random:SeededRandom = new SeededRandom(2210);
         private var _pair:TreePair = new TreePair();
-        private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery();
-        private var _distances:TreeDistanceQuery = new TreeDistanceQuery(new TreeOverlapQuery());
+        private var _counts:TreeCounts = new TreeCounts();
+        private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery(_counts);
+        private var _distances:TreeDistanceQuery = new TreeDistanceQuery(_overlaps, _counts);
         private var _closest:ClosestPoints = new ClosestPoints();
         private var _all:Vector.<Measurement> = new Vector.<Measurement>();
         private var _visits:Array = [];
@@ -106,15 +108,12 @@ package benchmark
 
         private function add(name:String, pair:Function):void
         {
-            _overlaps.resetCounts();
-            _distances.resetCounts();
+            _counts.nodeVisits = _counts.triangleTests = 0;
             for (var i:int = 0; i < PAIRS; i++)
             {
                 pair(i);
             }
-            var visits:int = _overlaps.nodeVisits + _distances.nodeVisits;
-            var tests:int = _overlaps.triangleTests + _distances.triangleTests;
-            _visits.push((visits / PAIRS).toFixed(1) + ", " + (tests / PAIRS).toFixed(1));
+            _visits.push((_counts.nodeVisits / PAIRS).toFixed(1) + ", " + (_counts.triangleTests / PAIRS).toFixed(1));
             _all.push(new Measurement(name, function():void
                     {
                         for (var k:int = 0; k < PAIRS; k++)

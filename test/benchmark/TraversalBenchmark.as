@@ -12,6 +12,7 @@ package benchmark
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTraversal;
     import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.TreeCounts;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
@@ -39,8 +40,9 @@ package benchmark
         private static const DEPTH:int = 5;
 
         private var _pair:TreePair = new TreePair();
-        private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery();
-        private var _impacts:TreeImpactQuery = new TreeImpactQuery(_overlaps);
+        private var _counts:TreeCounts = new TreeCounts();
+        private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery(_counts);
+        private var _impacts:TreeImpactQuery = new TreeImpactQuery(_overlaps, _counts);
         private var _pose:RelativePose = new RelativePose();
         private var _random:SeededRandom = new SeededRandom(2101);
         private var _ball:ModelTree;
@@ -99,7 +101,7 @@ package benchmark
         // Without what comes before and after the traversal.
         private function addTraversal(name:String, a:ModelTree):void
         {
-            var traversal:BoxTraversal = new BoxTraversal();
+            var traversal:BoxTraversal = new BoxTraversal(_counts);
             var first:Vector.<Placement> = places(1.3, 1, false);
             var second:Vector.<Placement> = places(1.3, 1, false);
             measure(name, function(i:int, answers:ByteArray):void
@@ -195,8 +197,7 @@ package benchmark
         {
             var answers:ByteArray = new ByteArray();
             var hits:int = 0;
-            _overlaps.resetCounts();
-            _impacts.resetCounts();
+            _counts.nodeVisits = _counts.triangleTests = 0;
             for (var i:int = 0; i < PAIRS; i++)
             {
                 var at:int = answers.position;
@@ -207,7 +208,7 @@ package benchmark
                 hits += end - at > 8 || first == 1 ? 1 : 0;
                 answers.position = end;
             }
-            _visits.push(((_overlaps.nodeVisits + _impacts.nodeVisits) / PAIRS).toFixed(2) + ", " + (_overlaps.triangleTests + _impacts.triangleTests));
+            _visits.push((_counts.nodeVisits / PAIRS).toFixed(2) + ", " + _counts.triangleTests);
             _hits.push((100 * hits / PAIRS).toFixed(0));
             answers.position = 0;
             var hash:int = 17;

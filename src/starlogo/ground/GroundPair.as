@@ -146,7 +146,8 @@ package starlogo.ground
             {
                 while (first > 0 && _pieces.nextTriangle())
                 {
-                    if (isTouchedBefore(first))
+                    findTime();
+                    if (_sweep.time < first)
                     {
                         first = _box.latest = _sweep.time;
                         if (out != null)
@@ -338,16 +339,15 @@ package starlogo.ground
             }
         }
 
-        // Whether the moving piece touches the triangle before a time. If so, _sweep has the time.
-        private function isTouchedBefore(time:Number):Boolean
+        // Finds when the moving piece touches the triangle, until the latest time.
+        private function findTime():void
         {
             _sweep.latest = _box.latest;
-            if (_piece.staysBeside(_sweep))
+            _sweep.time = RelativeMotion.NEVER;
+            if (!_piece.staysBeside(_sweep))
             {
-                return false;
+                _piece.findTime(_sweep);
             }
-            _piece.findTime(_sweep);
-            return _sweep.time < time;
         }
 
         // Finds the contact of the piece and the triangle along its own normal. Returns false if they are apart.

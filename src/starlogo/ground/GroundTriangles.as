@@ -192,7 +192,11 @@ package starlogo.ground
             _column = _squares[int(_top + 1)];
             _row = _squares[int(_top + 2)];
             _width = _grid.cellWidth * (1 << shift);
-            if (!isOver())
+            _to = _box.latest;
+            passOver();
+            _low = _passLow;
+            _high = _passHigh;
+            if (_from > _to)
             {
                 return;
             }
@@ -256,16 +260,6 @@ package starlogo.ground
                 _face = 0;
                 _faceCount = hasWalls ? 10 : 2;
             }
-        }
-
-        // Whether the box passes over the current square, until the latest time. Also finds the heights between which the box is there.
-        private function isOver():Boolean
-        {
-            _to = _box.latest;
-            passOver();
-            _low = _passLow;
-            _high = _passHigh;
-            return _from <= _to;
         }
 
         // Narrows the motion up to _to to the part in which the box is over the current square, and finds the heights between which it is there.

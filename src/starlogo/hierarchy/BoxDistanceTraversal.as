@@ -51,6 +51,12 @@ package starlogo.hierarchy
         private var _boxA:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _boxB:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
+        /** @param counts counts the pairs of nodes that are visited */
+        public function BoxDistanceTraversal(counts:TreeCounts)
+        {
+            super(counts);
+        }
+
         /** @inheritDoc */
         override protected function begin(pose:RelativePose, a:BoxTree, b:BoxTree):void
         {

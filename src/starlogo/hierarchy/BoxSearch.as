@@ -22,9 +22,6 @@ package starlogo.hierarchy
         // How much larger boxes are on each side because of rounding, as a fraction of the tree's radius.
         private static const MARGIN:Number = 1.5e-8;
 
-        /** The number of nodes visited. The caller sets it to 0. */
-        public var nodeVisits:int = 0;
-
         /** The middle of the box at time 0. */
         public var x:Number = 0;
         public var y:Number = 0;
@@ -44,6 +41,14 @@ package starlogo.hierarchy
         // The nodes still to visit, and where the box meets them, or how far it is from them.
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _enters:Vector.<Number> = new Vector.<Number>();
+
+        private var _counts:TreeCounts;
+
+        /** @param counts counts the nodes that are visited; null if nobody asks */
+        public function BoxSearch(counts:TreeCounts = null)
+        {
+            _counts = counts || new TreeCounts();
+        }
 
         /** Sets the box's middle, and half of its extent along each axis. */
         public function setPlace(x:Number, y:Number, z:Number, half:Number):void
@@ -225,7 +230,7 @@ package starlogo.hierarchy
                 {
                     if (top == 0)
                     {
-                        nodeVisits += visits;
+                        _counts.nodeVisits += visits;
                         return;
                     }
                     top--;
@@ -258,7 +263,7 @@ package starlogo.hierarchy
                 {
                     continue;
                 }
-                nodeVisits++;
+                _counts.nodeVisits++;
                 if (tree.stop[node] >= depth)
                 {
                     test.testLeaf(node, tree.first[node], tree.end[node]);

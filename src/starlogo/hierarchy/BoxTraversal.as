@@ -20,14 +20,19 @@ package starlogo.hierarchy
      */
     public final class BoxTraversal
     {
-        /** The number of pairs of nodes visited. The caller sets it to 0. */
-        public var nodeVisits:int = 0;
-
         /** Whether the roots overlapped in the last search that found no overlap of the trees. */
         public var rootsOverlapped:Boolean = false;
 
         // The pairs of nodes still to visit.
         private var _nodes:Vector.<int> = new Vector.<int>();
+
+        private var _counts:TreeCounts;
+
+        /** @param counts counts the pairs of nodes that are visited */
+        public function BoxTraversal(counts:TreeCounts)
+        {
+            _counts = counts;
+        }
 
         /**
          * Whether two nodes that decide overlap.
@@ -159,7 +164,7 @@ package starlogo.hierarchy
                     {
                         if (leaves == null || leaves.testLeaves(treeA, a, treeB, b))
                         {
-                            nodeVisits += visits;
+                            _counts.nodeVisits += visits;
                             return true;
                         }
                     }
@@ -229,7 +234,7 @@ package starlogo.hierarchy
                 }
                 if (top == 0)
                 {
-                    nodeVisits += visits;
+                    _counts.nodeVisits += visits;
                     rootsOverlapped = overlap || visits > 1;
                     return false;
                 }

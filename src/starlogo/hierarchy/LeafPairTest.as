@@ -13,9 +13,6 @@ package starlogo.hierarchy
         /** The best time or distance so far. */
         public var least:Number = 0;
 
-        /** The number of pairs of triangles tested or measured. The caller sets it to 0. */
-        public var triangleTests:int = 0;
-
         /** For distances: the closest points of the leaves tested, and their distance, in the first model's space. */
         public var points:ClosestPoints = null;
 

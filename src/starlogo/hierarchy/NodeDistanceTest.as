@@ -13,8 +13,8 @@ package starlogo.hierarchy
     /** Finds the distance of a structure from the boxes of a tree. The results are nested, as those of BoxDistanceTraversal. @private */
     public final class NodeDistanceTest extends LeafTest
     {
-        /** Finds the nodes near the structure. */
-        public var boxes:BoxSearch = new BoxSearch();
+        // Finds the nodes near the structure.
+        private var _boxes:BoxSearch;
 
         private var _tree:BoxTree;
         private var _structure:BoundingStructure;
@@ -23,6 +23,12 @@ package starlogo.hierarchy
         private var _nearest:ClosestPoints;
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+
+        /** @param counts counts the nodes that are visited */
+        public function NodeDistanceTest(counts:TreeCounts)
+        {
+            _boxes = new BoxSearch(counts);
+        }
 
         /**
          * Finds the distance and the closest points of a tree and a structure.
@@ -37,11 +43,11 @@ package starlogo.hierarchy
             _tree = tree;
             _structure = pose.placeWidened(structure);
             _structure.extentsInto(_extents);
-            boxes.setExtents(_extents, 0);
-            _radii = tree.radius + boxes.halfX + boxes.halfY + boxes.halfZ;
+            _boxes.setExtents(_extents, 0);
+            _radii = tree.radius + _boxes.halfX + _boxes.halfY + _boxes.halfZ;
             _nearest = out;
             least = out.distance = Infinity;
-            boxes.findNear(tree, depth, this);
+            _boxes.findNear(tree, depth, this);
         }
 
         /** @inheritDoc */

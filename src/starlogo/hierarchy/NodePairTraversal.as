@@ -16,9 +16,6 @@ package starlogo.hierarchy
      */
     public class NodePairTraversal
     {
-        /** The number of pairs of nodes visited. The caller sets it to 0. */
-        public var nodeVisits:int = 0;
-
         /** The best time or distance found, and the bounds of the search. */
         public var bounds:NodePairBounds = new NodePairBounds();
 
@@ -29,6 +26,14 @@ package starlogo.hierarchy
         // The pairs of nodes still to visit, and their bounds.
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _nodeBounds:Vector.<Number> = new Vector.<Number>();
+
+        private var _counts:TreeCounts;
+
+        /** @param counts counts the pairs of nodes that are visited */
+        public function NodePairTraversal(counts:TreeCounts)
+        {
+            _counts = counts;
+        }
 
         /**
          * Finds the best pair of nodes that decide.
@@ -110,7 +115,7 @@ package starlogo.hierarchy
                 }
                 if (top == 0 || !(out.least > 0))
                 {
-                    nodeVisits += visits;
+                    _counts.nodeVisits += visits;
                     return out.least < Infinity;
                 }
                 top--;

@@ -18,8 +18,8 @@ package starlogo.hierarchy
      */
     public final class NodeStructureTest extends LeafTest
     {
-        /** Finds the nodes near the structure. */
-        public var boxes:BoxSearch = new BoxSearch();
+        // Finds the nodes near the structure.
+        private var _boxes:BoxSearch;
 
         /** The node that the structure touches first; -1 if it touches none. */
         public var firstNode:int = -1;
@@ -29,6 +29,12 @@ package starlogo.hierarchy
         private var _motion:RelativeMotion;
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+
+        /** @param counts counts the nodes that are visited */
+        public function NodeStructureTest(counts:TreeCounts)
+        {
+            _boxes = new BoxSearch(counts);
+        }
 
         /**
          * Whether a structure touches a node that decides.
@@ -63,9 +69,9 @@ package starlogo.hierarchy
             _motion = motion;
             firstNode = -1;
             _structure.extentsInto(_extents);
-            boxes.setExtents(_extents, 0);
-            boxes.setMotion(motion);
-            boxes.find(tree, depth, this);
+            _boxes.setExtents(_extents, 0);
+            _boxes.setMotion(motion);
+            _boxes.find(tree, depth, this);
         }
 
         /** @inheritDoc */

@@ -24,6 +24,12 @@ package starlogo.hierarchy
         private var _boxesA:Vector.<Number>;
         private var _boxesB:Vector.<Number>;
 
+        /** @param counts counts the pairs of nodes that are visited */
+        public function SweptBoxTraversal(counts:TreeCounts)
+        {
+            super(counts);
+        }
+
         /** @inheritDoc */
         override protected function begin(pose:RelativePose, a:BoxTree, b:BoxTree):void
         {

@@ -4,6 +4,7 @@ package starlogo.search
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
+    import starlogo.hierarchy.TreeCounts;
     import starlogo.solid.TreeDistanceQuery;
     import starlogo.solid.TreeImpactQuery;
     import starlogo.solid.TreeOverlapQuery;
@@ -23,7 +24,8 @@ package starlogo.search
 
         private var _testCount:int = 0;
         private var _pair:TreePair = new TreePair();
-        private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery();
+        private var _counts:TreeCounts = new TreeCounts();
+        private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery(_counts);
         private var _impacts:TreeImpactQuery;
         private var _distances:TreeDistanceQuery;
 
@@ -36,8 +38,8 @@ package starlogo.search
         public function TreePairTests(limits:TreeLimits)
         {
             this.limits = limits;
-            _impacts = new TreeImpactQuery(_overlaps);
-            _distances = new TreeDistanceQuery(_overlaps);
+            _impacts = new TreeImpactQuery(_overlaps, _counts);
+            _distances = new TreeDistanceQuery(_overlaps, _counts);
             _separation = new PenetrationSearch(this);
         }
 
@@ -128,12 +130,9 @@ package starlogo.search
         public function takeCounts(out:SearchCounts):void
         {
             out.hierarchyTests = _testCount;
-            out.nodeVisits = _overlaps.nodeVisits + _impacts.nodeVisits + _distances.nodeVisits;
-            out.triangleTests = _overlaps.triangleTests + _impacts.triangleTests + _distances.triangleTests;
-            _testCount = 0;
-            _overlaps.resetCounts();
-            _impacts.resetCounts();
-            _distances.resetCounts();
+            out.nodeVisits = _counts.nodeVisits;
+            out.triangleTests = _counts.triangleTests;
+            _testCount = _counts.nodeVisits = _counts.triangleTests = 0;
         }
 
         // Sets the two bodies in this order or the opposite order, and the motion of the body that is then first.

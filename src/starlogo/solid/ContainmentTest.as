@@ -22,20 +22,21 @@ package starlogo.solid
      */
     internal final class ContainmentTest
     {
-        /** Whether the point found last is in the second model's space. */
+        /** Whether the point that was found last is in the second model's space. */
         public var isPointOfSecond:Boolean = false;
 
-        /** The point that was found inside, if the last answer was true. It is in the space of the model around it. */
+        /** The point that was found last. It is in the space of the model around it. */
         public var innerPoint:Vector3D = new Vector3D();
 
         private var _shape:ConvexShape = new ConvexShape();
 
         /**
-         * Whether a part of one model is inside of the other. False if one of them has no triangles.
+         * Finds a point of a part of one model that is inside of the other. There is none if one of them has no triangles.
          *
          * @param pose the second model's pose in the first model's space
+         * @return whether there is one
          */
-        public function isOneInside(a:ModelTree, b:ModelTree, pose:RelativePose):Boolean
+        public function findInside(a:ModelTree, b:ModelTree, pose:RelativePose):Boolean
         {
             if (!a.hasTriangles || !b.hasTriangles)
             {
@@ -47,18 +48,19 @@ package starlogo.solid
             var treeA:BoxTree = a.tree;
             var treeB:BoxTree = b.tree;
             var size:Number = pose.placement.size;
-            return (insideA.isClosed && insideB.leastPartExtent * size <= 2 * treeA.radius && hasPartInside(treeA, insideA, insideB, pose.placement, false))
-                || (insideB.isClosed && insideA.leastPartExtent <= 2 * treeB.radius * size && hasPartInside(treeB, insideB, insideA, pose.placement, true));
+            return (insideA.isClosed && insideB.leastPartExtent * size <= 2 * treeA.radius && findPartInside(treeA, insideA, insideB, pose.placement, false))
+                || (insideB.isClosed && insideA.leastPartExtent <= 2 * treeB.radius * size && findPartInside(treeB, insideB, insideA, pose.placement, true));
         }
 
         /**
-         * Whether a structure is inside of a model. It must not touch the model's surface, so one point of it decides.
+         * Finds a point of a structure that is inside of a model. The structure must not touch the model's surface, so one point of it decides.
          *
          * @param outer the first model
          * @param inner the structure that stands for the second model, in its space
          * @param pose the second model's pose in the first model's space
+         * @return whether there is one
          */
-        public function isStructureInside(outer:ModelTree, inner:BoundingStructure, pose:RelativePose):Boolean
+        public function findStructureInside(outer:ModelTree, inner:BoundingStructure, pose:RelativePose):Boolean
         {
             var structure:BoundingStructure = pose.place(inner);
             isPointOfSecond = false;
@@ -86,10 +88,10 @@ package starlogo.solid
             return outer.isInside(innerPoint, Math.min(box.halfX, Math.min(box.halfY, box.halfZ)));
         }
 
-        // Whether a part of the inner model is inside of the outer one. If isOfFirst, the inner model is the first one, otherwise the
-        // second one. The numbers transform a point of the inner model into the outer model's space, relative to the middle of its root's
+        // Finds a point of a part of the inner model that is inside of the outer one. If isOfFirst, the inner model is the first one, otherwise
+        // the second one. Returns whether there is such a point. The numbers transform a point of the inner model into the outer model's space, relative to the middle of its root's
         // box.
-        private function hasPartInside(tree:BoxTree, outer:Interior, inner:Interior, relative:Placement, isOfFirst:Boolean):Boolean
+        private function findPartInside(tree:BoxTree, outer:Interior, inner:Interior, relative:Placement, isOfFirst:Boolean):Boolean
         {
             var scale:Number = isOfFirst ? 1 / relative.size : relative.size;
             var m00:Number = relative.r00 * scale;

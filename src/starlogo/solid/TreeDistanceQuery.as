@@ -6,6 +6,7 @@ package starlogo.solid
     import starlogo.hierarchy.BoxDistanceTraversal;
     import starlogo.hierarchy.NodeDistanceTest;
     import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.TreeCounts;
 
     use namespace engine;
 
@@ -19,36 +20,25 @@ package starlogo.solid
     {
         private var _overlaps:TreeOverlapQuery;
         private var _pose:RelativePose = new RelativePose();
-        private var _boxes:BoxDistanceTraversal = new BoxDistanceTraversal();
+        private var _boxes:BoxDistanceTraversal;
 
         // The tests that decide about leaves.
-        private var _trianglePairs:TrianglePairDistance = new TrianglePairDistance();
-        private var _nodes:NodeDistanceTest = new NodeDistanceTest();
-        private var _triangles:TriangleDistanceTest = new TriangleDistanceTest();
+        private var _trianglePairs:TrianglePairDistance;
+        private var _nodes:NodeDistanceTest;
+        private var _triangles:TriangleDistanceTest;
         private var _measured:ClosestPoints = new ClosestPoints();
 
-        /** @param overlaps finds a point of two models that overlap */
-        public function TreeDistanceQuery(overlaps:TreeOverlapQuery)
+        /**
+         * @param overlaps finds a point of two models that overlap
+         * @param counts counts what the query does
+         */
+        public function TreeDistanceQuery(overlaps:TreeOverlapQuery, counts:TreeCounts)
         {
             _overlaps = overlaps;
-        }
-
-        /** The number of pairs of nodes visited since resetCounts. */
-        public function get nodeVisits():int
-        {
-            return _boxes.nodeVisits + _nodes.boxes.nodeVisits + _triangles.boxes.nodeVisits;
-        }
-
-        /** The number of pairs of triangles, or of a triangle and a structure, measured since resetCounts. */
-        public function get triangleTests():int
-        {
-            return _trianglePairs.triangleTests + _triangles.triangleTests;
-        }
-
-        /** Sets all counts to 0. */
-        public function resetCounts():void
-        {
-            _boxes.nodeVisits = _nodes.boxes.nodeVisits = _triangles.boxes.nodeVisits = _trianglePairs.triangleTests = _triangles.triangleTests = 0;
+            _boxes = new BoxDistanceTraversal(counts);
+            _trianglePairs = new TrianglePairDistance(counts);
+            _nodes = new NodeDistanceTest(counts);
+            _triangles = new TriangleDistanceTest(counts);
         }
 
         /**

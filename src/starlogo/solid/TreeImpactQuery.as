@@ -9,6 +9,7 @@ package starlogo.solid
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.NodeStructureTest;
     import starlogo.hierarchy.SweptBoxTraversal;
     import starlogo.intersection.contact.findPairContact;
@@ -32,42 +33,30 @@ package starlogo.solid
         private var _displaced:TreePair = new TreePair();
         private var _pose:RelativePose = new RelativePose();
 
-        private var _boxes:SweptBoxTraversal = new SweptBoxTraversal();
+        private var _boxes:SweptBoxTraversal;
 
         // The tests that decide about leaves.
-        private var _trianglePairs:TrianglePairSweep = new TrianglePairSweep();
-        private var _nodes:NodeStructureTest = new NodeStructureTest();
-        private var _triangles:TriangleStructureTest = new TriangleStructureTest();
+        private var _trianglePairs:TrianglePairSweep;
+        private var _nodes:NodeStructureTest;
+        private var _triangles:TriangleStructureTest;
 
         // For contacts: nodes.
         private var _boxA:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _boxB:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _displacement:RelativeMotion = new RelativeMotion(0);
 
-        /** @param overlaps tests the two where they stand */
-        public function TreeImpactQuery(overlaps:TreeOverlapQuery)
+        /**
+         * @param overlaps tests the two where they stand
+         * @param counts counts what the query does
+         */
+        public function TreeImpactQuery(overlaps:TreeOverlapQuery, counts:TreeCounts)
         {
             _overlaps = overlaps;
+            _boxes = new SweptBoxTraversal(counts);
+            _trianglePairs = new TrianglePairSweep(counts);
+            _nodes = new NodeStructureTest(counts);
+            _triangles = new TriangleStructureTest(counts);
             _pose.motion = new RelativeMotion();
-        }
-
-        /** The number of pairs of nodes visited since resetCounts. */
-        public function get nodeVisits():int
-        {
-            return _boxes.nodeVisits + _nodes.boxes.nodeVisits + _triangles.boxes.nodeVisits;
-        }
-
-        /** The number of pairs of triangles, or of a triangle and a structure, tested since resetCounts. */
-        public function get triangleTests():int
-        {
-            return _trianglePairs.triangleTests + _triangles.triangleTests;
-        }
-
-        /** Sets all counts to 0. */
-        public function resetCounts():void
-        {
-            _boxes.nodeVisits = _nodes.boxes.nodeVisits = _triangles.boxes.nodeVisits = 0;
-            _trianglePairs.triangleTests = _triangles.triangleTests = 0;
         }
 
         /**

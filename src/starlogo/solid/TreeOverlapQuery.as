@@ -7,6 +7,7 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTraversal;
     import starlogo.hierarchy.LeafPairTest;
     import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.NodeStructureTest;
 
     use namespace engine;
@@ -28,31 +29,21 @@ package starlogo.solid
         // Transforms the second model into the first model's space.
         private var _pose:RelativePose = new RelativePose();
 
-        private var _boxes:BoxTraversal = new BoxTraversal();
+        private var _boxes:BoxTraversal;
 
         // The tests that decide about leaves.
-        private var _trianglePairs:TrianglePairTest = new TrianglePairTest();
-        private var _nodes:NodeStructureTest = new NodeStructureTest();
-        private var _triangles:TriangleStructureTest = new TriangleStructureTest();
+        private var _trianglePairs:TrianglePairTest;
+        private var _nodes:NodeStructureTest;
+        private var _triangles:TriangleStructureTest;
         private var _containment:ContainmentTest = new ContainmentTest();
 
-        /** The number of pairs of nodes visited since resetCounts. */
-        public function get nodeVisits():int
+        /** @param counts counts what the query does */
+        public function TreeOverlapQuery(counts:TreeCounts)
         {
-            return _boxes.nodeVisits + _nodes.boxes.nodeVisits + _triangles.boxes.nodeVisits;
-        }
-
-        /** The number of pairs of triangles, or of a triangle and a structure, tested since resetCounts. */
-        public function get triangleTests():int
-        {
-            return _trianglePairs.triangleTests + _triangles.triangleTests;
-        }
-
-        /** Sets all counts to 0. */
-        public function resetCounts():void
-        {
-            _boxes.nodeVisits = _nodes.boxes.nodeVisits = _triangles.boxes.nodeVisits = 0;
-            _trianglePairs.triangleTests = _triangles.triangleTests = 0;
+            _boxes = new BoxTraversal(counts);
+            _trianglePairs = new TrianglePairTest(counts);
+            _nodes = new NodeStructureTest(counts);
+            _triangles = new TriangleStructureTest(counts);
         }
 
         /** Whether two standing models overlap. */
@@ -64,12 +55,12 @@ package starlogo.solid
             pose.relate(pair.placementA, pair.placementB);
             if (b == null)
             {
-                return touchesStructure(pair) || isOneInside(pair);
+                return touchesStructure(pair) || findInside(pair);
             }
             var decider:LeafPairTest = pair.isExact ? _trianglePairs.begin(a, b, pose) : null;
             // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
             return _boxes.find(pose, a.tree, pair.depthA, b.tree, pair.depthB, decider)
-                || _boxes.rootsOverlapped && isOneInside(pair);
+                || _boxes.rootsOverlapped && findInside(pair);
         }
 
         // Whether a triangle or a node of the first model touches the structure that stands for the second one.
@@ -88,7 +79,7 @@ package starlogo.solid
         public function findCommonPoint(pair:TreePair, out:ClosestPoints):Placement
         {
             _pose.relate(pair.placementA, pair.placementB);
-            if (isOneInside(pair))
+            if (findInside(pair))
             {
                 out.setPoint(_containment.innerPoint);
                 return _containment.isPointOfSecond ? pair.placementB : pair.placementA;
@@ -96,9 +87,9 @@ package starlogo.solid
             return pair.placementA;
         }
 
-        private function isOneInside(pair:TreePair):Boolean
+        private function findInside(pair:TreePair):Boolean
         {
-            return pair.b == null ? _containment.isStructureInside(pair.a, pair.structureB, _pose) : _containment.isOneInside(pair.a, pair.b, _pose);
+            return pair.b == null ? _containment.findStructureInside(pair.a, pair.structureB, _pose) : _containment.findInside(pair.a, pair.b, _pose);
         }
     }
 }

@@ -5,19 +5,18 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.intersection.TriangleKernel;
+    import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.LeafTest;
+    import starlogo.intersection.TriangleKernel;
 
     use namespace engine;
 
     /** Finds the distance of a solid structure from the triangles of a model. */
     internal final class TriangleDistanceTest extends LeafTest
     {
-        /** Finds the leaves near the structure's extents. */
-        public var boxes:BoxSearch = new BoxSearch();
-
-        /** The number of triangles measured. The caller sets it to 0. */
-        public var triangleTests:int = 0;
+        // Finds the leaves near the structure's extents.
+        private var _boxes:BoxSearch;
+        private var _counts:TreeCounts;
 
         private var _mesh:TriangleMesh;
         private var _test:TriangleKernel = new TriangleKernel();
@@ -28,6 +27,13 @@ package starlogo.solid
         // The closest points so far, and the index of the nearest triangle in the tree's order.
         private var _nearest:ClosestPoints;
         private var _triangle:int = -1;
+
+        /** @param counts counts the nodes that are visited and the triangles that are tested */
+        public function TriangleDistanceTest(counts:TreeCounts)
+        {
+            _counts = counts;
+            _boxes = new BoxSearch(counts);
+        }
 
         /**
          * Finds the distance and the closest points of a model and a structure.
@@ -46,8 +52,8 @@ package starlogo.solid
             _nearest = out;
             _triangle = -1;
             least = out.distance = Infinity;
-            boxes.setExtents(_extents, 0);
-            boxes.findNear(model.tree, int.MAX_VALUE, this);
+            _boxes.setExtents(_extents, 0);
+            _boxes.findNear(model.tree, int.MAX_VALUE, this);
             out.swapShapes();
             return _triangle;
         }
@@ -59,7 +65,7 @@ package starlogo.solid
             {
                 if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) < least * least)
                 {
-                    triangleTests++;
+                    _counts.triangleTests++;
                     _test.setTriangle(_mesh.corners, 9 * i);
                     if (_test.findCloser(_nearest))
                     {

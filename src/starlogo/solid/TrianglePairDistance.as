@@ -7,6 +7,7 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.LeafPairTest;
     import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.TreeCounts;
 
     use namespace engine;
 
@@ -28,8 +29,12 @@ package starlogo.solid
         private var _alongZ:Number;
         private var _begin:Number;
 
-        public function TrianglePairDistance()
+        private var _counts:TreeCounts;
+
+        /** @param counts counts the pairs of triangles that are measured */
+        public function TrianglePairDistance(counts:TreeCounts)
         {
+            _counts = counts;
             points = new ClosestPoints();
         }
 
@@ -114,7 +119,7 @@ package starlogo.solid
                 }
                 if (!isBeyond(mesh.corners, 9 * i))
                 {
-                    triangleTests++;
+                    _counts.triangleTests++;
                     _a.setTriangle(mesh.corners, 9 * i);
                     if (_pair.findCloser(_a, _b, points))
                     {

@@ -8,6 +8,7 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.LeafPairTest;
     import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.TreeCounts;
 
     use namespace engine;
 
@@ -29,6 +30,14 @@ package starlogo.solid
         private var _firstA:int;
         private var _firstB:int;
         private var _corners:Vector.<Number> = new Vector.<Number>();
+
+        private var _counts:TreeCounts;
+
+        /** @param counts counts the pairs of triangles that are tested */
+        public function TrianglePairSweep(counts:TreeCounts)
+        {
+            _counts = counts;
+        }
 
         /** Begins with two models that have triangles. The pose must relate them already. Returns this. */
         public function begin(a:ModelTree, b:ModelTree, pose:RelativePose):LeafPairTest
@@ -86,7 +95,7 @@ package starlogo.solid
                     {
                         continue;
                     }
-                    triangleTests++;
+                    _counts.triangleTests++;
                     motion.latest = latest;
                     if (staysOnOneSide(i, 9 * k))
                     {

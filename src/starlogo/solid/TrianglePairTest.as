@@ -6,6 +6,7 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.LeafPairTest;
     import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.areTrianglesApart;
 
     use namespace engine;
@@ -17,6 +18,14 @@ package starlogo.solid
         private var _pair:ConvexPair = new ConvexPair();
         private var _a:ConvexShape = new ConvexShape();
         private var _b:ConvexShape = new ConvexShape();
+
+        private var _counts:TreeCounts;
+
+        /** @param counts counts the pairs of triangles that are tested */
+        public function TrianglePairTest(counts:TreeCounts)
+        {
+            _counts = counts;
+        }
 
         /** Begins with two models that have triangles. The pose must relate them already. Returns this. */
         public function begin(a:ModelTree, b:ModelTree, pose:RelativePose):LeafPairTest
@@ -76,7 +85,7 @@ package starlogo.solid
                 {
                     continue;
                 }
-                triangleTests++;
+                _counts.triangleTests++;
 
                 // Most triangles are on one side of the other's plane.
                 at = 4 * i;

@@ -9,23 +9,22 @@ package starlogo.solid
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.intersection.TriangleKernel;
+    import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.LeafTest;
+    import starlogo.intersection.TriangleKernel;
     import starlogo.intersection.contact.Zonotope;
 
     use namespace engine;
 
     /**
-     * Decides whether a triangle of a model's leaf touches a solid structure, or when it does so. The ground tests its triangles
-     * by the same TriangleKernel. If the structure moves, separating axes rule out most triangles before.
+     * Decides whether a triangle of a model touches a solid structure, or when a moving one first touches a triangle. Most triangles are ruled
+     * out by their extents and planes. If the structure moves, SweptAxes rules out most of the others.
      */
     internal final class TriangleStructureTest extends LeafTest
     {
-        /** Finds the leaves near the structure's extents. */
-        public var boxes:BoxSearch = new BoxSearch();
-
-        /** The number of triangles tested. The caller sets it to 0. */
-        public var triangleTests:int = 0;
+        // Finds the leaves near the structure's extents.
+        private var _boxes:BoxSearch;
+        private var _counts:TreeCounts;
 
         private var _mesh:TriangleMesh;
         private var _planes:Vector.<Number>;
@@ -41,17 +40,22 @@ package starlogo.solid
         private var _core:Zonotope = new Zonotope();
         private var _radius:Number = 0;
 
-        // Axes that may separate a triangle from the moving structure: six numbers each. They are the axis, the least place along it that the
-        // structure comes to, the greatest place at time 0, and the speed along it, which is not negative. Then the end of these numbers.
-        private var _axes:Vector.<Number> = new Vector.<Number>(36, true);
-        private var _axesEnd:int = 0;
+        // Separates most triangles from the moving structure.
+        private var _separatingAxes:SweptAxes = new SweptAxes();
 
-        // An axis that may separate the two.
-        private var _axis:Vector3D = new Vector3D();
+        // The normal of a triangle.
+        private var _normal:Vector3D = new Vector3D();
 
         // Whether a triangle is touched, and the index of the first number of the one that is touched first.
         private var _isFound:Boolean = false;
         private var _first:int = 0;
+
+        /** @param counts counts the nodes that are visited and the triangles that are tested */
+        public function TriangleStructureTest(counts:TreeCounts)
+        {
+            _counts = counts;
+            _boxes = new BoxSearch(counts);
+        }
 
         /**
          * Whether a triangle of a model touches a structure.
@@ -64,7 +68,7 @@ package starlogo.solid
         {
             begin(model, structure, pose, RelativeMotion.NONE);
             least = 0;
-            boxes.find(_mesh.tree, int.MAX_VALUE, this);
+            _boxes.find(_mesh.tree, int.MAX_VALUE, this);
             return _isFound;
         }
 
@@ -77,7 +81,7 @@ package starlogo.solid
             begin(model, structure, pose, pose.motion);
             prepareMotion();
             least = _motion.latest;
-            boxes.find(_mesh.tree, int.MAX_VALUE, this);
+            _boxes.find(_mesh.tree, int.MAX_VALUE, this);
             var time:Number = least > 0 ? least : 0;
             _motion.time = _isFound ? time : RelativeMotion.NEVER;
         }
@@ -92,10 +96,10 @@ package starlogo.solid
             _test.structure.extentsInto(_extents);
             var extents:Vector.<Number> = _extents;
             var margin:Number = _test.shape.margin;
-            boxes.setExtents(extents, margin);
-            boxes.setMotion(motion);
+            _boxes.setExtents(extents, margin);
+            _boxes.setMotion(motion);
             var round:Number = _test.shape.radius;
-            _radius = round + margin + Tolerances.EXTENTS * (boxes.halfX + boxes.halfY + boxes.halfZ);
+            _radius = round + margin + Tolerances.EXTENTS * (_boxes.halfX + _boxes.halfY + _boxes.halfZ);
             for (var i:int = 0; i < 6; i += 2)
             {
                 extents[i] += round;
@@ -112,53 +116,19 @@ package starlogo.solid
         private function prepareMotion():void
         {
             var motion:RelativeMotion = _motion;
-            var margin:Number = Tolerances.EXTENTS * (boxes.halfX + boxes.halfY + boxes.halfZ + Math.abs(_core.x) + Math.abs(_core.y) + Math.abs(_core.z)
+            var margin:Number = Tolerances.EXTENTS * (_boxes.halfX + _boxes.halfY + _boxes.halfZ + Math.abs(_core.x) + Math.abs(_core.y) + Math.abs(_core.z)
                     + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             _radius = _test.shape.radius + _test.shape.margin + margin;
             widen(0, motion.x);
             widen(2, motion.y);
             widen(4, motion.z);
-            boxes.x = _core.x;
-            boxes.y = _core.y;
-            boxes.z = _core.z;
-            boxes.halfX += margin;
-            boxes.halfY += margin;
-            boxes.halfZ += margin;
-            // along each of the core's segments, and across it; for a sphere or a capsule also along the motion across the segment
-            var along:Vector.<Number> = _core.directions;
-            var share:Number = _core.end == 3 ? along[0] * motion.x + along[1] * motion.y + along[2] * motion.z : 0;
-            _axesEnd = 0;
-            for (var i:int = 0; i < _core.end; i += 3)
-            {
-                var x:Number = along[i];
-                var y:Number = along[int(i + 1)];
-                var z:Number = along[int(i + 2)];
-                addAxis(x, y, z);
-                addAxis(y * motion.z - z * motion.y, z * motion.x - x * motion.z, x * motion.y - y * motion.x);
-            }
-            if (_core.end < 9)
-            {
-                addAxis(motion.x - share * along[0], motion.y - share * along[1], motion.z - share * along[2]);
-            }
-        }
-
-        private function addAxis(x:Number, y:Number, z:Number):void
-        {
-            var axes:Vector.<Number> = _axes;
-            var at:int = _axesEnd;
-            var side:int = x * _motion.x + y * _motion.y + z * _motion.z < 0 ? -1 : 1;
-            _axis.setTo(side * x, side * y, side * z);
-            _core.measure(_axis);
-            var radius:Number = _core.projectedRadius + _radius * _axis.length;
-            var middle:Number = _axis.x * _core.x + _axis.y * _core.y + _axis.z * _core.z;
-            var speed:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
-            axes[at] = _axis.x;
-            axes[int(at + 1)] = _axis.y;
-            axes[int(at + 2)] = _axis.z;
-            axes[int(at + 3)] = middle - radius + _motion.earliest * speed;
-            axes[int(at + 4)] = middle + radius;
-            axes[int(at + 5)] = speed;
-            _axesEnd = at + 6;
+            _boxes.x = _core.x;
+            _boxes.y = _core.y;
+            _boxes.z = _core.z;
+            _boxes.halfX += margin;
+            _boxes.halfY += margin;
+            _boxes.halfZ += margin;
+            _separatingAxes.setTo(_core, _radius, motion);
         }
 
         // Widens the extents along an axis to those of the motion from its earliest to its latest time. The displacement is the whole motion's.
@@ -182,14 +152,15 @@ package starlogo.solid
                 {
                     continue;
                 }
+                _sweep.latest = least;
                 findEarliest(i);
-                if (_sweep.earliest > least || isMoving && isPassed(9 * i))
+                if (_sweep.earliest > least || isMoving && _separatingAxes.areApart(_mesh.corners, 9 * i, _sweep))
                 {
                     continue;
                 }
-                triangleTests++;
+                _counts.triangleTests++;
                 _test.setTriangle(_mesh.corners, 9 * i);
-                if (isMoving ? !isTouchedEarlier() : !_test.areTouching())
+                if (isMoving ? !takeEarlierTime() : !_test.areTouching())
                 {
                     continue;
                 }
@@ -204,10 +175,9 @@ package starlogo.solid
             }
         }
 
-        // Whether the triangle of the test is touched earlier than all before. If so, the least time becomes its time.
-        private function isTouchedEarlier():Boolean
+        // If the triangle of the test is touched earlier than all before, takes its time as the least. Returns whether it is.
+        private function takeEarlierTime():Boolean
         {
-            _sweep.latest = least;
             _test.findTime(_sweep);
             var time:Number = _sweep.time;
             if (time < least || !_isFound && time == least)
@@ -236,13 +206,13 @@ package starlogo.solid
         {
             var planes:Vector.<Number> = _planes;
             var at:int = 4 * triangle;
-            _axis.x = planes[at];
-            _axis.y = planes[int(at + 1)];
-            _axis.z = planes[int(at + 2)];
-            _core.measure(_axis);
+            _normal.x = planes[at];
+            _normal.y = planes[int(at + 1)];
+            _normal.z = planes[int(at + 2)];
+            _core.measure(_normal);
             var radius:Number = _core.projectedRadius + _radius + _mesh.flatness;
-            var from:Number = _axis.x * _core.x + _axis.y * _core.y + _axis.z * _core.z - planes[int(at + 3)];
-            var speed:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
+            var from:Number = _normal.x * _core.x + _normal.y * _core.y + _normal.z * _core.z - planes[int(at + 3)];
+            var speed:Number = _normal.x * _motion.x + _normal.y * _motion.y + _normal.z * _motion.z;
             var distance:Number = from < 0 ? -from : from;
             distance -= radius;
             var closing:Number = from < 0 ? speed : -speed;
@@ -253,61 +223,6 @@ package starlogo.solid
                 earliest = time > earliest ? time : earliest;
             }
             _sweep.earliest = earliest;
-        }
-
-        // Whether an axis separates a triangle from the moving structure until <code>least</code>.
-        private function isPassed(at:int):Boolean
-        {
-            var corners:Vector.<Number> = _mesh.corners;
-            var axes:Vector.<Number> = _axes;
-            var end:int = _axesEnd;
-            for (var i:int = 0; i < end; i += 6)
-            {
-                var x:Number = axes[i];
-                var y:Number = axes[int(i + 1)];
-                var z:Number = axes[int(i + 2)];
-                var p:Number = x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)];
-                var q:Number = x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)];
-                var r:Number = x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)];
-                var low:Number = axes[int(i + 3)];
-                var high:Number = axes[int(i + 4)] + least * axes[int(i + 5)];
-                if (p < low && q < low && r < low || p > high && q > high && r > high)
-                {
-                    return true;
-                }
-            }
-            return isBeside(corners, at, at + 3, at + 6) || isBeside(corners, at + 3, at + 6, at) || isBeside(corners, at + 6, at, at + 3);
-        }
-
-        // Whether the axis perpendicular to the motion and to the edge from p to q separates the two. It is tested like any other axis, so
-        // its rounding does not count.
-        private function isBeside(corners:Vector.<Number>, p:int, q:int, r:int):Boolean
-        {
-            var px:Number = corners[p];
-            var py:Number = corners[int(p + 1)];
-            var pz:Number = corners[int(p + 2)];
-            var ux:Number = corners[q] - px;
-            var uy:Number = corners[int(q + 1)] - py;
-            var uz:Number = corners[int(q + 2)] - pz;
-            var x:Number = _motion.y * uz - _motion.z * uy;
-            var y:Number = _motion.z * ux - _motion.x * uz;
-            var z:Number = _motion.x * uy - _motion.y * ux;
-            _axis.x = x;
-            _axis.y = y;
-            _axis.z = z;
-            _core.measure(_axis);
-            var radius:Number = _core.projectedRadius + _radius * Math.sqrt(x * x + y * y + z * z);
-            var edge:Number = x * ux + y * uy + z * uz;
-            var apex:Number = x * (corners[r] - px) + y * (corners[int(r + 1)] - py) + z * (corners[int(r + 2)] - pz);
-            var low:Number = edge < 0 ? edge - radius : -radius;
-            low = apex - radius < low ? apex - radius : low;
-            var high:Number = edge > 0 ? edge + radius : radius;
-            high = apex + radius > high ? apex + radius : high;
-            var place:Number = x * (_core.x - px) + y * (_core.y - py) + z * (_core.z - pz);
-            var speed:Number = x * _motion.x + y * _motion.y + z * _motion.z;
-            var from:Number = place + _motion.earliest * speed;
-            var to:Number = place + least * speed;
-            return from > high && to > high || from < low && to < low;
         }
     }
 }

@@ -18,6 +18,7 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTraversal;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.intersects;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
@@ -35,7 +36,7 @@ package starlogo.solid
 
         private static var sHierarchies:Object = {};
 
-        private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery();
+        private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery(new TreeCounts());
         private var _pair:TreePair = new TreePair();
 
         [Test]
@@ -113,7 +114,7 @@ package starlogo.solid
         {
             var random:SeededRandom = new SeededRandom(2117);
             var pose:RelativePose = new RelativePose();
-            var boxes:BoxTraversal = new BoxTraversal();
+            var boxes:BoxTraversal = new BoxTraversal(new TreeCounts());
             var bear:ModelTree = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
             var ball:ModelTree = hierarchyOf(BuiltInModel.sphere());
             var count:int = Effort.choose(300, 30000);

@@ -26,16 +26,16 @@ package starlogo.ground
      */
     public final class GroundPair
     {
-        // Two ways have nearly the same direction if the cosine of their angle is larger.
+        // Two exits have nearly the same direction if the cosine of their angle is larger.
         private static const SAME_EXIT:Number = 0.98;
 
-        // A part counts as behind a plane if it reaches in front of it by at most this many gaps of the triangle. The rest is rounding.
-        private static const PART_GAPS:Number = 10;
+        // The triangle of a contact counts as behind a plane if it is in front of it by at most this many of the plane's tolerances, which are rounding.
+        private static const IN_FRONT:Number = 10;
 
-        // The most ways that are found.
+        // The most exits that are found.
         private static const MOST_EXITS:int = 12;
 
-        // A contact is taken at once if the least length of a way out is at least this fraction of its depth.
+        // A contact is taken at once if the least length of an exit is at least this fraction of its depth.
         private static const NEEDED:Number = 0.8;
 
         private var _grid:HeightGrid;
@@ -47,15 +47,17 @@ package starlogo.ground
         private var _box:GroundBox = _pieces.box;
         private var _triangles:GroundTriangles = _pieces.triangles;
 
-        // The contact with the last triangle; and the triangle of the ground that the last contact was with, if there was one.
+        // The contact with the last triangle that was tried.
         private var _tried:ContactPoint = new ContactPoint();
-        private var _part:Vector.<Number> = new Vector.<Number>(9, true);
-        private var _hasPart:Boolean = false;
 
-        // The motion of the search for the first touch; a point of the ground; and bounds of its heights.
+        // The triangle of the ground that the last contact was with, and whether it was with one.
+        private var _touched:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _hasTouched:Boolean = false;
+
+        // The motion of the search for the first touch; bounds of the ground's heights; and the search for the closest points.
         private var _sweep:RelativeMotion = new RelativeMotion();
-        private var _nearest:GroundPoint = new GroundPoint();
         private var _range:HeightRange = new HeightRange();
+        private var _distance:GroundDistance = new GroundDistance(_pieces);
 
         /**
          * Sets the model and the ground.
@@ -109,7 +111,7 @@ package starlogo.ground
          */
         public function findFirst(motion:RelativeMotion, out:ContactPoint):void
         {
-            _hasPart = false;
+            _hasTouched = false;
             var touching:Number = 0;
             if (!overlapsAt(motion, 0))
             {
@@ -176,7 +178,7 @@ package starlogo.ground
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
             var time:Number = motion.time;
-            _hasPart = false;
+            _hasTouched = false;
             if (motion.x != 0 || motion.y != 0 || motion.z != 0)
             {
                 findImpact(motion, out);
@@ -190,12 +192,12 @@ package starlogo.ground
             _pieces.placeAt(motion, time);
             findDeepest(out, false);
             // a point of the model is that deep behind a triangle
-            var isSure:Boolean = _hasPart;
-            if (!_hasPart)
+            var isSure:Boolean = _hasTouched;
+            if (!_hasTouched)
             {
                 findDeepest(out, true);
             }
-            if (_hasPart)
+            if (_hasTouched)
             {
                 setBounds(out, isSure || isNeeded(out) ? out.depth : 0, isSure);
                 moveToWorld(out);
@@ -211,26 +213,26 @@ package starlogo.ground
          * that it is least behind. If the last contact of the two was with a triangle of the ground, only planes that this triangle is not in
          * front of count. So <code>findFirst()</code> or <code>findContact()</code> of the same two comes before.
          *
-         * @param reach how far away triangles may be
-         * @param ways receives the contacts that lead out of the planes
+         * @param maxDistance how far away triangles may be
+         * @param exits receives the contacts that lead out of the planes
          * @return their number
          */
-        public function findExits(reach:Number, ways:Vector.<ContactPoint>):int
+        public function findExits(maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
             var count:int = 0;
-            _pieces.beginWhole(RelativeMotion.NONE, reach);
+            _pieces.beginWhole(RelativeMotion.NONE, maxDistance);
             _pieces.nextPiece();
             while (_pieces.nextTriangle())
             {
                 _piece.findBehind(RelativeMotion.NONE, _tried);
-                if (_tried.depth >= -_triangles.gap && (!_hasPart || _piece.isBehindPlane(_part, PART_GAPS * _triangles.gap)))
+                if (_tried.depth >= -_triangles.tolerance && (!_hasTouched || _piece.isBehindPlane(_touched, IN_FRONT * _triangles.tolerance)))
                 {
-                    count = addExit(ways, count);
+                    count = addExit(exits, count);
                 }
             }
             for (var i:int = 0; i < count; i++)
             {
-                moveToWorld(ways[i]);
+                moveToWorld(exits[i]);
             }
             return count;
         }
@@ -257,53 +259,7 @@ package starlogo.ground
          */
         public function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
-            findNearest(out);
-            if (!_hasTree)
-            {
-                _pieces.beginAt(_nearest);
-                measure(out);
-            }
-            _pieces.begin(RelativeMotion.NONE, out.distance);
-            while (_pieces.nextPiece())
-            {
-                measure(out);
-            }
-            if (areTouching)
-            {
-                // either the model's point is in the ground, or the surface's point is in the model
-                var isUnder:Boolean = _grid.heightAt(out.aX + _box.origin.x, out.aY + _box.origin.y) - _box.origin.z >= out.aZ;
-                out.aX = out.bX = isUnder ? out.aX : out.bX;
-                out.aY = out.bY = isUnder ? out.aY : out.bY;
-                out.aZ = out.bZ = isUnder ? out.aZ : out.bZ;
-            }
-            out.settle(areTouching);
-            out.place(_box.origin);
-        }
-
-        // Finds the point of the grid that is nearest to the model's middle, seen from above. The model is at most as far as its farthest point is
-        // from there, so the distance begins with that.
-        private function findNearest(out:ClosestPoints):void
-        {
-            _pieces.placeBox();
-            _nearest.x = _box.x + _box.origin.x;
-            _nearest.y = _box.y + _box.origin.y;
-            _grid.findNearest(_nearest);
-            var x:Number = Math.abs(_nearest.x - _box.origin.x - _box.x) + _box.halfX;
-            var y:Number = Math.abs(_nearest.y - _box.origin.y - _box.y) + _box.halfY;
-            var z:Number = Math.abs(_nearest.height - _box.origin.z - _box.z) + _box.halfZ;
-            out.distance = Math.sqrt(x * x + y * y + z * z) * Tolerances.OUTER + Tolerances.SURFACES * _grid.cellWidth;
-        }
-
-        // Measures the distances of the piece and the triangles near it, and keeps the closest points.
-        private function measure(out:ClosestPoints):void
-        {
-            while (_pieces.nextTriangle())
-            {
-                if (_piece.findCloser(out))
-                {
-                    _box.maxDistance = out.distance;
-                }
-            }
+            _distance.find(_grid, _hasTree, areTouching, out);
         }
 
         // Finds the contact with the triangle that the model is deepest behind. It is of a piece whose deepest point is known to be about as deep in
@@ -317,12 +273,12 @@ package starlogo.ground
                 while (_pieces.nextTriangle())
                 {
                     var isUnder:Boolean = _piece.findBehind(RelativeMotion.NONE, _tried);
-                    if (deepest > 0 && _tried.depth < deepest + _triangles.gap)
+                    if (deepest > 0 && _tried.depth < deepest + _triangles.tolerance)
                     {
                         continue;
                     }
                     var isDecided:Boolean = overlaps ? findOverlap() : isUnder && isNeeded(_tried);
-                    if (isDecided && (_tried.depth > deepest || _tried.depth == deepest && !_hasPart))
+                    if (isDecided && (_tried.depth > deepest || _tried.depth == deepest && !_hasTouched))
                     {
                         deepest = _tried.depth;
                         if (overlaps)
@@ -361,21 +317,22 @@ package starlogo.ground
             return true;
         }
 
+        // Writes a contact with the current triangle.
         private function keep(contact:ContactPoint, out:ContactPoint):void
         {
             out.copyFrom(contact);
             for (var i:int = 0; i < 9; i++)
             {
-                _part[i] = _triangles.corners[i];
+                _touched[i] = _triangles.corners[i];
             }
-            _hasPart = true;
+            _hasTouched = true;
         }
 
-        // Adds a way out to a number of ways. Of ways with nearly the same direction, the shortest is kept. Returns the new number.
-        private function addExit(ways:Vector.<ContactPoint>, count:int):int
+        // Adds the last contact to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.
+        private function addExit(exits:Vector.<ContactPoint>, count:int):int
         {
             var at:int = 0;
-            while (at < count && _tried.normalX * ways[at].normalX + _tried.normalY * ways[at].normalY + _tried.normalZ * ways[at].normalZ <= SAME_EXIT)
+            while (at < count && _tried.normalX * exits[at].normalX + _tried.normalY * exits[at].normalY + _tried.normalZ * exits[at].normalZ <= SAME_EXIT)
             {
                 at++;
             }
@@ -383,18 +340,18 @@ package starlogo.ground
             {
                 return count;
             }
-            if (at == ways.length)
+            if (at == exits.length)
             {
-                ways[at] = new ContactPoint();
+                exits[at] = new ContactPoint();
             }
-            if (at == count || _tried.depth < ways[at].depth)
+            if (at == count || _tried.depth < exits[at].depth)
             {
-                ways[at].copyFrom(_tried);
+                exits[at].copyFrom(_tried);
             }
             return Math.max(count, at + 1);
         }
 
-        // Whether any way out of the ground is at least about as long as a contact is deep, because the piece's deepest point has to get out.
+        // Whether each exit from the ground is at least about as long as a contact is deep, because the piece's deepest point has to get out.
         private function isNeeded(contact:ContactPoint):Boolean
         {
             var depth:Number = contact.depth;
@@ -405,7 +362,7 @@ package starlogo.ground
             var x:Number = _box.origin.x + contact.x - depth / 2 * contact.normalX;
             var y:Number = _box.origin.y + contact.y - depth / 2 * contact.normalY;
             var z:Number = _box.origin.z + contact.z - depth / 2 * contact.normalZ;
-            return depth == 0 || _grid.leastWayOut(x, y, z, depth) >= NEEDED * depth;
+            return depth == 0 || _grid.leastExit(x, y, z, depth) >= NEEDED * depth;
         }
 
         /** Whether the two overlap or touch where the motion has brought the model at a time. */

@@ -37,8 +37,8 @@ package starlogo.ground
         /** The corners of the triangle, nine numbers; counter-clockwise as seen from outside of the ground. Read only. */
         public var corners:Vector.<Number> = new Vector.<Number>(9, true);
 
-        /** The largest gap across which the triangle and another shape still touch. It depends on the size of the triangle. Read only. */
-        public var gap:Number = 0;
+        /** The largest distance at which the triangle and another shape still touch. It depends on the size of the triangle. Read only. */
+        public var tolerance:Number = 0;
 
         private var _grid:HeightGrid;
         private var _box:GroundBox;
@@ -82,7 +82,8 @@ package starlogo.ground
         private var _passLow:Number = 0;
         private var _passHigh:Number = 0;
 
-        // The gap between the structure and the current square, two corners of the square's extents, and the gap that rounding errors may hide.
+        // How far the structure and the current square are apart, two corners of the square's extents, and the distance that rounding errors may
+        // hide.
         private var _separation:SeparationFromBox = new SeparationFromBox();
         private var _least:Vector3D = new Vector3D();
         private var _greatest:Vector3D = new Vector3D();
@@ -271,7 +272,7 @@ package starlogo.ground
             cut(1, _row);
             var start:Number = _box.z + _from * _box.motion.z;
             var end:Number = _box.z + _to * _box.motion.z;
-            // a triangle beside the box must be nearer in height to be within reach
+            // a triangle beside the box must be nearer in height to be near enough
             var up:Number = Math.sqrt(Math.max(0, _squared));
             var bottom:Number = Math.min(start, end) - _halfZ;
             _passLow = Math.max(bottom - up, bottom + _box.above + 2 * _slack);
@@ -310,7 +311,7 @@ package starlogo.ground
             }
             var low:Number = Math.min(corners[2], Math.min(corners[5], corners[8]));
             var high:Number = Math.max(corners[2], Math.max(corners[5], corners[8]));
-            gap = Touching.marginOfSurface(_width + high - low);
+            tolerance = Touching.marginOfSurface(_width + high - low);
             return _low <= high && _high >= low;
         }
 

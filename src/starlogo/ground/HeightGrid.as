@@ -295,16 +295,16 @@ package starlogo.ground
                 || column > 0 && row > 0 && !isHole(at - columns - 1);
         }
 
-        /** A lower bound for the length of each way out of the ground from a place, if it is shorter than the reach; 0 if none is known. */
-        public function leastWayOut(atX:Number, atY:Number, atZ:Number, reach:Number):Number
+        /** A lower bound for the lengths of all exits from the ground at a place that are at most this long; 0 if none is known. */
+        public function leastExit(atX:Number, atY:Number, atZ:Number, maxLength:Number):Number
         {
             var high:Number = heightAt(atX, atY);
             var border:Number = isBlocky ? cellWidth / 2 : 0;
-            if (!(high > atZ) || !isWithin(atX, atY, border - reach))
+            if (!(high > atZ) || !isWithin(atX, atY, border - maxLength))
             {
                 return 0;
             }
-            findAround(atX, atY, reach, reach, _range);
+            findAround(atX, atY, maxLength, maxLength, _range);
             if (_range.hasHole)
             {
                 return 0;

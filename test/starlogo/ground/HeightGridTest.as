@@ -25,7 +25,7 @@ package starlogo.ground
                 var y:Number = _random.between(-2, 2);
                 var z:Number = grid.heightAt(x, y) - _random.logBetween(0.001, 2);
                 var reach:Number = _random.logBetween(0.01, 3);
-                var least:Number = grid.leastWayOut(x, y, z, reach);
+                var least:Number = grid.leastExit(x, y, z, reach);
                 _wrong.addIf(!(least >= 0), "negative", i + ": " + least);
                 known += least > 0 ? 1 : 0;
                 for (var k:int = 0; k < 20 && least > 0; k++)

@@ -13,13 +13,18 @@ const FILES = ["language.mjs", "ByteArray.mjs", "machine.mjs", "contacts.mjs", "
  * Translates the compiler's output in a folder.
  *
  * @param roots the names of the classes to take, with all that they use; the folder may have others. If there are none, all
+ * @param changed a folder with files that were compiled later, and replace those of the first
  */
-export function translate(folder, signatures, { externals = {}, hasAllStatics = false, roots = null } = {}) {
-	const names = readdirSync(folder, { recursive: true }).filter((file) => file.endsWith(".js") && !/^(library|org|ModuleRoots)\b/.test(file));
-	const all = names.sort().map((file) => ({ file, source: readFileSync(join(folder, file), "utf8") }));
+export function translate(folder, signatures, { externals = {}, hasAllStatics = false, roots = null, changed = null } = {}) {
+	const sources = new Map([folder, changed].filter((each) => each !== null).flatMap((each) => namesIn(each).map((file) => [file, join(each, file)])));
+	const all = [...sources.keys()].sort().map((file) => ({ file, source: readFileSync(sources.get(file), "utf8") }));
 	const files = roots === null ? all : reachable(all, roots);
 	const own = Object.fromEntries(Object.entries(EXTERNALS).map(([qname, [, name]]) => [qname, name]));
 	return new Program(files, { ...own, ...externals }, signatures, hasAllStatics);
+}
+
+function namesIn(folder) {
+	return readdirSync(folder, { recursive: true }).filter((file) => file.endsWith(".js") && !/^(library|org|ModuleRoots)\b/.test(file));
 }
 
 /** The text of the stand-ins. */

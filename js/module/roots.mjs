@@ -1,28 +1,23 @@
 #!/usr/bin/env node
 /**
- * Writes the compiler's main class. It names all classes to compile.
+ * Writes the compiler's main class. It names all classes to compile. With --tests these are the tests too, and the sources are noted for changed.mjs.
  *
  * node js/module/roots.mjs FOLDER [--tests]
  */
-import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { AWAY3D, ROOT, moduleRoots } from "./names.mjs";
+import { fileURLToPath } from "node:url";
+import { moduleRoots, testRoots } from "./names.mjs";
+import { readSources } from "./sources.mjs";
 
-const [folder, withTests] = process.argv.slice(2);
 const LANGUAGE = "org.apache.royale.utils.Language";
 
-const names = [...moduleRoots(), LANGUAGE];
-if (withTests) {
-	// Some tests compare the stand-ins with Flash's own classes or need Away3D. Both are missing here.
-	const isForPlayers = (file) => ["standin.flash.", AWAY3D].some((name) => readFileSync(join(ROOT, "test", file), "utf8").includes(name));
-	const tests = readdirSync(join(ROOT, "test"), { recursive: true }).filter((file) => file.endsWith("Test.as") && !isForPlayers(file)).sort();
-	const benchmarks = readdirSync(join(ROOT, "test/benchmark")).filter((file) => file.endsWith("Benchmark.as")).map((file) => join("benchmark", file));
-	names.push(...[...tests, ...benchmarks].map((file) => file.slice(0, -3).replaceAll(/[\\/]/g, ".")), "evaluation.ModelFiles", "evaluation.Plan", "evaluation.TaskQueue", "support.Effort", "support.Fixtures");
-}
-
-mkdirSync(join(folder, "org/apache/royale/utils"), { recursive: true });
-mkdirSync(join(folder, "closure/closure"), { recursive: true });
-writeFileSync(join(folder, "ModuleRoots.as"), `package
+/** Writes a main class that names some classes, and what the compiler looks for. */
+export function writeRoots(folder, classes) {
+	const names = [...classes, LANGUAGE];
+	mkdirSync(join(folder, "org/apache/royale/utils"), { recursive: true });
+	mkdirSync(join(folder, "closure/closure"), { recursive: true });
+	writeFileSync(join(folder, "ModuleRoots.as"), `package
 {
 ${names.map((name) => `    import ${name};`).join("\n")}
 
@@ -33,13 +28,20 @@ ${names.map((name) => `    import ${name};`).join("\n")}
     }
 }
 `);
-// The compiler's own runtime is not used. But the compiler looks for this class and for Google's library.
-writeFileSync(join(folder, "org/apache/royale/utils/Language.as"), `package org.apache.royale.utils
+	// The compiler's own runtime is not used. But the compiler looks for this class and for Google's library.
+	writeFileSync(join(folder, "org/apache/royale/utils/Language.as"), `package org.apache.royale.utils
 {
     public class Language
     {
     }
 }
 `);
-writeFileSync(join(folder, "closure/closure/base.js"), "/** nothing */\n");
-writeFileSync(join(folder, "config.xml"), "<royale-config/>\n");
+	writeFileSync(join(folder, "closure/closure/base.js"), "/** nothing */\n");
+	writeFileSync(join(folder, "config.xml"), "<royale-config/>\n");
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+	const [folder, withTests] = process.argv.slice(2);
+	writeRoots(folder, [...moduleRoots(), ...(withTests ? testRoots() : [])]);
+	if (withTests) writeFileSync(join(folder, "sources.json"), JSON.stringify(readSources()));
+}

@@ -2,13 +2,17 @@
 /**
  * Writes the engine and its FlexUnit tests as one module, which test/module/run.mjs runs.
  *
- * node js/module/tests.mjs TRANSPILED OUT
+ * node js/module/tests.mjs TRANSPILED OUT [CHANGED]
+ *
+ * CHANGED is what changed.mjs found, compiled: its files replace those of TRANSPILED.
  */
-import { writeFileSync } from "node:fs";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { standinsText, translate } from "./assemble.mjs";
 import { publicSignatures } from "./names.mjs";
 
-const [transpiled, out] = process.argv.slice(2);
+const [transpiled, out, folder = null] = process.argv.slice(2);
+const changed = folder && join(folder, "out/bin/js-debug");
 const flexunit = new URL("../../test/module/flexunit.mjs", import.meta.url).href;
 const ASSERTS = ["Equals", "StrictlyEquals", "True", "False", "Null", "NotNull"];
 const externals = {
@@ -22,7 +26,11 @@ const externals = {
 	"standin.Network.fetch": "fetchFixture",
 };
 
-const program = translate(transpiled, publicSignatures(), { externals, hasAllStatics: true });
+if (changed) {
+	const missing = JSON.parse(readFileSync(join(folder, "classes.json"), "utf8")).filter((name) => !existsSync(join(changed, `${name.replaceAll(".", "/")}.js`)));
+	if (missing.length > 0) throw new Error(`not compiled: ${missing.join(", ")}`);
+}
+const program = translate(transpiled, publicSignatures(), { externals, hasAllStatics: true, changed });
 const text = program.text();
 const classes = program.names.filter((qname) => program.testsOf(qname).length > 0)
 	.map((qname) => `{ name: "${qname}", type: ${program.shortName(qname)}, metadata: ${JSON.stringify(program.testsOf(qname))} }`);

@@ -1,0 +1,71 @@
+/** The sources of the tests that Node runs: which classes of an earlier translation are still right. */
+import { createHash } from "node:crypto";
+import { readFileSync, readdirSync } from "node:fs";
+import { join, relative } from "node:path";
+import { ROOT, SOURCES } from "./names.mjs";
+import { outlineOf } from "./outline.mjs";
+
+/** What the compiler is called with, and what names the classes. */
+const SETTINGS = ["build/module.xml", "js/module/roots.mjs", "js/module/names.mjs", "js/module/sources.mjs", "js/module/outline.mjs"];
+
+const hashOf = (text) => createHash("sha1").update(text).digest("hex");
+
+/**
+ * The sources as they are now.
+ *
+ * @returns {{ settings: string, files: Object<string, { file: string, hash: string, outline: string }>, included: Object<string, string> }} the sources
+ *     by qualified name, with hashes of their texts and outlines (a source that is not understood is its own outline), and hashes of the texts that sources
+ *     include. Paths are in the project's folder
+ */
+export function readSources() {
+	const files = {};
+	const included = {};
+	for (const folder of [...SOURCES, join(ROOT, "test")]) {
+		for (const name of readdirSync(folder, { recursive: true })) {
+			const file = join(folder, name);
+			const qname = name.replace(/\.\w+$/, "").replaceAll(/[\\/]/g, ".");
+			const place = relative(ROOT, file);
+			if (name.endsWith(".inc")) included[place] = hashOf(readFileSync(file, "utf8"));
+			if (!name.endsWith(".as") || qname in files) continue;
+			const text = readFileSync(file, "utf8");
+			files[qname] = { file: place, hash: hashOf(text), outline: hashOf(outlineOf(text) ?? text) };
+		}
+	}
+	return { settings: hashOf(SETTINGS.map((file) => readFileSync(join(ROOT, file), "utf8")).join()), files, included };
+}
+
+/**
+ * The classes whose JavaScript may differ from an earlier translation's.
+ *
+ * @param before what readSources() was then
+ * @param now what it is now
+ * @param isTranslated whether the translation has a class
+ * @param roots the classes that it has to have now
+ * @param read the text of a file
+ * @returns {string[] | null} their qualified names; null if it may be any
+ */
+export function outdated(before, now, isTranslated, roots, read = (file) => readFileSync(join(ROOT, file), "utf8")) {
+	if (before.settings !== now.settings) return null;
+	if (Object.keys(before.files).some((qname) => !(qname in now.files) && isTranslated(qname))) return null;
+	const words = new Map();
+	const wordsOf = (qname) => words.get(qname) ?? words.set(qname, new Set(read(now.files[qname].file).match(/\w+/g))).get(qname);
+	const names = Object.keys(now.files);
+	const isOther = (qname, what) => before.files[qname]?.[what] !== now.files[qname][what];
+	const texts = Object.keys(now.included).filter((file) => before.included[file] !== now.included[file]).map((file) => file.split(/[\\/]/).pop());
+	const changed = new Set(names.filter((qname) => isOther(qname, "hash") || isOther(qname, "file")));
+	if (texts.length > 0) for (const qname of names.filter((each) => includes(read(now.files[each].file)))) changed.add(qname);
+	// what uses a source names it, or names one that uses it. A word that is another's name too counts
+	let open = [...changed].filter((qname) => isOther(qname, "outline") || isOther(qname, "file"));
+	for (const found = new Set(open); open.length > 0; ) {
+		const own = open.map((qname) => qname.split(".").pop());
+		open = names.filter((qname) => !found.has(qname) && own.some((name) => wordsOf(qname).has(name)));
+		for (const qname of open) changed.add(qname) && found.add(qname);
+	}
+	return [...changed].filter((qname) => isTranslated(qname) || roots.has(qname));
+
+	/** Whether a text includes one that changed, directly or by others. */
+	function includes(text) {
+		return [...text.matchAll(/\binclude\s+["'](?:[^"']*\/)?([^"'/]*)["']/g)].some(([, name]) => texts.includes(name)
+			|| Object.keys(now.included).some((file) => file.split(/[\\/]/).pop() === name && includes(read(file))));
+	}
+}

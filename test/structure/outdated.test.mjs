@@ -1,0 +1,106 @@
+/** Tests of what is compiled anew for a quick run in Node. */
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { outlineOf } from '../../js/module/outline.mjs';
+import { outdated, readSources } from '../../js/module/sources.mjs';
+import { read, sourcesBelow } from './sources.mjs';
+
+const CLASS = `package a
+{
+    import b.Other;
+    import b.Used;
+
+    /** A class. */
+    public class Low extends Used
+    {
+        public static const LIMIT:int = 3;
+        private static const OWN:RegExp = /["{]/;
+        private var _other:Other;
+        public var call:Function = function():int
+            {
+                return 1;
+            };
+
+        // how often
+        public function count(from:int = 0):int
+        {
+            return from / 2 + LIMIT;
+        }
+
+        private function half():int
+        {
+            return "}".length / 2;
+        }
+    }
+}
+`;
+
+test('an outline has what others see of a class', () => {
+	const same = (from, to) => assert.equal(outlineOf(CLASS.replace(from, to)), outlineOf(CLASS), from);
+	const other = (from, to) => assert.notEqual(outlineOf(CLASS.replace(from, to)), outlineOf(CLASS), from);
+	assert.notEqual(outlineOf(CLASS), null);
+	same('// how often', '// how seldom');
+	same('from / 2 + LIMIT', 'from * 2 - LIMIT');
+	same('"}".length', '"{".length');
+	same('_other:Other', '_another:Other');
+	same('private function half():int', 'private function half(by:int):Number');
+	same('    import b.Other;\n', '');
+	other('import b.Used', 'import c.Used');
+	other('LIMIT:int = 3', 'LIMIT:int = 4');
+	other('from:int = 0', 'from:int = 1');
+	other('extends Used', 'extends Other');
+	other('return 1', 'return 2');
+	other('private var', 'internal var');
+	other('public function count', 'override public function count');
+	other('// how often', 'public var often:int;');
+});
+
+test('what is not understood has no outline', () => {
+	const broken = [['return 1', 'return "1'], ['/** A class. */', '/** A class.'], ['/["{]/', '/["{/'], ['            return from', '            { return from']];
+	for (const [from, to] of broken) {
+		assert.equal(outlineOf(CLASS.replace(from, to)), null, to);
+	}
+});
+
+test('the outlines of the sources are understood', () => {
+	const unknown = [...sourcesBelow('src'), ...sourcesBelow('test'), ...sourcesBelow('js/standins/common'), ...sourcesBelow('js/standins/module')].filter((file) => outlineOf(read(file)) === null);
+	assert.ok(unknown.length < 5, unknown.join());
+});
+
+/** A few sources that use one another, and what is outdated when some are other ones. */
+function outdatedWith(changes, included = {}) {
+	const texts = { 'a.Low': 'low include "x/one.inc"', 'b.High': 'uses Low', 'c.Higher': 'uses High', 'd.Beside': 'beside include "two.inc"', 'e.Unused': 'by Node', 'x/one.inc': 'include "two.inc"', 'x/two.inc': '' };
+	const sourcesOf = (given, outlines, inc) => ({
+		settings: 'as ever',
+		files: Object.fromEntries(Object.keys(given).filter((name) => !name.endsWith('.inc')).map((name) => [name, { file: name, hash: given[name], outline: outlines[name] ?? 'outline' }])),
+		included: { 'x/one.inc': inc['one'] ?? '', 'x/two.inc': inc['two'] ?? '' },
+	});
+	const now = { ...texts };
+	const outlines = {};
+	for (const [name, text] of Object.entries(changes)) {
+		if (text === null) delete now[name];
+		else now[name] = text;
+		if (text?.startsWith('public')) outlines[name] = text;
+	}
+	const found = outdated(sourcesOf(texts, {}, {}), sourcesOf(now, outlines, included), (name) => name in texts && name !== 'e.Unused', new Set(['f.NewTest']), (file) => now[file]);
+	return found === null ? null : found.sort().join();
+}
+
+test('classes whose sources changed are outdated, and if they look different from outside, those that use them', () => {
+	assert.equal(outdatedWith({}), '');
+	assert.equal(outdatedWith({ 'a.Low': 'low inside' }), 'a.Low');
+	assert.equal(outdatedWith({ 'a.Low': 'public Low' }), 'a.Low,b.High,c.Higher');
+	assert.equal(outdatedWith({ 'b.High': 'public uses Low' }), 'b.High,c.Higher');
+	assert.equal(outdatedWith({ 'f.NewTest': 'public test', 'b.High': 'uses Low more' }), 'b.High,f.NewTest');
+	assert.equal(outdatedWith({ 'e.Unused': 'public' }), '');
+	assert.equal(outdatedWith({}, { one: 'changed' }), 'a.Low');
+	assert.equal(outdatedWith({}, { two: 'changed' }), 'a.Low,d.Beside');
+	assert.equal(outdatedWith({ 'e.Unused': null }), '');
+	assert.equal(outdatedWith({ 'c.Higher': null }), null, 'a class that is gone');
+});
+
+test('all classes are outdated if the compiler is called in another way', () => {
+	const now = readSources();
+	assert.deepEqual(outdated(now, now, () => true, new Set()), []);
+	assert.equal(outdated({ ...now, settings: 'other' }, now, () => true, new Set()), null);
+});

@@ -101,7 +101,7 @@ package starlogo.search
         }
 
         /**
-         * Finds contacts with which other ways out of the second body may begin.
+         * Finds contacts with which other ways out of the second body may begin. The last contact that was found must be of the same two bodies.
          *
          * @param maxDistance parts of the second body farther away do not count
          * @param exits receives the contacts, each with another direction

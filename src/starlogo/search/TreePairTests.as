@@ -80,6 +80,7 @@ package starlogo.search
         /** @inheritDoc */
         override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
+            // Two trees stay in this order. CollisionSearch puts two agents into the order of the list before, so a contact is the same in either order.
             setMovingPair(a, b, motion, a.form != ModelShape.TREE);
             _impacts.findContact(_pair, _motion, out);
             finish(motion, out);

@@ -39,10 +39,28 @@ package starlogo.geometry
             return bounds;
         }
 
+        /** The length of the box in x. */
+        public function get extentX():Number
+        {
+            return maxX - minX;
+        }
+
+        /** The length of the box in y. */
+        public function get extentY():Number
+        {
+            return maxY - minY;
+        }
+
+        /** The length of the box in z. */
+        public function get extentZ():Number
+        {
+            return maxZ - minZ;
+        }
+
         /** The longest side of the box. */
         public function get extent():Number
         {
-            return Math.max(maxX - minX, maxY - minY, maxZ - minZ);
+            return Math.max(extentX, extentY, extentZ);
         }
 
         /** The largest absolute coordinate. */

@@ -122,24 +122,23 @@ package starlogo.models
 
         private function placingFootprint():Steps
         {
-            var extentX:Number = _bounds.maxX - _bounds.minX;
-            var extentY:Number = _bounds.maxY - _bounds.minY;
-            var extentZ:Number = _bounds.maxZ - _bounds.minZ;
-            var unit:Number = Math.max(extentX, extentY);
-            if (unit <= extentZ * LINE_RATIO)
+            var unit:Number = Math.max(_bounds.extentX, _bounds.extentY);
+            if (unit <= _bounds.extentZ * LINE_RATIO)
             {
-                unit = extentZ > 0 ? extentZ : 1;
+                unit = _bounds.extentZ > 0 ? _bounds.extentZ : 1;
             }
-            return placing(_bounds.minX, _bounds.minY, _bounds.minZ, extentX / 2, extentY / 2, 0, unit);
+            return placingBox(0, unit);
         }
 
         private function placingVolume():Steps
         {
-            var extentX:Number = _bounds.maxX - _bounds.minX;
-            var extentY:Number = _bounds.maxY - _bounds.minY;
-            var extentZ:Number = _bounds.maxZ - _bounds.minZ;
-            return placing(_bounds.minX, _bounds.minY, _bounds.minZ, extentX / 2, extentY / 2, extentZ / 2, rootOf(extentX) * rootOf(extentY) *
-                    rootOf(extentZ));
+            return placingBox(_bounds.extentZ / 2, rootOf(_bounds.extentX) * rootOf(_bounds.extentY) * rootOf(_bounds.extentZ));
+        }
+
+        // The steps that put a point of the box at the origin, the middle in x and y, at a height above the floor; and divide by a divisor.
+        private function placingBox(height:Number, divisor:Number):Steps
+        {
+            return placing(_bounds.minX, _bounds.minY, _bounds.minZ, _bounds.extentX / 2, _bounds.extentY / 2, height, divisor);
         }
 
         // With Model.VOLUME the lowest vertex is put at z = 0.
@@ -149,10 +148,10 @@ package starlogo.models
             return placing(0, 0, _data.scaling == Model.VOLUME ? _bounds.minZ : 0, -move.x, -move.y, -move.z, 1);
         }
 
-        // The steps that put the point that is a half above a low corner at the origin, and divide by a divisor.
+        // The steps that put the point low + half at the origin, and divide by a divisor.
         private function placing(lowX:Number, lowY:Number, lowZ:Number, halfX:Number, halfY:Number, halfZ:Number, divisor:Number):Steps
         {
-            var size:Number = _bounds.maxX - _bounds.minX + _bounds.maxY - _bounds.minY + _bounds.maxZ - _bounds.minZ;
+            var size:Number = _bounds.extentX + _bounds.extentY + _bounds.extentZ;
             check(size < Infinity ? null : "the coordinates are too large: the model's extent is not a finite number");
             _frame.add(lowX + halfX, lowY + halfY, lowZ + halfZ, divisor);
             return new Slices(_data.vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void

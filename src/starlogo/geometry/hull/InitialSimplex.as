@@ -51,13 +51,13 @@ package starlogo.geometry.hull
          */
         public function get isThin():Boolean
         {
-            var extents:Number = (bounds.maxX - bounds.minX) * (bounds.maxY - bounds.minY) * (bounds.maxZ - bounds.minZ);
+            var boxVolume:Number = bounds.extentX * bounds.extentY * bounds.extentZ;
             var spanned:Number = 1;
             for (var i:int = 0; i < 3; i++)
             {
                 spanned *= Math.abs(along(i, corners[i + 1]) - along(i, corners[0]));
             }
-            return spanned < Tolerances.HULL_THIN * extents;
+            return spanned < Tolerances.HULL_THIN * boxVolume;
         }
 
         private function measure():void

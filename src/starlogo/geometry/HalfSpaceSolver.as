@@ -3,10 +3,10 @@ package starlogo.geometry
     import flash.geom.Vector3D;
 
     /**
-     * Finds the shortest way out of half-spaces, for a point. A half-space requires that the way goes at least a depth along its normal, so a
-     * depth that is not greater than 0 requires no way.
+     * Finds the shortest displacement of a point out of half-spaces. A half-space requires that it goes at least a depth along its normal, so
+     * a depth that is not greater than 0 requires none.
      *
-     * <p>The shortest way ends on the planes of no half-space, or of one, two or three of them. It tries all of these. This takes few steps,
+     * <p>The shortest displacement ends on the planes of no half-space, or of one, two or three of them. It tries all of these. This takes few steps,
      * because a body touches few surfaces at once.</p>
      *
      * @private
@@ -17,7 +17,7 @@ package starlogo.geometry
         // their normals is.
         private static const DEGENERATE:Number = Tolerances.NEARLY_PARALLEL;
 
-        // How much less than required a way may go along a normal, as a fraction of its length, because of rounding.
+        // How much less than required a displacement may go along a normal, as a fraction of its length, because of rounding.
         private static const RELATIVE_SLACK:Number = 1e-12;
 
         /** The number of half-spaces. */
@@ -29,7 +29,7 @@ package starlogo.geometry
         private var _zs:Vector.<Number> = new Vector.<Number>();
         private var _depths:Vector.<Number> = new Vector.<Number>();
 
-        // How much less than required every way may go, and the way that is tried.
+        // How much less than required every displacement may go, and the one that is tried.
         private var _slack:Number = 0;
         private var _tried:Vector3D = new Vector3D();
 
@@ -50,14 +50,14 @@ package starlogo.geometry
         }
 
         /**
-         * Finds the shortest way.
+         * Finds the shortest displacement.
          *
          * @param mostDeciding on how many planes it may end, from 1 to 3
          * @param slack how much less than required it may go along each normal
-         * @param out receives the way
+         * @param out receives it
          * @return whether there is one
          */
-        public function solve(mostDeciding:int, slack:Number, out:WayOut):Boolean
+        public function solve(mostDeciding:int, slack:Number, out:ShortestExit):Boolean
         {
             _slack = slack;
             out.length = Infinity;
@@ -66,7 +66,7 @@ package starlogo.geometry
             _tried.setTo(0, 0, 0);
             if (leadsOut(0))
             {
-                out.way.setTo(0, 0, 0);
+                out.displacement.setTo(0, 0, 0);
                 out.length = 0;
                 return true;
             }
@@ -90,7 +90,7 @@ package starlogo.geometry
         }
 
         // Tries the point of two planes that is nearest.
-        private function meetTwo(i:int, j:int, out:WayOut):void
+        private function meetTwo(i:int, j:int, out:ShortestExit):void
         {
             var cosine:Number = _xs[i] * _xs[j] + _ys[i] * _ys[j] + _zs[i] * _zs[j];
             var squaredSine:Number = 1 - cosine * cosine;
@@ -104,7 +104,7 @@ package starlogo.geometry
         }
 
         // Tries the point of three planes.
-        private function meetThree(i:int, j:int, k:int, out:WayOut):void
+        private function meetThree(i:int, j:int, k:int, out:ShortestExit):void
         {
             var volume:Number = _xs[i] * (_ys[j] * _zs[k] - _zs[j] * _ys[k]) + _ys[i] * (_zs[j] * _xs[k] - _xs[j] * _zs[k])
                 + _zs[i] * (_xs[j] * _ys[k] - _ys[j] * _xs[k]);
@@ -126,13 +126,13 @@ package starlogo.geometry
             _tried.z += factor * (_xs[i] * _ys[j] - _ys[i] * _xs[j]);
         }
 
-        // Keeps the way that is tried if it is shorter and leads out of all half-spaces.
-        private function keepShorter(deciding:int, last:int, second:int, third:int, out:WayOut):void
+        // Keeps the displacement that is tried if it is shorter and leads out of all half-spaces.
+        private function keepShorter(deciding:int, last:int, second:int, third:int, out:ShortestExit):void
         {
             var length:Number = Math.sqrt(_tried.x * _tried.x + _tried.y * _tried.y + _tried.z * _tried.z);
             if (length < out.length && leadsOut(length))
             {
-                out.way.copyFrom(_tried);
+                out.displacement.copyFrom(_tried);
                 out.length = length;
                 out.deciding = deciding;
                 out.last = last;

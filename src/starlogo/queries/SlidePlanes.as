@@ -3,7 +3,7 @@ package starlogo.queries
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.geometry.HalfSpaceSolver;
-    import starlogo.geometry.WayOut;
+    import starlogo.geometry.ShortestExit;
 
     /**
      * Keeps the rest of a motion, and the planes of the contacts that it has met. It projects the motion on these planes (Fauerby, "Improved
@@ -51,10 +51,10 @@ package starlogo.queries
         // How far a fall has to go down for each patch on the ground plane; less than 0 for a motion that is no fall.
         private var _fallSlope:Number = -1;
 
-        // The rest of the motion when the corner began, and the way out of the planes from its end.
+        // The rest of the motion when the corner began, and the shortest displacement out of the planes from its end.
         private var _cornerMotion:Vector3D = new Vector3D();
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
-        private var _wayOut:WayOut = new WayOut();
+        private var _exit:ShortestExit = new ShortestExit();
 
         /**
          * Begins a motion, without planes.
@@ -172,10 +172,10 @@ package starlogo.queries
             length = 0;
             motion.setTo(0, 0, 0);
             // at a point of three planes no motion is left
-            if (_halfSpaces.solve(2, PARALLEL_SINE * whole, _wayOut))
+            if (_halfSpaces.solve(2, PARALLEL_SINE * whole, _exit))
             {
                 motion.copyFrom(_cornerMotion);
-                motion.incrementBy(_wayOut.way);
+                motion.incrementBy(_exit.displacement);
                 length = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
             }
             return keepWithinWidest() && length > STUCK * whole;

@@ -6,8 +6,8 @@ package starlogo.search
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.HalfSpaceSolver;
+    import starlogo.geometry.ShortestExit;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.WayOut;
 
     use namespace engine;
 
@@ -42,7 +42,7 @@ package starlogo.search
         private var _farthest:SupportPoint = new SupportPoint();
         private var _contact:ContactPoint = new ContactPoint();
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
-        private var _shortest:WayOut = new WayOut();
+        private var _shortest:ShortestExit = new ShortestExit();
 
         /** @param narrowPhase knows how deep trees are visited */
         public function EdgePairTests(narrowPhase:NarrowPhase)
@@ -115,7 +115,7 @@ package starlogo.search
                 }
             }
             _halfSpaces.solve(3, 0, _shortest);
-            out.setNormal(_shortest.way.x / _shortest.length, _shortest.way.y / _shortest.length, _shortest.way.z / _shortest.length);
+            out.setNormal(_shortest.displacement.x / _shortest.length, _shortest.displacement.y / _shortest.length, _shortest.displacement.z / _shortest.length);
             var deepest:Number = Math.max(0, _penetration[_nearest]);
             out.depth = _halfSpaces.count > 1 && deepest > 0 ? _shortest.length : deepest;
         }

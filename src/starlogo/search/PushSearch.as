@@ -3,7 +3,7 @@ package starlogo.search
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.geometry.HalfSpaceSolver;
-    import starlogo.geometry.WayOut;
+    import starlogo.geometry.ShortestExit;
 
     /**
      * Finds the shortest push that leads out of several contacts. A contact requires a push of at least its depth along its normal.
@@ -38,10 +38,10 @@ package starlogo.search
         private var _current:int = -1;
 
         // The new contact and those that decide about the current push, as half-spaces; their normals and how far a push has to go along them, by number;
-        // and the shortest way out of them.
+        // and the shortest displacement out of them.
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
         private var _contacts:Vector.<Number> = new Vector.<Number>(16, true);
-        private var _shortest:WayOut = new WayOut();
+        private var _shortest:ShortestExit = new ShortestExit();
 
         /** Begins again, with a push of length 0. */
         public function begin():void
@@ -114,8 +114,8 @@ package starlogo.search
             for (var i:int = 0; i < _count; i++)
             {
                 var at:int = STRIDE * i;
-                var off:Number = Math.abs(_pushes[at] - _shortest.way.x) + Math.abs(_pushes[int(at + 1)] - _shortest.way.y)
-                    + Math.abs(_pushes[int(at + 2)] - _shortest.way.z);
+                var off:Number = Math.abs(_pushes[at] - _shortest.displacement.x) + Math.abs(_pushes[int(at + 1)] - _shortest.displacement.y)
+                    + Math.abs(_pushes[int(at + 2)] - _shortest.displacement.z);
                 if (off <= slack && i != _current)
                 {
                     return false;
@@ -133,9 +133,9 @@ package starlogo.search
                 _pushes.length = STRIDE * _deciding.length;
             }
             var at:int = STRIDE * _count;
-            _pushes[at] = _shortest.way.x;
-            _pushes[int(at + 1)] = _shortest.way.y;
-            _pushes[int(at + 2)] = _shortest.way.z;
+            _pushes[at] = _shortest.displacement.x;
+            _pushes[int(at + 1)] = _shortest.displacement.y;
+            _pushes[int(at + 2)] = _shortest.displacement.z;
             _pushes[int(at + LENGTH)] = _shortest.length;
             _deciding[_count] = _shortest.deciding;
             keepContact(at + FIRST, _shortest.last);

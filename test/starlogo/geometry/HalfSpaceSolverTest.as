@@ -6,15 +6,15 @@ package starlogo.geometry
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
 
-    /** The shortest way out of half-spaces, against random ways. */
+    /** The shortest displacement out of half-spaces, against random ones. */
     public class HalfSpaceSolverTest
     {
         private static const CASES:int = 300;
-        private static const WAYS:int = 100;
+        private static const TRIALS:int = 100;
         private static const CLOSE:Number = 1e-9;
 
         private var _solver:HalfSpaceSolver = new HalfSpaceSolver();
-        private var _out:WayOut = new WayOut();
+        private var _out:ShortestExit = new ShortestExit();
         private var _random:SeededRandom = new SeededRandom(72);
         private var _normals:Vector.<Vector3D> = new Vector.<Vector3D>();
         private var _depths:Vector.<Number> = new Vector.<Number>();
@@ -31,7 +31,7 @@ package starlogo.geometry
             _solver.add(0, 0, 1, 2);
             assertTrue(_solver.solve(3, 0, _out));
             assertEquals(2, _out.length);
-            assertEquals(2, _out.way.z);
+            assertEquals(2, _out.displacement.z);
             assertEquals(1, _out.deciding);
         }
 
@@ -57,7 +57,7 @@ package starlogo.geometry
         }
 
         [Test]
-        public function oppositeWallsHaveNoWayOut():void
+        public function betweenOppositeWallsThereIsNoExit():void
         {
             _solver.add(1, 0, 0, 1);
             _solver.add(-1, 0, 0, 1);
@@ -66,7 +66,7 @@ package starlogo.geometry
         }
 
         [Test]
-        public function noRandomWayIsShorter():void
+        public function noRandomDisplacementIsShorter():void
         {
             var decided:Vector.<int> = new Vector.<int>(4, true);
             for (var i:int = 0; i < CASES; i++)
@@ -77,8 +77,8 @@ package starlogo.geometry
                     continue;
                 }
                 decided[_out.deciding]++;
-                assertTrue("case " + i + " leads out", leadsOut(_out.way, CLOSE * (1 + _out.length)));
-                for (var j:int = 0; j < WAYS && _out.length > 0; j++)
+                assertTrue("case " + i + " leads out", leadsOut(_out.displacement, CLOSE * (1 + _out.length)));
+                for (var j:int = 0; j < TRIALS && _out.length > 0; j++)
                 {
                     var other:Vector3D = direction();
                     other.scaleBy(_out.length * _random.between(0.5, 1) * (1 - CLOSE));
@@ -102,11 +102,11 @@ package starlogo.geometry
             }
         }
 
-        private function leadsOut(way:Vector3D, slack:Number):Boolean
+        private function leadsOut(displacement:Vector3D, slack:Number):Boolean
         {
             for (var i:int = 0; i < _normals.length; i++)
             {
-                if (way.dotProduct(_normals[i]) < _depths[i] - slack)
+                if (displacement.dotProduct(_normals[i]) < _depths[i] - slack)
                 {
                     return false;
                 }

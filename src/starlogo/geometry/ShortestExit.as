@@ -3,19 +3,19 @@ package starlogo.geometry
     import flash.geom.Vector3D;
 
     /**
-     * The shortest way out of half-spaces. HalfSpaceSolver writes it.
+     * The shortest displacement out of half-spaces. HalfSpaceSolver writes it.
      *
      * @private
      */
-    public final class WayOut
+    public final class ShortestExit
     {
-        /** The way. */
-        public var way:Vector3D = new Vector3D();
+        /** The displacement. */
+        public var displacement:Vector3D = new Vector3D();
 
-        /** Its length; Infinity if no way leads out. */
+        /** Its length; Infinity if no displacement leads out. */
         public var length:Number = Infinity;
 
-        /** How many half-spaces decide: the way ends on the planes of these. */
+        /** How many half-spaces decide: the displacement ends on the planes of these. */
         public var deciding:int = 0;
 
         /** The numbers of up to three half-spaces that decide: the one that was added last, and those before it. If none decides, last is -1. */

@@ -115,6 +115,7 @@ async function run(options) {
 	let lastSign = Date.now();
 	let frames = 0;
 	let framesBefore = 0;
+	let lastFrame = Date.now();
 	const sign = () => {
 		lastSign = Date.now();
 		framesBefore = frames;
@@ -138,18 +139,25 @@ async function run(options) {
 		},
 		exit: end.resolve,
 	});
+	// before, the player has prepared itself
+	sign();
+	lastFrame = Date.now();
 	let isAsking = false;
 	const countFrames = async () => {
 		if (!isAsking && player.frames) {
 			isAsking = true;
-			frames = await player.frames().catch(() => frames);
+			const counted = await player.frames().catch(() => frames);
+			if (counted > frames) {
+				lastFrame = Date.now();
+			}
+			frames = counted;
 			isAsking = false;
 		}
 	};
 	const watch = setInterval(() => {
 		countFrames();
 		if (Date.now() - lastSign > options.stall * 1000) {
-			end.fail(`the SWF stalled: ${options.stall} s without a sign of life${player.frames ? stalled(frames - framesBefore, options.stall) : ''}`);
+			end.fail(`the SWF stalled: ${options.stall} s without a sign of life${player.frames ? stalled(frames - framesBefore, Math.round((Date.now() - lastFrame) / 1000), options.stall) : ''}`);
 		}
 	}, 500);
 	try {
@@ -166,10 +174,10 @@ async function run(options) {
 	}
 }
 
-/** Why a SWF gave no sign of life: what its frames tell. */
-function stalled(frames, seconds) {
-	if (frames === 0) {
-		return ', and no frame ended: one call takes longer, or has no end';
+/** Why a SWF gave no sign of life for some seconds: by its frames in this time, and the seconds since the last one. */
+function stalled(frames, since, seconds) {
+	if (since > seconds / 2) {
+		return `, and no frame in the last ${since} s: one call takes longer, or has no end`;
 	}
 	return frames < seconds ? `, but ${frames} frames: it is slow; give it more by --stall`
 		: `, but ${frames} frames: it waits for an event, or does not call Host.exit`;

@@ -1,5 +1,5 @@
 /** Which tests -Dtest names: by a class of tests, by a test, or by the source file that they test. */
-import { definitionIn, read, sourcesBelow, usesIn } from './structure/sources.mjs';
+import { definitionIn, packageOf, read, sourcesBelow, usesIn } from './structure/sources.mjs';
 
 /** Fewer tests than these say little of a source. */
 const ENOUGH = 5;
@@ -32,8 +32,8 @@ export function testsIn(text) {
  * - "BoxTest.volume" takes the tests whose names contain "volume", of the classes whose names contain "BoxTest"; ".volume" takes them of all classes.
  * - Commas stand between several of these.
  *
- * The tests of a source file are the classes that use it. If none does, they are those that use a file that uses it, and so on. If these have fewer
- * than five tests, the tests with the names of the files that use it are taken too, and so on.
+ * The tests of a source file are the classes that use it. If none does, they are those that use a file that uses it, and so on. The tests with the
+ * names of the files that use it are taken too: of its own package always, of other packages if there are fewer than five tests, and so on.
  *
  * @param {string} pattern what -Dtest has
  * @param {Map<string, string>} classes the texts of the test classes, by qualified name
@@ -73,7 +73,8 @@ function chooseOne(pattern, classes, sources, { tests, used, farther, said }) {
 		for (const source of [...sources.keys()].filter((name) => simpleName(name).toLowerCase() === wanted)) {
 			const nearest = nearestTests(source, classes, sources);
 			for (const name of take(`classes that use ${source}`, nearest)) used.add(name);
-			for (const name of take(`tests of what uses ${source}`, testsOfUsers(source, new Set([...ofClass, ...nearest]), classes, sources))) {
+			const known = new Set([...ofClass, ...nearest, ...testsOfNeighbours(source, classes, sources)]);
+			for (const name of take(`tests of what uses ${source}`, [...known, ...testsOfUsers(source, known, classes, sources)])) {
 				used.add(name);
 				farther.add(name);
 			}
@@ -99,6 +100,13 @@ function nearestTests(source, classes, sources) {
 		if (found.length > 0) return found;
 	}
 	return [];
+}
+
+/** The test classes with the names of the files of its own package that use a source. */
+function testsOfNeighbours(source, classes, sources) {
+	const [files] = users(source, classes, sources);
+	const own = new Set(files.filter((name) => packageOf(name) === packageOf(source)).map((name) => `${simpleName(name)}Test`));
+	return [...classes.keys()].filter((name) => own.has(simpleName(name)));
 }
 
 /** The test classes with the names of the files that use a source, or that use these, and so on, until there are enough tests with those that are known. */

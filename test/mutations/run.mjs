@@ -3,9 +3,9 @@
  * Changes the engine in one place at random, many times, and runs the tests until one fails: what survives is tested by nothing, or changes no
  * answer. It is the translation that is changed, a line of which is a line of the source.
  *
- *   node test/mutations/run.mjs TESTS [COUNT [SEED [all]]]
+ *   node test/mutations/run.mjs TESTS [COUNT [SEED [all [PACKAGES]]]]
  *
- * TESTS is what the build made of the engine and the tests together. First the hash of all that the soak's game sees is compared, then the test
+ * TESTS is what the build made of the engine and the tests together. PACKAGES are those to change, with commas: search,solid. First the hash of all that the soak's game sees is compared, then the test
  * classes run that name the changed class, and with "all" every other; no *.test.mjs does.
  *
  * What survives with "all" has mostly been a change of no answer: of equal numbers the one or the other is taken, 0 or -0; children of nodes
@@ -17,7 +17,7 @@ import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { randomNumbers } from "../module/games.mjs";
 
-const PACKAGES = ["collision", "handlers", "search", "ground", "terrain", "hierarchy", "intersection", "queries"];
+const PACKAGES = "collision,handlers,search,ground,terrain,hierarchy,solid,intersection,queries";
 const PATIENCE_MS = 600000;
 
 /** Measures time: a busy machine fails it, whatever was changed. */
@@ -33,7 +33,7 @@ const CHANGES = [
 ];
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
-const [tests, count = "100", seed = "1", all = ""] = process.argv.slice(2);
+const [tests, count = "100", seed = "1", all = "", packages = ""] = process.argv.slice(2);
 
 const filesBelow = (folder) => readdirSync(folder, { withFileTypes: true, recursive: true })
 	.filter((entry) => entry.name.endsWith(".as")).map((entry) => path.join(entry.parentPath ?? entry.path, entry.name));
@@ -54,7 +54,7 @@ function placesOf(name) {
 	return places;
 }
 
-const places = PACKAGES.flatMap((each) => filesBelow(path.join(root, "src/starlogo", each)).map(classOf)).flatMap(placesOf);
+const places = (packages || PACKAGES).split(",").flatMap((each) => filesBelow(path.join(root, "src/starlogo", each)).map(classOf)).flatMap(placesOf);
 const random = randomNumbers(Number(seed));
 for (let i = 0; i < 8; i++) random();
 

@@ -93,3 +93,13 @@ test('where fewer than five tests use a source, those of the files that use it a
 	assert.deepEqual(chosen(4, 1).said, ['classes that use a.low: NearTest', 'tests of what uses a.low: HighTest']);
 	assert.deepEqual([...chosen(1, 3).farther], ['c.HighTest', 'c.HigherTest']);
 });
+
+test('the tests of the files of its package that use a source are chosen with those that use it themselves', () => {
+	const many = '[Test]\n public function one\n'.repeat(9);
+	const sources = new Map([['a.low', 'package a { public function low() {} }'], ['a.Beside', 'low();'], ['b.High', 'import a.low;']]);
+	const classes = new Map([['c.NearTest', `${many} import a.low;`], ['a.BesideTest', '[Test]\n public function one\n'], ['b.HighTest', '[Test]\n public function one\n']]);
+	const { tests, farther, said } = choose('low', classes, sources);
+	assert.deepEqual([...tests.keys()], ['c.NearTest', 'a.BesideTest']);
+	assert.deepEqual([...farther], ['a.BesideTest']);
+	assert.deepEqual(said, ['classes that use a.low: NearTest', 'tests of what uses a.low: BesideTest']);
+});

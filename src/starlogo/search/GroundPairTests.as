@@ -39,7 +39,7 @@ package starlogo.search
         public function GroundPairTests(narrowPhase:NarrowPhase)
         {
             _narrowPhase = narrowPhase;
-            _separation = new PenetrationSearch(this);
+            _separation = new PenetrationSearch(this, narrowPhase.treeLimits);
             _extents.grow(1);
         }
 

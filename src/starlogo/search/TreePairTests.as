@@ -40,7 +40,7 @@ package starlogo.search
             this.limits = limits;
             _impacts = new TreeImpactQuery(_overlaps, _counts);
             _distances = new TreeDistanceQuery(_overlaps, _counts);
-            _separation = new PenetrationSearch(this);
+            _separation = new PenetrationSearch(this, limits);
         }
 
         /** Lets a narrow phase test trees. */

@@ -1,0 +1,212 @@
+package starlogo.search
+{
+    import starlogo.convex.ContactPoint;
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * Pushes the first of two bodies out of the second. It tries the shortest push out of all contacts so far (PushSearch). If the two still touch
+     * after it, their contact there is added. So a box in a corner of floor and wall goes out of both at once.
+     */
+    internal final class PushOut
+    {
+        /**
+         * A push out of several contacts counts only if the body is free this much farther along it too, as a fraction of the larger extent.
+         * Otherwise it ends in a gap between parts of the second body.
+         */
+        public static const ROOM:Number = 100 * Tolerances.SEPARATION;
+
+        // The most contacts that a push leads out of.
+        private static const MOST_CONTACTS:int = 4;
+
+        // How far a push leads into a corner of an agent at most, as a fraction of the larger extent. After a push, a contact counts as another
+        // side of the same corner if the cosine between its normal and the push is between these two. If the push is also this short for
+        // the smaller extent, the corner may be acute, and the contact may be of the same side: a face beside an edge that was met first.
+        private static const LARGEST_CORNER:Number = 1 / 16;
+        private static const LEAST_COSINE:Number = -0.1;
+        private static const LEAST_ACUTE_COSINE:Number = -0.99;
+        private static const MOST_COSINE:Number = 0.8;
+
+        // How much farther than its depth a push leads out of each contact, as a fraction of SEPARATION. This is more than the gap across which
+        // surfaces touch.
+        private static const SLACK:Number = 0.001;
+
+        /** The pushes. The current one is tried. */
+        public var pushes:PushSearch = new PushSearch();
+
+        private var _pair:DisplacedPair;
+        private var _directions:DirectionSearch;
+
+        // The contact that a search begins with, and whether the tests have found another one since; the contact that was found last; how much
+        // farther than its depth a push leads out of each; and the displacement that is tried.
+        private var _first:ContactPoint = new ContactPoint();
+        private var _isFirstLost:Boolean = false;
+        private var _contact:ContactPoint = new ContactPoint();
+        private var _slack:Number = 0;
+        private var _tried:Displacement = new Displacement();
+
+        /**
+         * @param pair has begun when a method is called
+         * @param directions shortens pushes that are longer than needed
+         */
+        public function PushOut(pair:DisplacedPair, directions:DirectionSearch)
+        {
+            _pair = pair;
+            _directions = directions;
+        }
+
+        /** Takes the contact that the searches begin with. The tests have found no other one since. */
+        public function begin(first:ContactPoint):void
+        {
+            _first.copyFrom(first);
+            _isFirstLost = false;
+        }
+
+        /**
+         * Looks for the shortest push that leads out of all contacts, from the first one on.
+         *
+         * @param most the length of the longest push that counts
+         * @param out receives the normal and the depth if there is such a push
+         * @return whether there is one
+         */
+        public function find(most:Number, out:ContactPoint):Boolean
+        {
+            restart();
+            for (var tries:int = MOST_CONTACTS; tries > 0; tries--)
+            {
+                add(_contact);
+                if (!pushes.next() || pushes.length > most)
+                {
+                    return false;
+                }
+                if (tryPush(out))
+                {
+                    return true;
+                }
+                if (!findCorner())
+                {
+                    return false;
+                }
+            }
+            return false;
+        }
+
+        /** Begins with the first contact again, where it was. */
+        public function restart():void
+        {
+            pushes.begin();
+            _contact.copyFrom(_first);
+            _slack = SLACK * Tolerances.SEPARATION * _pair.extent + _pair.rounding;
+            _pair.putBack();
+        }
+
+        /** Begins with the first contact again, and lets the tests find it if they have found another one since. */
+        public function restartWithTests():void
+        {
+            restart();
+            if (_isFirstLost)
+            {
+                _pair.findContact(_contact);
+            }
+        }
+
+        /** Adds the push out of the contact that was found last. */
+        public function addLast():void
+        {
+            add(_contact);
+        }
+
+        /** Adds the push out of another contact. */
+        public function add(contact:ContactPoint):void
+        {
+            pushes.add(contact, _slack);
+        }
+
+        /**
+         * Tries the current push.
+         *
+         * @param out receives its normal and its depth if the first body is free after it
+         * @return whether the body is free
+         */
+        public function tryPush(out:ContactPoint):Boolean
+        {
+            if (!touchesAfterPush())
+            {
+                takePush(out);
+                return true;
+            }
+            return false;
+        }
+
+        /**
+         * Finds the contact after a push that does not free the body.
+         *
+         * @return whether it may be a side of a corner. It may not if it points against the push, or along it after a long one, as for agents deep in
+         *     each other. In the ground it always may
+         */
+        public function findCorner():Boolean
+        {
+            var isGround:Boolean = _pair.isSecondGround;
+            if (!isGround && pushes.length > LARGEST_CORNER * _pair.extent)
+            {
+                return false;
+            }
+            _isFirstLost = true;
+            _pair.findContact(_contact);
+            var cosine:Number = _contact.normalX * _tried.x + _contact.normalY * _tried.y + _contact.normalZ * _tried.z;
+            // the body is a little farther than the push
+            _contact.depth += (_tried.distance - pushes.length) * cosine;
+            if (isGround)
+            {
+                return true;
+            }
+            var isShort:Boolean = pushes.length <= 2 * LARGEST_CORNER * Math.min(_pair.first.largestHalf, _pair.second.largestHalf);
+            return isShort ? cosine > LEAST_ACUTE_COSINE : cosine > LEAST_COSINE && cosine < MOST_COSINE;
+        }
+
+        // Puts the first body behind the current push. Returns whether the two touch there.
+        private function touchesAfterPush():Boolean
+        {
+            _tried.x = pushes.push.x / pushes.length;
+            _tried.y = pushes.push.y / pushes.length;
+            _tried.z = pushes.push.z / pushes.length;
+            var farther:Number = pushes.length + Tolerances.SEPARATION / 4 * _pair.extent;
+            if (pushes.deciding > 1)
+            {
+                // beyond its end, a push out of several contacts may lead into one of them again
+                _tried.distance = pushes.length;
+                if (_pair.touchesAt(_tried))
+                {
+                    return true;
+                }
+            }
+            _tried.distance = farther;
+            if (_pair.touchesAt(_tried))
+            {
+                return true;
+            }
+            if (pushes.deciding == 1)
+            {
+                return false;
+            }
+            _tried.distance = pushes.length + ROOM * _pair.extent;
+            return _pair.touchesAt(_tried);
+        }
+
+        // Takes the push. If the two are free before its end, the depth is refined. The first push out of the ground needs no test if its contact
+        // is sure of its depth.
+        private function takePush(out:ContactPoint):void
+        {
+            out.setNormal(_tried.x, _tried.y, _tried.z);
+            out.depth = pushes.length;
+            if (!_isFirstLost && _pair.isSecondGround && _first.isDepthSure)
+            {
+                return;
+            }
+            _tried.distance = pushes.length - Tolerances.SEPARATION / 4 * _pair.extent;
+            if (_tried.distance > 0 && !_pair.touchesAt(_tried))
+            {
+                _directions.shorten(_tried, out);
+            }
+        }
+    }
+}

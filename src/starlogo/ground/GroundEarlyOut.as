@@ -8,8 +8,9 @@ package starlogo.ground
     use namespace engine;
 
     /**
-     * Decides about most agents, in a tenth of the time of a full test, whether they touch the ground. It decides about agents whose inner ball reaches down to
-     * the ground, and about agents that are higher above the ground than the steepest slope near them allows.
+     * Decides about most agents, in a tenth of the time of a full test, whether they touch the ground. It decides about agents whose middle is in
+     * the ground, about spheres that reach into the ground under or beside their middle, and about agents that are higher above the ground than
+     * the steepest slope near them allows.
      *
      * @private
      */

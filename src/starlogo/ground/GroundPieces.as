@@ -58,7 +58,7 @@ package starlogo.ground
         private var _node:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        /** Sets the model and the ground, as <code>GroundPair.setTo()</code> takes them. */
+        /** Sets the model and the ground, as <code>GroundQuery.setTo()</code> takes them. */
         public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
         {
             _grid = grid;

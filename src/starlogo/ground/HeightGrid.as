@@ -4,9 +4,9 @@ package starlogo.ground
      * The heights of a terrain, with bounds for squares of cells: how high the ground is at a place, and between which heights it is around
      * one.
      *
-     * <p>The package ground says how shapes and rays meet such a grid. GroundTriangles finds its triangles near a box. GroundPair tests a
-     * model's convex pieces, which GroundPieces goes through, with these triangles. GroundRay tests rays. GroundEarlyOut decides about most
-     * agents before, from a few heights. Read this class first, then GroundTriangles, then GroundPair.</p>
+     * <p>The package ground says how shapes and rays meet such a grid. GroundTriangles finds its triangles near a box. GroundQuery tests a
+     * model's convex pieces, which GroundPieces goes through, with these triangles. GroundRayQuery tests rays. GroundEarlyOut decides about most
+     * agents before, from a few heights. Read this class first, then GroundTriangles, then GroundQuery.</p>
      *
      * <p>Frequent questions write to records, because V8 allocates an object for each Number that is passed or returned.</p>
      *

@@ -7,8 +7,8 @@ package starlogo.search
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.ground.GroundEarlyOut;
-    import starlogo.ground.GroundPair;
-    import starlogo.ground.GroundRay;
+    import starlogo.ground.GroundQuery;
+    import starlogo.ground.GroundRayQuery;
     import starlogo.ground.HeightGrid;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
@@ -32,8 +32,8 @@ package starlogo.search
 
         // Decides quickly about bodies that are clearly above or in the ground; and about the others.
         private var _earlyOut:GroundEarlyOut = new GroundEarlyOut();
-        private var _pair:GroundPair = new GroundPair();
-        private var _rays:GroundRay = new GroundRay();
+        private var _query:GroundQuery = new GroundQuery();
+        private var _rays:GroundRayQuery = new GroundRayQuery();
 
         /** @param narrowPhase knows how deep trees are visited */
         public function GroundPairTests(narrowPhase:NarrowPhase)
@@ -54,7 +54,7 @@ package starlogo.search
             _extents.halfZ[0] = a.halfZ;
             var earlyOut:GroundEarlyOut = earlyOutOf(b);
             var found:int = earlyOut.decide(_extents, a.form, 0);
-            return found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && pairOf(a, b).overlapsAt(RelativeMotion.NONE, 0);
+            return found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && queryOf(a, b).overlapsAt(RelativeMotion.NONE, 0);
         }
 
         /** @inheritDoc */
@@ -72,7 +72,7 @@ package starlogo.search
         /** @inheritDoc */
         override public function isDeeper(a:Body, b:Body, depth:Number):Boolean
         {
-            return pairOf(a, b).isDeeper(depth);
+            return queryOf(a, b).isDeeper(depth);
         }
 
         /** @inheritDoc */
@@ -84,7 +84,7 @@ package starlogo.search
             {
                 var row:int = rows[i];
                 var found:int = earlyOut.decide(table.extents, table.forms[row], row);
-                if (found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && pairOf(table.bodyOf(row), b).overlapsAt(RelativeMotion.NONE, 0))
+                if (found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && queryOf(table.bodyOf(row), b).overlapsAt(RelativeMotion.NONE, 0))
                 {
                     rows[kept] = row;
                     kept++;
@@ -102,19 +102,19 @@ package starlogo.search
         /** @inheritDoc */
         override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            pairOf(a, b).findFirst(motion, out);
+            queryOf(a, b).findFirst(motion, out);
         }
 
         /** @inheritDoc */
         override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            pairOf(a, b).findContact(motion, out);
+            queryOf(a, b).findContact(motion, out);
         }
 
         /** @inheritDoc */
         override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            pairOf(a, b).findImpact(motion, out);
+            queryOf(a, b).findImpact(motion, out);
         }
 
         /** @inheritDoc */
@@ -126,13 +126,13 @@ package starlogo.search
         /** @inheritDoc */
         override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
         {
-            pairOf(a, b).findOuterContact(out);
+            queryOf(a, b).findOuterContact(out);
         }
 
         /** @inheritDoc */
         override public function findExits(a:Body, b:Body, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
-            var count:int = pairOf(a, b).findExits(maxDistance, exits);
+            var count:int = queryOf(a, b).findExits(maxDistance, exits);
             if (a.form == ModelShape.TREE)
             {
                 for (var i:int = 0; i < count; i++)
@@ -146,7 +146,7 @@ package starlogo.search
         /** @inheritDoc */
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            pairOf(a, b).findClosest(areTouching, out);
+            queryOf(a, b).findClosest(areTouching, out);
         }
 
         // Changes a contact's depth behind a plane from the depth of the structure around a tree to that of the tree itself.
@@ -170,15 +170,15 @@ package starlogo.search
             return _earlyOut;
         }
 
-        // The test of the ground, set to a body.
-        private function pairOf(a:Body, b:Body):GroundPair
+        // The query of the ground, set to a body.
+        private function queryOf(a:Body, b:Body):GroundQuery
         {
             var shape:ModelShape = a.shape;
             var limits:TreeLimits = _narrowPhase.treeLimits;
-            var pair:GroundPair = _pair;
+            var query:GroundQuery = _query;
             var depth:int = shape.hierarchy == null ? 1 : limits.depthOf(a);
-            pair.setTo(gridOf(b), shape.hierarchy, shape.structure, a.placement, depth, limits.exact);
-            return pair;
+            query.setTo(gridOf(b), shape.hierarchy, shape.structure, a.placement, depth, limits.exact);
+            return query;
         }
     }
 }

@@ -15,7 +15,7 @@ package starlogo.ground
      *
      * @private
      */
-    public final class GroundRay
+    public final class GroundRayQuery
     {
         // Longer than the distance of any two places of the world.
         private static const FARTHEST:Number = 4 * Agent.LARGEST_COORDINATE;
@@ -25,7 +25,7 @@ package starlogo.ground
         private var _test:RayTriangleTest = new RayTriangleTest();
         private var _outside:FaceNormal = new FaceNormal();
 
-        public function GroundRay()
+        public function GroundRayQuery()
         {
             _box.motion = new RelativeMotion();
         }

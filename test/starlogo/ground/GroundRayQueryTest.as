@@ -16,7 +16,7 @@ package starlogo.ground
     import support.landOf;
 
     /** Rays that meet the ground. */
-    public class GroundRayTest
+    public class GroundRayQueryTest
     {
         [Test]
         public function theDistanceDoesNotDependOnWhereTheRayEnds():void

@@ -24,7 +24,7 @@ package starlogo.ground
      *
      * @private
      */
-    public final class GroundPair
+    public final class GroundQuery
     {
         // Two exits have nearly the same direction if the cosine of their angle is larger.
         private static const SAME_EXIT:Number = 0.98;
@@ -57,7 +57,7 @@ package starlogo.ground
         // The motion of the search for the first touch; bounds of the ground's heights; and the search for the closest points.
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _range:HeightRange = new HeightRange();
-        private var _distance:GroundDistance = new GroundDistance(_pieces);
+        private var _distance:GroundDistanceQuery = new GroundDistanceQuery(_pieces);
 
         /**
          * Sets the model and the ground.

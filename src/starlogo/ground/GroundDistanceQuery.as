@@ -8,13 +8,13 @@ package starlogo.ground
     use namespace engine;
 
     /** Finds the distance and the closest points of a model and the ground. */
-    internal final class GroundDistance
+    internal final class GroundDistanceQuery
     {
         private var _pieces:GroundPieces;
         private var _nearest:GroundPoint = new GroundPoint();
 
         /** @param pieces of the model, where it stands */
-        public function GroundDistance(pieces:GroundPieces)
+        public function GroundDistanceQuery(pieces:GroundPieces)
         {
             _pieces = pieces;
         }

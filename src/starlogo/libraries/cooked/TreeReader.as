@@ -63,7 +63,7 @@ package starlogo.libraries.cooked
         {
             try
             {
-                return super.step() && !_isRefused;
+                return !_isRefused && super.step() && !_isRefused;
             }
             catch (error:EOFError)
             {

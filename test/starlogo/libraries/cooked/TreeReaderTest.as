@@ -1,10 +1,14 @@
 package starlogo.libraries.cooked
 {
+    import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
+    import starlogo.models.cooked.CookedFile;
+    import starlogo.models.cooked.VarInt;
+    import starlogo.steps.finish;
     import support.ChainOfNodes;
 
     use namespace engine;
@@ -35,6 +39,25 @@ package starlogo.libraries.cooked
         {
             assertEquals(2000, levelsOf(ChainOfNodes.read(2000, 2000, 0, true)));
             assertFalse(ChainOfNodes.read(2000, 1999, 0, true).isMade);
+        }
+
+        [Test]
+        public function stepsAfterARefusalDoNothing():void
+        {
+            var bytes:ByteArray = CookedFile.newBytes();
+            // the item 1 is missing; then a root that is not divided
+            bytes.writeByte(0);
+            bytes.writeByte(0);
+            VarInt.write(0, bytes);
+            bytes.position = 0;
+            var tree:BoxTree = new BoxTree(new <Number>[0, 0, 0, 1, 0, 0], null);
+            var reader:TreeReader = new TreeReader(bytes, tree, 10);
+            finish(reader);
+            for (var i:int = 0; i < 10; i++)
+            {
+                assertFalse(reader.step());
+            }
+            assertFalse(tree.isMade);
         }
 
         private static function levelsOf(tree:BoxTree):int

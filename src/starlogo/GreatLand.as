@@ -154,13 +154,13 @@ package starlogo
          */
         public function receive(model:Model):Steps
         {
-            var build:ModelResultsBuilder = newBuild(model, fitStore);
-            return new StepSequence().add(build).call(function():void
+            var builder:ModelResultsBuilder = newBuilder(model, fitStore);
+            return new StepSequence().add(builder).call(function():void
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model
                     var entry:ModelEntry = _models.entryFor(model.name);
-                    entry.setHierarchy(build.treeBuilder);
-                    entry.setStructures(build.structures);
+                    entry.setHierarchy(builder.treeBuilder);
+                    entry.setStructures(builder.structures);
                     entry.setModel(model);
                 });
         }
@@ -178,9 +178,9 @@ package starlogo
          */
         public function cook(model:Model, upAxis:Object = "z", usesTransforms:Boolean = false):ByteArray
         {
-            var build:ModelResultsBuilder = newBuild(model, null);
-            finish(build);
-            return build.toCooked(argumentsFingerprint(upAxis, model.data.scaling, usesTransforms));
+            var builder:ModelResultsBuilder = newBuilder(model, null);
+            finish(builder);
+            return builder.toCooked(argumentsFingerprint(upAxis, model.data.scaling, usesTransforms));
         }
 
         /** @inheritDoc */
@@ -259,16 +259,16 @@ package starlogo
         }
 
         /** @private The work that computes the results that the flags ask for. None of its steps is done yet. The results are not added. */
-        engine function newBuild(model:Model, fitStore:FitStore):ModelResultsBuilder
+        engine function newBuilder(model:Model, fitStore:FitStore):ModelResultsBuilder
         {
             if (model == null)
             {
                 throw new ArgumentError("model must not be null");
             }
             var settings:FitSettings = new FitSettings(loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null);
-            var treeBuilder:ModelTreeBuilder = loadHierarchies ? _hierarchies.builderOf(model.vertices, model.triangles) : null;
-            var structures:StructuresBuilder = loadTightestFit ? _boundingStructures.newBuild(model.name, model.vertices) : null;
-            return new ModelResultsBuilder(model, structures, treeBuilder, settings, fitStore);
+            var treeBuilder:ModelTreeBuilder = loadHierarchies ? _hierarchies.newBuilder(model.vertices, model.triangles) : null;
+            var structuresBuilder:StructuresBuilder = loadTightestFit ? _boundingStructures.newBuilder(model.name, model.vertices) : null;
+            return new ModelResultsBuilder(model, structuresBuilder, treeBuilder, settings, fitStore);
         }
     }
 }

@@ -123,9 +123,9 @@ package starlogo.libraries
          */
         public function add(name:String, vertices:Vector.<Number>):void
         {
-            var build:StructuresBuilder = newBuild(name, vertices);
-            finish(build);
-            models.entryFor(name).setStructures(build.structures);
+            var builder:StructuresBuilder = newBuilder(name, vertices);
+            finish(builder);
+            models.entryFor(name).setStructures(builder.structures);
         }
 
         /** Whether the library has structures for a shape. */
@@ -225,9 +225,9 @@ package starlogo.libraries
             }
             if (shape.smallest[kind] == null)
             {
-                var build:StructuresBuilder = new StructuresBuilder(name, vertices, fitters, null, true);
-                finish(build);
-                shape.addMissing(build.structures);
+                var builder:StructuresBuilder = new StructuresBuilder(name, vertices, fitters, null, true);
+                finish(builder);
+                shape.addMissing(builder.structures);
             }
             if (shape.smallest[kind] == null)
             {
@@ -241,7 +241,7 @@ package starlogo.libraries
          *
          * @private
          */
-        engine function newBuild(name:String, vertices:Vector.<Number>):StructuresBuilder
+        engine function newBuilder(name:String, vertices:Vector.<Number>):StructuresBuilder
         {
             ModelTable.checkName(name);
             return new StructuresBuilder(name, vertices, fitters, keepHulls ? hullFitter : null, keepAll);

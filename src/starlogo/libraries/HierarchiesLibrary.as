@@ -98,7 +98,7 @@ package starlogo.libraries
             refuse(name, VertexData.vertexProblem(vertices));
             var hasTriangles:Boolean = triangles != null && triangles.length > 0;
             refuse(name, hasTriangles ? VertexData.triangleProblem(triangles, vertices.length / 3) : null);
-            var builder:ModelTreeBuilder = builderOf(vertices.concat(), hasTriangles ? triangles.concat() : null);
+            var builder:ModelTreeBuilder = newBuilder(vertices.concat(), hasTriangles ? triangles.concat() : null);
             finish(builder);
             models.entryFor(name).setHierarchy(builder);
         }
@@ -140,7 +140,7 @@ package starlogo.libraries
          *
          * @private
          */
-        engine function builderOf(vertices:Vector.<Number>, triangles:Vector.<uint>):ModelTreeBuilder
+        engine function newBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>):ModelTreeBuilder
         {
             return new ModelTreeBuilder(vertices, triangles, minVerticesToSplit, maxDepth, splitByMean, prepareExact);
         }

@@ -31,7 +31,7 @@ package starlogo.libraries
         public var treeBuilder:ModelTreeBuilder;
 
         private var _model:Model;
-        private var _structures:StructuresBuilder;
+        private var _structuresBuilder:StructuresBuilder;
         private var _settings:FitSettings;
         private var _store:FitStore;
 
@@ -42,16 +42,16 @@ package starlogo.libraries
 
         /**
          * @param model the model
-         * @param structures finds its structures; null if none are wanted
+         * @param structuresBuilder finds its structures; null if none are wanted
          * @param treeBuilder builds its hierarchy; null if none is wanted
          * @param settings the settings of the libraries that want them
          * @param store null for none
          */
-        public function ModelResultsBuilder(model:Model, structures:StructuresBuilder, treeBuilder:ModelTreeBuilder, settings:FitSettings,
+        public function ModelResultsBuilder(model:Model, structuresBuilder:StructuresBuilder, treeBuilder:ModelTreeBuilder, settings:FitSettings,
                 store:FitStore)
         {
             _model = model;
-            _structures = structures;
+            _structuresBuilder = structuresBuilder;
             _settings = settings;
             this.treeBuilder = treeBuilder;
             if (model.data.cooked != null)
@@ -63,9 +63,9 @@ package starlogo.libraries
             {
                 add(_geometry.addingGeometry(model.vertices, model.triangles)).begin(readingStored).call(takeStored);
             }
-            if (structures != null)
+            if (structuresBuilder != null)
             {
-                add(structures);
+                add(structuresBuilder);
             }
             if (treeBuilder != null)
             {
@@ -77,7 +77,7 @@ package starlogo.libraries
         /** The structures, when no step is left; null if none were wanted. */
         public function get structures():ModelStructures
         {
-            return _structures == null ? null : _structures.structures;
+            return _structuresBuilder == null ? null : _structuresBuilder.structures;
         }
 
         /**
@@ -97,7 +97,7 @@ package starlogo.libraries
         // Whether all results that are wanted are there.
         private function get isComplete():Boolean
         {
-            return (_structures == null || structures != null) && (treeBuilder == null || treeBuilder.isStored)
+            return (_structuresBuilder == null || structures != null) && (treeBuilder == null || treeBuilder.isStored)
                 && (!_settings.wantsSurface || _model.triangles == null || treeBuilder.modelTree.surface != null);
         }
 
@@ -111,9 +111,9 @@ package starlogo.libraries
                 // no fitter accepts such a model, so the record is wrong
                 return;
             }
-            if (_structures != null)
+            if (_structuresBuilder != null)
             {
-                _structures.takeFrom(file, _settings, size);
+                _structuresBuilder.takeFrom(file, _settings, size);
             }
             var tree:ByteArray = treeBuilder == null ? null : _settings.read(file, CookedFile.HIERARCHY);
             if (tree != null)

@@ -74,13 +74,13 @@ package starlogo.libraries
             var model:Model = BuiltInModel.sphere();
             _library.add("at first need", model.vertices, model.triangles);
             _library.prepareExact = true;
-            var plain:int = stepsOf(_library.builderOf(model.vertices, null));
+            var plain:int = stepsOf(_library.newBuilder(model.vertices, null));
             _library.prepareExact = false;
-            assertEquals("points have no surface", plain, stepsOf(_library.builderOf(model.vertices, null)));
-            plain = stepsOf(_library.builderOf(model.vertices, model.triangles));
+            assertEquals("points have no surface", plain, stepsOf(_library.newBuilder(model.vertices, null)));
+            plain = stepsOf(_library.newBuilder(model.vertices, model.triangles));
             assertFalse(_library.hierarchy("at first need").isPrepared);
             _library.prepareExact = true;
-            var builder:ModelTreeBuilder = _library.builderOf(model.vertices, model.triangles);
+            var builder:ModelTreeBuilder = _library.newBuilder(model.vertices, model.triangles);
             assertTrue("many steps more", stepsOf(builder) > plain + 8);
             assertTrue(builder.modelTree.isPrepared);
         }

@@ -392,13 +392,13 @@ package starlogo.libraries
         // Whether the structures, or the hierarchy, are taken from a cooked file.
         private function isTaken(model:Model, cooked:ByteArray, structures:Boolean):Boolean
         {
-            var build:ModelResultsBuilder = _greatLand.newBuild(CookedModel.fromBytes(model.name, cooked), null);
+            var builder:ModelResultsBuilder = _greatLand.newBuilder(CookedModel.fromBytes(model.name, cooked), null);
             if (structures)
             {
-                return build.structures != null;
+                return builder.structures != null;
             }
-            build.treeBuilder.finished;
-            return build.treeBuilder.isStored;
+            builder.treeBuilder.finished;
+            return builder.treeBuilder.isStored;
         }
 
         private static function damage(cooked:Vector.<ByteArray>, index:int, random:SeededRandom):ByteArray

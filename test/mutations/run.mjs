@@ -5,8 +5,9 @@
  *
  *   node test/mutations/run.mjs TESTS [COUNT [SEED [all [PACKAGES]]]]
  *
- * TESTS is what the build made of the engine and the tests together. PACKAGES are those to change, with commas: search,solid. First the hash of all that the soak's game sees is compared, then the test
- * classes run that name the changed class, and with "all" every other; no *.test.mjs does.
+ * TESTS is what the build made of the engine and the tests together. PACKAGES are those to change, with commas: search,solid. First the test
+ * classes run that name the changed class. Then the hash of all that the soak's game sees is compared. With "all" every other test class runs after
+ * that; no *.test.mjs does.
  *
  * What survives with "all" has mostly been a change of no answer: of equal numbers the one or the other is taken, 0 or -0; children of nodes
  * are visited in another order; boxes are wider, or what would spare work does not.
@@ -61,7 +62,7 @@ for (let i = 0; i < 8; i++) random();
 function testsOf(name) {
 	const related = testFiles.filter(({ text }) => new RegExp(`\\b${name}\\b`).test(text)).map((each) => each.name);
 	const others = all ? testFiles.map((each) => each.name).filter((each) => !related.includes(each) && each !== TIMED) : [];
-	return ["SoakTest.whatAGameSeesIsTheSameEverywhere", ...related, ...others];
+	return [...related, "SoakTest.whatAGameSeesIsTheSameEverywhere", ...others];
 }
 
 /** The first test that fails; null if none does. */

@@ -112,6 +112,13 @@ package starlogo.libraries
             assertEquals(0, _storage.names.length);
             newGame(new FitStore(0, _storage)).addModel(BuiltInModel.cube());
             assertEquals(0, _storage.names.length);
+            newGame(_store).addModel(BuiltInModel.cube());
+            var size:int = _store.length;
+            _store.clear();
+            newGame(new FitStore(size - 1, _storage)).addModel(BuiltInModel.cube());
+            assertEquals("one byte too few", 0, _storage.names.length);
+            newGame(new FitStore(size, _storage)).addModel(BuiltInModel.cube());
+            assertEquals("as many as there are", 1, _storage.names.length);
         }
 
         [Test]

@@ -83,7 +83,9 @@ package starlogo.libraries
             _greatLand.hierarchies.minVerticesToSplit = 5;
             _greatLand.hierarchies.maxDepth = 9;
             assertFalse("fewer levels", isTaken(model, cooked, false));
+            var ofFewLevels:ByteArray = _greatLand.cook(model);
             _greatLand.hierarchies.maxDepth = 10;
+            assertFalse("more levels", isTaken(model, ofFewLevels, false));
             _greatLand.hierarchies.splitByMean = true;
             assertFalse("split elsewhere", isTaken(model, cooked, false));
             _greatLand.hierarchies.splitByMean = false;

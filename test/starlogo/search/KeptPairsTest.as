@@ -64,6 +64,46 @@ package starlogo.search
         }
 
         [Test]
+        public function fewThatMoveHaveThePairsOfASearchOfAll():void
+        {
+            for (var kind:int = 0; kind < 2; kind++)
+            {
+                var collision:Collision = new Collision(newSystem(kind));
+                var pairs:Array = [];
+                collision.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, function(a:Agent, b:Agent):void
+                    {
+                        note(pairs, a, b);
+                    });
+                var agents:Vector.<Agent> = scattered(120, 9);
+                collision.update(agents);
+                collision.update(agents);
+                var before:String = "";
+                var changes:int = 0;
+                for (var i:int = 0; i < 25; i++)
+                {
+                    for (var k:int = _random.integer(1, 4); k > 0; k--)
+                    {
+                        var agent:Agent = agents[_random.integer(0, agents.length - 1)];
+                        agent.moveTo(agent.x + _random.between(-0.7, 0.7), agent.y + _random.between(-0.7, 0.7), 0);
+                    }
+                    pairs = [];
+                    collision.update(agents);
+                    assertTrue("few are tested", collision.statistics.candidatePairs < agents.length);
+                    var found:String = pairs.sort().join();
+                    assertEquals("system " + kind + ", frame " + i, pairsOf(newSystem(kind), agents), found);
+                    changes += found != before ? 1 : 0;
+                    before = found;
+                }
+                assertTrue(changes + " changes", changes > 10);
+            }
+        }
+
+        private function newSystem(kind:int):CollisionSystem
+        {
+            return kind == 0 ? new BinCollider(_greatLand) : new TightestFitCollider(_greatLand);
+        }
+
+        [Test]
         public function manyThatAFilterTakesInOrOutAreASearchOfAll():void
         {
             var collision:Collision = new Collision(new TightestFitCollider(_greatLand));

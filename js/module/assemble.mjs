@@ -24,7 +24,7 @@ export function translate(folder, signatures, { externals = {}, hasAllStatics = 
 }
 
 function namesIn(folder) {
-	return readdirSync(folder, { recursive: true }).filter((file) => file.endsWith(".js") && !/^(library|org|ModuleRoots)\b/.test(file));
+	return readdirSync(folder, { recursive: true }).filter((file) => file.endsWith(".js") && !/^(library|org|ModuleRoots)\b|\bChangedIn_\w*\.js$/.test(file));
 }
 
 /** The text of the stand-ins. */

@@ -33,8 +33,36 @@ function properties() {
 		return "whole=true\n";
 	}
 	if (classes.length === 0) return "";
-	writeRoots(join(out, "roots"), []);
+	writeRoots(join(out, "roots"), namesOfPackages(classes));
 	writeFileSync(join(out, "classes.json"), JSON.stringify(classes));
 	console.log(`translated anew: ${classes.length <= 8 ? classes.join(", ") : `${classes.length} classes`}`);
 	return `classes=${classes.join(",")}\n`;
+}
+
+/**
+ * Writes a class into each package that names the classes to compile there, because some can be seen in their package alone. The compiler tells the
+ * errors only of what the main class uses.
+ *
+ * @returns the classes that it writes
+ */
+function namesOfPackages(classes) {
+	return [...new Set(classes.map(packageOf))].map((name) => {
+		const own = classes.filter((qname) => packageOf(qname) === name).map((qname) => qname.split(".").pop());
+		const className = `ChangedIn_${name.replaceAll(".", "_")}`;
+		const folder = join(out, "roots", name.replaceAll(".", "/"));
+		mkdirSync(folder, { recursive: true });
+		writeFileSync(join(folder, `${className}.as`), `package ${name}
+{
+    public class ${className}
+    {
+        public static const ALL:Array = [${own.join(", ")}];
+    }
+}
+`);
+		return name === "" ? className : `${name}.${className}`;
+	});
+}
+
+function packageOf(qname) {
+	return qname.split(".").slice(0, -1).join(".");
 }

@@ -650,7 +650,7 @@ test('a lesson is opened, done and left for the next; the first screen has all p
 	assert.equal((await agents(page, 'firemen'))[0].size, 2);
 	await press(page, 'Lessons and games');
 	await page.waitForSelector('.gallery .open');
-	assert.equal(await page.locator('.gallery .open').count(), 11 + 9 + 2 + 3);
+	assert.equal(await page.locator('.gallery .open').count(), 11 + 10 + 2 + 3);
 	assert.deepEqual(await page.locator('.gallery .open', { has: page.locator('.tick') }).locator('.name').allTextContents(), ['Why is the helmet missed?']);
 	await page.getByLabel('Rename Why is the helmet missed? (mine)').fill('Smaller');
 	await page.keyboard.press('Enter');

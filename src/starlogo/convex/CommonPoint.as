@@ -1,6 +1,5 @@
 package starlogo.convex
 {
-    import flash.geom.Vector3D;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -13,177 +12,140 @@ package starlogo.convex
         private var _a:ContactFeature = new ContactFeature();
         private var _b:ContactFeature = new ContactFeature();
 
-        // The corners of a feature in the order of the core's points, and a corner.
-        private var _found:Vector.<Number> = new Vector.<Number>();
-        private var _corner:Vector3D = new Vector3D();
-
-        // How far the last core reaches along the normal, and how much nearer other corners of it may be that count as well.
-        private var _farthest:Number = 0;
-        private var _slack:Number = 0;
+        private var _clip:PolygonClip = new PolygonClip();
 
         /** Writes the point halfway between the two surfaces, relative to b's origin. */
         public function find(cores:CorePair, out:ContactPoint):void
         {
-            // If a core is a point, it is the common part.
-            var isPointB:Boolean = cores.a.end > 3 && cores.b.end == 3;
-            if (cores.a.end > 3 && !isPointB)
+            // how far the middle between the surfaces is from the common part, along the normal
+            var by:Number;
+            if (cores.a.end == 3)
             {
-                wrap(findCorners(cores.b, 1, out), out, _b);
+                // a point is the common part
+                out.x = cores.x + cores.a.points[0];
+                out.y = cores.y + cores.a.points[1];
+                out.z = cores.z + cores.a.points[2];
+                by = out.depth / 2 - cores.a.radius;
             }
-            wrap(findCorners(cores.a, -1, out), out, _a);
-            _corner.x = cores.x;
-            _corner.y = cores.y;
-            _corner.z = cores.z;
-            _a.move(_corner);
-            if (isPointB)
+            else if (cores.b.end == 3)
             {
                 out.x = cores.b.points[0];
                 out.y = cores.b.points[1];
                 out.z = cores.b.points[2];
+                by = cores.b.radius - out.depth / 2;
             }
             else
             {
-                _a.findCommonPoint(_b, out);
+                _a.find(cores.a, -1, out);
+                _a.move(cores.x, cores.y, cores.z);
+                _b.find(cores.b, 1, out);
+                findShared(out);
+                var surface:Number = out.normalX * cores.x + out.normalY * cores.y + out.normalZ * cores.z - _a.farthest - cores.a.radius;
+                by = surface + out.depth / 2 - (out.normalX * out.x + out.normalY * out.y + out.normalZ * out.z);
             }
-            var surface:Number = out.normalX * cores.x + out.normalY * cores.y + out.normalZ * cores.z - _farthest - cores.a.radius;
-            var by:Number = surface + out.depth / 2 - (out.normalX * out.x + out.normalY * out.y + out.normalZ * out.z);
             out.x += by * out.normalX;
             out.y += by * out.normalY;
             out.z += by * out.normalZ;
         }
 
-        // Finds a core's corners that are farthest along the normal, or against it. Returns how many numbers they are.
-        private function findCorners(shape:ConvexShape, side:int, contact:ContactPoint):int
+        // Writes the middle of what the two features share when seen along the normal. It is in the plane of either.
+        private function findShared(out:ContactPoint):void
         {
-            var p:Vector.<Number> = shape.points;
-            var x:Number = side * contact.normalX;
-            var y:Number = side * contact.normalY;
-            var z:Number = side * contact.normalZ;
-            var most:Number = -Infinity;
-            for (var i:int = 0; i < shape.end; i += 3)
+            if (_a.end > 3 && _b.end > 3)
             {
-                var along:Number = x * p[i] + y * p[int(i + 1)] + z * p[int(i + 2)];
-                most = along > most ? along : most;
+                _a.order(out);
+                _b.order(out);
             }
-            _farthest = most;
-            _slack = Tolerances.DIRECTION * shape.size;
-            most -= _slack;
-            var end:int = 0;
-            for (var k:int = 0; k < shape.end; k += 3)
+            if (_a.end == 3)
             {
-                if (x * p[k] + y * p[int(k + 1)] + z * p[int(k + 2)] >= most)
-                {
-                    _found[end] = p[k];
-                    _found[int(end + 1)] = p[int(k + 1)];
-                    _found[int(end + 2)] = p[int(k + 2)];
-                    end += 3;
-                }
+                writeMiddle(_a.points, 3, out);
             }
-            return end;
-        }
-
-        // Writes the found corners in order around the normal (gift wrapping).
-        private function wrap(end:int, contact:ContactPoint, out:ContactFeature):void
-        {
-            out.clear();
-            // the first is farthest from another one
-            var first:int = farthestFrom(0, end);
-            var last:int = farthestFrom(first, end);
-            addCorner(first, out);
-            if (first == last)
+            else if (_b.end == 3)
             {
-                return;
+                writeMiddle(_b.points, 3, out);
             }
-            if (areOnLine(first, last, end))
+            else if (_b.end > 6)
             {
-                addCorner(last, out);
-                return;
+                writeMiddleWithin(_a, _b, out);
             }
-            var count:int = 3;
-            for (var at:int = nextOf(first, end, contact); at != first && count < end; at = nextOf(at, end, contact))
+            else if (_a.end > 6)
             {
-                addCorner(at, out);
-                count += 3;
+                writeMiddleWithin(_b, _a, out);
+            }
+            else
+            {
+                writeCrossing(_a.points, _b.points, out);
             }
         }
 
-        private function addCorner(at:int, out:ContactFeature):void
+        // Writes the middle of a segment or polygon after clipping it to a polygon. If the two do not overlap, it is the polygon's middle.
+        private function writeMiddleWithin(inner:ContactFeature, outer:ContactFeature, out:ContactPoint):void
         {
-            _corner.x = _found[at];
-            _corner.y = _found[int(at + 1)];
-            _corner.z = _found[int(at + 2)];
-            out.add(_corner);
-        }
-
-        // Whether all found corners are as near to the line through two of them as rounding.
-        private function areOnLine(first:int, last:int, end:int):Boolean
-        {
-            var found:Vector.<Number> = _found;
-            var x:Number = found[last] - found[first];
-            var y:Number = found[int(last + 1)] - found[int(first + 1)];
-            var z:Number = found[int(last + 2)] - found[int(first + 2)];
-            var most:Number = _slack * _slack * (x * x + y * y + z * z);
-            for (var i:int = 0; i < end; i += 3)
+            _clip.clip(inner, outer, out);
+            if (_clip.end > 0)
             {
-                var ux:Number = found[i] - found[first];
-                var uy:Number = found[int(i + 1)] - found[int(first + 1)];
-                var uz:Number = found[int(i + 2)] - found[int(first + 2)];
-                var crossX:Number = y * uz - z * uy;
-                var crossY:Number = z * ux - x * uz;
-                var crossZ:Number = x * uy - y * ux;
-                if (crossX * crossX + crossY * crossY + crossZ * crossZ > most)
-                {
-                    return false;
-                }
+                writeMiddle(_clip.points, _clip.end, out);
             }
-            return true;
-        }
-
-        private function farthestFrom(corner:int, end:int):int
-        {
-            var found:Vector.<Number> = _found;
-            var best:int = corner;
-            var most:Number = 0;
-            for (var i:int = 0; i < end; i += 3)
+            else
             {
-                var x:Number = found[i] - found[corner];
-                var y:Number = found[int(i + 1)] - found[int(corner + 1)];
-                var z:Number = found[int(i + 2)] - found[int(corner + 2)];
-                var squared:Number = x * x + y * y + z * z;
-                if (squared > most)
-                {
-                    most = squared;
-                    best = i;
-                }
+                writeMiddle(outer.points, outer.end, out);
             }
-            return best;
         }
 
-        // Returns the corner after which all others are on the left.
-        private function nextOf(at:int, end:int, contact:ContactPoint):int
+        private static function writeMiddle(points:Vector.<Number>, end:int, out:ContactPoint):void
         {
-            var found:Vector.<Number> = _found;
-            var best:int = at;
             var x:Number = 0;
             var y:Number = 0;
             var z:Number = 0;
-            for (var i:int = 0; i < end; i += 3)
+            for (var at:int = 0; at < end; at += 3)
             {
-                var ux:Number = found[i] - found[at];
-                var uy:Number = found[int(i + 1)] - found[int(at + 1)];
-                var uz:Number = found[int(i + 2)] - found[int(at + 2)];
-                var left:Number = contact.normalX * (y * uz - z * uy) + contact.normalY * (z * ux - x * uz) + contact.normalZ * (x * uy - y * ux);
-                var further:Number = ux * ux + uy * uy + uz * uz - (x * x + y * y + z * z);
-                var rounding:Number = _slack * Math.sqrt(x * x + y * y + z * z);
-                if (left < -rounding || left <= rounding && further > 0 && x * ux + y * uy + z * uz >= 0)
-                {
-                    x = ux;
-                    y = uy;
-                    z = uz;
-                    best = i;
-                }
+                x += points[at];
+                y += points[int(at + 1)];
+                z += points[int(at + 2)];
             }
-            return best;
+            out.x = x * (3 / end);
+            out.y = y * (3 / end);
+            out.z = z * (3 / end);
+        }
+
+        // Writes where two segments cross, seen along the normal, or the point of the first one that is nearest to the other's end. If they are
+        // parallel, writes the middle of the part that they share.
+        private static function writeCrossing(a:Vector.<Number>, b:Vector.<Number>, out:ContactPoint):void
+        {
+            var ux:Number = a[3] - a[0];
+            var uy:Number = a[4] - a[1];
+            var uz:Number = a[5] - a[2];
+            var vx:Number = b[3] - b[0];
+            var vy:Number = b[4] - b[1];
+            var vz:Number = b[5] - b[2];
+            var gapX:Number = b[0] - a[0];
+            var gapY:Number = b[1] - a[1];
+            var gapZ:Number = b[2] - a[2];
+            var uu:Number = ux * ux + uy * uy + uz * uz;
+            var crossX:Number = uy * vz - uz * vy;
+            var crossY:Number = uz * vx - ux * vz;
+            var crossZ:Number = ux * vy - uy * vx;
+            var squared:Number = crossX * crossX + crossY * crossY + crossZ * crossZ;
+            var one:Number;
+            var other:Number;
+            if (squared > Tolerances.DIRECTION * Tolerances.DIRECTION * uu * (vx * vx + vy * vy + vz * vz))
+            {
+                var onB:Number = ((gapY * uz - gapZ * uy) * crossX + (gapZ * ux - gapX * uz) * crossY + (gapX * uy - gapY * ux) * crossZ) / squared;
+                onB = onB > 0 ? (onB < 1 ? onB : 1) : 0;
+                one = ((gapX + onB * vx) * ux + (gapY + onB * vy) * uy + (gapZ + onB * vz) * uz) / uu;
+                other = one;
+            }
+            else
+            {
+                one = (gapX * ux + gapY * uy + gapZ * uz) / uu;
+                other = one + (vx * ux + vy * uy + vz * uz) / uu;
+            }
+            one = one > 0 ? (one < 1 ? one : 1) : 0;
+            other = other > 0 ? (other < 1 ? other : 1) : 0;
+            var share:Number = (one + other) / 2;
+            out.x = a[0] + share * ux;
+            out.y = a[1] + share * uy;
+            out.z = a[2] + share * uz;
         }
     }
 }

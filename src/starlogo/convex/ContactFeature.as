@@ -1,214 +1,166 @@
 package starlogo.convex
 {
-    import flash.geom.Vector3D;
     import starlogo.geometry.Tolerances;
 
     /**
-     * The feature of a core that touches another core: a point, a segment or a convex polygon. Finds a point that two touching features
-     * have in common.
+     * The part of a core that is farthest along a direction: a corner, an edge or a face.
      */
     internal final class ContactFeature
     {
-        // The corners in order, and how many numbers they are; and the polygon that a clip makes.
-        private var _points:Vector.<Number> = new Vector.<Number>();
-        private var _end:int = 0;
-        private var _clipped:Vector.<Number> = new Vector.<Number>();
+        /** The corners: x, y, z of each. <code>end</code> is the count of these numbers. Read only. */
+        public var points:Vector.<Number> = new Vector.<Number>();
+        public var end:int = 0;
 
-        private var _middle:Vector3D = new Vector3D();
+        /** How far the core extends along the direction. Read only. */
+        public var farthest:Number = 0;
 
-        /** Removes all points. */
-        public function clear():void
+        // How much nearer corners may be that count as well.
+        private var _slack:Number = 0;
+
+        // The corners in the order of the core's points.
+        private var _unordered:Vector.<Number> = new Vector.<Number>();
+
+        /** Finds the corners of a core that are farthest along a contact's normal, or against it if the side is -1. They are in any order. */
+        public function find(shape:ConvexShape, side:int, contact:ContactPoint):void
         {
-            _end = 0;
-        }
-
-        /** Adds a corner after the others. */
-        public function add(corner:Vector3D):void
-        {
-            _points[_end] = corner.x;
-            _points[int(_end + 1)] = corner.y;
-            _points[int(_end + 2)] = corner.z;
-            _end += 3;
-        }
-
-        /** Moves all points by a vector. */
-        public function move(by:Vector3D):void
-        {
-            for (var at:int = 0; at < _end; at += 3)
+            var p:Vector.<Number> = shape.points;
+            var x:Number = side * contact.normalX;
+            var y:Number = side * contact.normalY;
+            var z:Number = side * contact.normalZ;
+            var most:Number = -Infinity;
+            for (var i:int = 0; i < shape.end; i += 3)
             {
-                _points[at] += by.x;
-                _points[int(at + 1)] += by.y;
-                _points[int(at + 2)] += by.z;
+                var along:Number = x * p[i] + y * p[int(i + 1)] + z * p[int(i + 2)];
+                most = along > most ? along : most;
+            }
+            farthest = most;
+            _slack = Tolerances.DIRECTION * shape.size;
+            most -= _slack;
+            end = 0;
+            for (var k:int = 0; k < shape.end; k += 3)
+            {
+                if (x * p[k] + y * p[int(k + 1)] + z * p[int(k + 2)] >= most)
+                {
+                    add(p, k);
+                }
             }
         }
 
-        /**
-         * Finds the middle of the area that two features share when seen along a normal.
-         *
-         * @param other in the same plane, or in a parallel one
-         * @param out has the normal; receives the point, in the plane of either
-         */
-        public function findCommonPoint(other:ContactFeature, out:ContactPoint):void
+        /** Moves all corners by a vector. */
+        public function move(x:Number, y:Number, z:Number):void
         {
-            if (_end == 3)
+            for (var at:int = 0; at < end; at += 3)
             {
-                writeMiddle(out);
-            }
-            else if (other._end == 3)
-            {
-                other.writeMiddle(out);
-            }
-            else if (other._end > 6)
-            {
-                writeMiddleWithin(other, out);
-            }
-            else if (_end > 6)
-            {
-                other.writeMiddleWithin(this, out);
-            }
-            else
-            {
-                writeCrossing(_points, other._points, out);
+                points[at] += x;
+                points[int(at + 1)] += y;
+                points[int(at + 2)] += z;
             }
         }
 
-        // Writes the middle of the corners.
-        private function writeMiddle(out:ContactPoint):void
+        /** Puts the corners in order around a contact's normal, and drops those between others (gift wrapping). */
+        public function order(contact:ContactPoint):void
         {
-            setMiddle();
-            out.x = _middle.x;
-            out.y = _middle.y;
-            out.z = _middle.z;
+            var found:Vector.<Number> = points;
+            var foundEnd:int = end;
+            points = _unordered;
+            _unordered = found;
+            end = 0;
+            // the first is farthest from another one
+            var first:int = farthestFrom(0, foundEnd);
+            var last:int = farthestFrom(first, foundEnd);
+            add(found, first);
+            if (first == last)
+            {
+                return;
+            }
+            if (areOnLine(first, last, foundEnd))
+            {
+                add(found, last);
+                return;
+            }
+            for (var at:int = nextOf(first, foundEnd, contact); at != first && end < foundEnd; at = nextOf(at, foundEnd, contact))
+            {
+                add(found, at);
+            }
         }
 
-        private function setMiddle():void
+        private function add(from:Vector.<Number>, at:int):void
         {
+            points[end] = from[at];
+            points[int(end + 1)] = from[int(at + 1)];
+            points[int(end + 2)] = from[int(at + 2)];
+            end += 3;
+        }
+
+        // Whether all corners are as near to the line through two of them as rounding.
+        private function areOnLine(first:int, last:int, foundEnd:int):Boolean
+        {
+            var found:Vector.<Number> = _unordered;
+            var x:Number = found[last] - found[first];
+            var y:Number = found[int(last + 1)] - found[int(first + 1)];
+            var z:Number = found[int(last + 2)] - found[int(first + 2)];
+            var most:Number = _slack * _slack * (x * x + y * y + z * z);
+            for (var i:int = 0; i < foundEnd; i += 3)
+            {
+                var ux:Number = found[i] - found[first];
+                var uy:Number = found[int(i + 1)] - found[int(first + 1)];
+                var uz:Number = found[int(i + 2)] - found[int(first + 2)];
+                var crossX:Number = y * uz - z * uy;
+                var crossY:Number = z * ux - x * uz;
+                var crossZ:Number = x * uy - y * ux;
+                if (crossX * crossX + crossY * crossY + crossZ * crossZ > most)
+                {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        private function farthestFrom(corner:int, foundEnd:int):int
+        {
+            var found:Vector.<Number> = _unordered;
+            var best:int = corner;
+            var most:Number = 0;
+            for (var i:int = 0; i < foundEnd; i += 3)
+            {
+                var x:Number = found[i] - found[corner];
+                var y:Number = found[int(i + 1)] - found[int(corner + 1)];
+                var z:Number = found[int(i + 2)] - found[int(corner + 2)];
+                var squared:Number = x * x + y * y + z * z;
+                if (squared > most)
+                {
+                    most = squared;
+                    best = i;
+                }
+            }
+            return best;
+        }
+
+        // Returns the corner after which all others are on the left.
+        private function nextOf(at:int, foundEnd:int, contact:ContactPoint):int
+        {
+            var found:Vector.<Number> = _unordered;
+            var best:int = at;
             var x:Number = 0;
             var y:Number = 0;
             var z:Number = 0;
-            for (var at:int = 0; at < _end; at += 3)
+            for (var i:int = 0; i < foundEnd; i += 3)
             {
-                x += _points[at];
-                y += _points[int(at + 1)];
-                z += _points[int(at + 2)];
-            }
-            _middle.x = x * (3 / _end);
-            _middle.y = y * (3 / _end);
-            _middle.z = z * (3 / _end);
-        }
-
-        // Writes the middle of this segment or polygon after clipping it to another polygon (Sutherland and Hodgman, "Reentrant polygon
-        // clipping", 1974). If the two do not overlap, it is the other's middle.
-        private function writeMiddleWithin(outer:ContactFeature, out:ContactPoint):void
-        {
-            outer.writeMiddle(out);
-            var last:int = outer._end - 3;
-            for (var at:int = 0; at < outer._end && _end > 0; at += 3)
-            {
-                cut(outer, last, at, out);
-                last = at;
-            }
-            if (_end > 0)
-            {
-                writeMiddle(out);
-            }
-        }
-
-        // Keeps the part on the inner side of an edge of the outer polygon, whose middle has been set.
-        private function cut(outer:ContactFeature, edgeFrom:int, edgeTo:int, contact:ContactPoint):void
-        {
-            var points:Vector.<Number> = _points;
-            var kept:Vector.<Number> = _clipped;
-            var edges:Vector.<Number> = outer._points;
-            var slack:Number = Tolerances.DIRECTION * (Math.abs(edges[0] - outer._middle.x) + Math.abs(edges[1] - outer._middle.y)
-                    + Math.abs(edges[2] - outer._middle.z) + Math.abs(edges[3] - outer._middle.x) + Math.abs(edges[4] - outer._middle.y)
-                    + Math.abs(edges[5] - outer._middle.z));
-            var edgeX:Number = edges[edgeTo] - edges[edgeFrom];
-            var edgeY:Number = edges[int(edgeTo + 1)] - edges[int(edgeFrom + 1)];
-            var edgeZ:Number = edges[int(edgeTo + 2)] - edges[int(edgeFrom + 2)];
-            // The vector points inwards, in the plane.
-            var inX:Number = edgeY * contact.normalZ - edgeZ * contact.normalY;
-            var inY:Number = edgeZ * contact.normalX - edgeX * contact.normalZ;
-            var inZ:Number = edgeX * contact.normalY - edgeY * contact.normalX;
-            var from:Number = inX * edges[edgeTo] + inY * edges[int(edgeTo + 1)] + inZ * edges[int(edgeTo + 2)];
-            if (inX * outer._middle.x + inY * outer._middle.y + inZ * outer._middle.z < from)
-            {
-                inX = -inX;
-                inY = -inY;
-                inZ = -inZ;
-                from = -from;
-            }
-            from -= slack * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
-            var count:int = 0;
-            var last:int = _end - 3;
-            var lastBeyond:Number = inX * points[last] + inY * points[int(last + 1)] + inZ * points[int(last + 2)] - from;
-            // A segment is not a closed outline.
-            var isSegment:Boolean = _end == 6;
-            for (var at:int = 0; at < _end; at += 3)
-            {
-                var beyond:Number = inX * points[at] + inY * points[int(at + 1)] + inZ * points[int(at + 2)] - from;
-                if (beyond > 0 != lastBeyond > 0 && !(isSegment && at == 0))
+                var ux:Number = found[i] - found[at];
+                var uy:Number = found[int(i + 1)] - found[int(at + 1)];
+                var uz:Number = found[int(i + 2)] - found[int(at + 2)];
+                var left:Number = contact.normalX * (y * uz - z * uy) + contact.normalY * (z * ux - x * uz) + contact.normalZ * (x * uy - y * ux);
+                var further:Number = ux * ux + uy * uy + uz * uz - (x * x + y * y + z * z);
+                var rounding:Number = _slack * Math.sqrt(x * x + y * y + z * z);
+                if (left < -rounding || left <= rounding && further > 0 && x * ux + y * uy + z * uz >= 0)
                 {
-                    var share:Number = lastBeyond / (lastBeyond - beyond);
-                    kept[count] = points[last] + share * (points[at] - points[last]);
-                    kept[int(count + 1)] = points[int(last + 1)] + share * (points[int(at + 1)] - points[int(last + 1)]);
-                    kept[int(count + 2)] = points[int(last + 2)] + share * (points[int(at + 2)] - points[int(last + 2)]);
-                    count += 3;
+                    x = ux;
+                    y = uy;
+                    z = uz;
+                    best = i;
                 }
-                if (beyond > 0)
-                {
-                    kept[count] = points[at];
-                    kept[int(count + 1)] = points[int(at + 1)];
-                    kept[int(count + 2)] = points[int(at + 2)];
-                    count += 3;
-                }
-                last = at;
-                lastBeyond = beyond;
             }
-            _points = kept;
-            _clipped = points;
-            _end = count;
-        }
-
-        // Writes where two segments cross, seen along the normal, or the point of the first one that is nearest to the other's end. If they are
-        // parallel, writes the middle of the part that they share.
-        private static function writeCrossing(a:Vector.<Number>, b:Vector.<Number>, out:ContactPoint):void
-        {
-            var ux:Number = a[3] - a[0];
-            var uy:Number = a[4] - a[1];
-            var uz:Number = a[5] - a[2];
-            var vx:Number = b[3] - b[0];
-            var vy:Number = b[4] - b[1];
-            var vz:Number = b[5] - b[2];
-            var gapX:Number = b[0] - a[0];
-            var gapY:Number = b[1] - a[1];
-            var gapZ:Number = b[2] - a[2];
-            var uu:Number = ux * ux + uy * uy + uz * uz;
-            var vv:Number = vx * vx + vy * vy + vz * vz;
-            var crossX:Number = uy * vz - uz * vy;
-            var crossY:Number = uz * vx - ux * vz;
-            var crossZ:Number = ux * vy - uy * vx;
-            var squared:Number = crossX * crossX + crossY * crossY + crossZ * crossZ;
-            var one:Number;
-            var other:Number;
-            if (squared > Tolerances.DIRECTION * Tolerances.DIRECTION * uu * vv)
-            {
-                var onB:Number = ((gapY * uz - gapZ * uy) * crossX + (gapZ * ux - gapX * uz) * crossY + (gapX * uy - gapY * ux) * crossZ) / squared;
-                onB = onB > 0 ? (onB < 1 ? onB : 1) : 0;
-                one = ((gapX + onB * vx) * ux + (gapY + onB * vy) * uy + (gapZ + onB * vz) * uz) / uu;
-                other = one;
-            }
-            else
-            {
-                one = (gapX * ux + gapY * uy + gapZ * uz) / uu;
-                other = one + (vx * ux + vy * uy + vz * uz) / uu;
-            }
-            one = one > 0 ? (one < 1 ? one : 1) : 0;
-            other = other > 0 ? (other < 1 ? other : 1) : 0;
-            var share:Number = (one + other) / 2;
-            out.x = a[0] + share * ux;
-            out.y = a[1] + share * uy;
-            out.z = a[2] + share * uz;
+            return best;
         }
     }
 }

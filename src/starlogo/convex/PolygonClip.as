@@ -1,0 +1,111 @@
+package starlogo.convex
+{
+    import flash.geom.Vector3D;
+    import starlogo.geometry.Tolerances;
+
+    /** Clips a segment or a convex polygon to another convex polygon (Sutherland and Hodgman, "Reentrant polygon clipping", 1974). */
+    internal final class PolygonClip
+    {
+        /** The corners that are left, in order: x, y, z of each. <code>end</code> is the count of these numbers: 0 if nothing is left. Read only. */
+        public var points:Vector.<Number> = new Vector.<Number>();
+        public var end:int = 0;
+
+        // The corners before a cut.
+        private var _before:Vector.<Number> = new Vector.<Number>();
+
+        private var _middle:Vector3D = new Vector3D();
+
+        // How far outside of the other polygon a corner still counts as inside.
+        private var _slack:Number = 0;
+
+        /**
+         * Clips a feature.
+         *
+         * @param inner a segment or a polygon, in the plane of the other or in a parallel one
+         * @param outer a polygon
+         * @param contact has the normal of the planes
+         */
+        public function clip(inner:ContactFeature, outer:ContactFeature, contact:ContactPoint):void
+        {
+            var p:Vector.<Number> = outer.points;
+            setMiddle(outer);
+            _slack = Tolerances.DIRECTION * (Math.abs(p[0] - _middle.x) + Math.abs(p[1] - _middle.y) + Math.abs(p[2] - _middle.z)
+                    + Math.abs(p[3] - _middle.x) + Math.abs(p[4] - _middle.y) + Math.abs(p[5] - _middle.z));
+            for (end = 0; end < inner.end; end++)
+            {
+                points[end] = inner.points[end];
+            }
+            var last:int = outer.end - 3;
+            for (var at:int = 0; at < outer.end && end > 0; at += 3)
+            {
+                cut(p, last, at, contact);
+                last = at;
+            }
+        }
+
+        private function setMiddle(outer:ContactFeature):void
+        {
+            var p:Vector.<Number> = outer.points;
+            _middle.setTo(0, 0, 0);
+            for (var at:int = 0; at < outer.end; at += 3)
+            {
+                _middle.x += p[at];
+                _middle.y += p[int(at + 1)];
+                _middle.z += p[int(at + 2)];
+            }
+            _middle.scaleBy(3 / outer.end);
+        }
+
+        // Keeps the part on the inner side of an edge of the other polygon.
+        private function cut(edges:Vector.<Number>, edgeFrom:int, edgeTo:int, contact:ContactPoint):void
+        {
+            var edgeX:Number = edges[edgeTo] - edges[edgeFrom];
+            var edgeY:Number = edges[int(edgeTo + 1)] - edges[int(edgeFrom + 1)];
+            var edgeZ:Number = edges[int(edgeTo + 2)] - edges[int(edgeFrom + 2)];
+            // The vector points inwards, in the plane.
+            var inX:Number = edgeY * contact.normalZ - edgeZ * contact.normalY;
+            var inY:Number = edgeZ * contact.normalX - edgeX * contact.normalZ;
+            var inZ:Number = edgeX * contact.normalY - edgeY * contact.normalX;
+            var from:Number = inX * edges[edgeTo] + inY * edges[int(edgeTo + 1)] + inZ * edges[int(edgeTo + 2)];
+            if (inX * _middle.x + inY * _middle.y + inZ * _middle.z < from)
+            {
+                inX = -inX;
+                inY = -inY;
+                inZ = -inZ;
+                from = -from;
+            }
+            from -= _slack * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
+            var kept:Vector.<Number> = _before;
+            var before:Vector.<Number> = points;
+            var count:int = 0;
+            var last:int = end - 3;
+            var lastBeyond:Number = inX * before[last] + inY * before[int(last + 1)] + inZ * before[int(last + 2)] - from;
+            // A segment is not a closed outline.
+            var isSegment:Boolean = end == 6;
+            for (var at:int = 0; at < end; at += 3)
+            {
+                var beyond:Number = inX * before[at] + inY * before[int(at + 1)] + inZ * before[int(at + 2)] - from;
+                if (beyond > 0 != lastBeyond > 0 && !(isSegment && at == 0))
+                {
+                    var share:Number = lastBeyond / (lastBeyond - beyond);
+                    kept[count] = before[last] + share * (before[at] - before[last]);
+                    kept[int(count + 1)] = before[int(last + 1)] + share * (before[int(at + 1)] - before[int(last + 1)]);
+                    kept[int(count + 2)] = before[int(last + 2)] + share * (before[int(at + 2)] - before[int(last + 2)]);
+                    count += 3;
+                }
+                if (beyond > 0)
+                {
+                    kept[count] = before[at];
+                    kept[int(count + 1)] = before[int(at + 1)];
+                    kept[int(count + 2)] = before[int(at + 2)];
+                    count += 3;
+                }
+                last = at;
+                lastBeyond = beyond;
+            }
+            points = kept;
+            _before = before;
+            end = count;
+        }
+    }
+}

@@ -8,10 +8,8 @@ package benchmark
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.intersection.contact.findPairContact;
-    import starlogo.intersection.distance.findClosest;
     import starlogo.intersection.intersects;
-    import starlogo.intersection.sweep.findTimeOfImpact;
+    import starlogo.intersection.PairTable;
 
     /**
      * What two structures cost, for each pair of kinds: whether they touch, their time of impact, their contact, their distance.
@@ -73,15 +71,15 @@ package benchmark
                 });
             add(function(k:int):void
                 {
-                    findTimeOfImpact(firsts[k], seconds[k], motions[k]);
+                    PairTable.findTime(firsts[k], seconds[k], motions[k]);
                 });
             add(function(k:int):void
                 {
-                    findPairContact(firsts[k], seconds[k], RelativeMotion.NONE, _contact);
+                    PairTable.findContact(firsts[k], seconds[k], RelativeMotion.NONE, _contact);
                 });
             add(function(k:int):void
                 {
-                    findClosest(firsts[k], seconds[k], _closest);
+                    PairTable.findClosest(firsts[k], seconds[k], _closest);
                 });
         }
 

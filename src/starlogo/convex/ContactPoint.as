@@ -6,6 +6,9 @@ package starlogo.convex
     /**
      * How two shapes touch or overlap, as a record: the point, the normal and the depth.
      *
+     * <p>While a contact is searched for, the record has results of single steps. Then the normal may have any length, and the depth of shapes that
+     * are apart is less than 0.</p>
+     *
      * @private
      */
     public final class ContactPoint
@@ -20,7 +23,7 @@ package starlogo.convex
         public var normalY:Number = 0;
         public var normalZ:Number = 1;
 
-        /** The length of the overlap along the normal, at least 0. It is 0 if the shapes just touch. */
+        /** The length of the overlap along the normal: 0 if the shapes just touch. */
         public var depth:Number = 0;
 
         /** A lower bound for the length of every way out; 0 if none is known. Only a contact with the ground has it. */

@@ -2,7 +2,6 @@ package starlogo.convex
 {
     import flash.geom.Vector3D;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.Touching;
 
     /**
      * Answers four questions about any two convex shapes: whether they touch, where they are closest, when a moving one first touches the other,
@@ -10,8 +9,8 @@ package starlogo.convex
      * of Simplex, CoreOverlap the way out of an overlap, CommonPoint the point of a contact. Read ConvexShape first, then this class from the top,
      * then CoreDistance.
      *
-     * <p>All four agree about what touches: see Touching. The same two shapes in the other order get the same answer, to the last bit. Nothing
-     * is allocated.</p>
+     * <p>All four agree about what touches: see Touching. The same two shapes in the other order get the same answer, to the last bit. Memory
+     * is allocated only for the first hulls, whose lists are kept.</p>
      *
      * @private
      */
@@ -84,7 +83,8 @@ package starlogo.convex
             _from.x = _cores.x;
             _from.y = _cores.y;
             _from.z = _cores.z;
-            _cores.touchingDistance += Touching.marginOfMotion(motion.startX, motion.startY, motion.startZ) + Touching.marginOfMotion(motion.x, motion.y, motion.z);
+            motion.findMargin();
+            _cores.touchingDistance += motion.margin;
             _lastTouch = RelativeMotion.NEVER;
             skipToBalls(motion);
             motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;

@@ -1,7 +1,9 @@
 package starlogo.convex
 {
+    import starlogo.geometry.Tolerances;
+
     /**
-     * The normal of a triangle, and how far points extend along it.
+     * The normal and the plane of a triangle. Its fields are read only.
      *
      * @private
      */
@@ -12,15 +14,14 @@ package starlogo.convex
         public var y:Number = 0;
         public var z:Number = 0;
 
+        /** Where the plane is: the component of the first corner along the normal. */
+        public var offset:Number = 0;
+
         /** Twice the triangle's area. If it is 0, the normal means nothing. */
         public var length:Number = 0;
 
-        /** The sum of the squares of the two edges at the first corner. */
-        public var squared:Number = 0;
-
-        /** The least and the greatest component along the normal that <code>measure()</code> has found. */
-        public var least:Number = 0;
-        public var greatest:Number = 0;
+        // The sum of the squares of the two edges at the first corner.
+        private var _squared:Number = 0;
 
         /** Sets it to a triangle: nine numbers of a list, from an index on. */
         public function setTriangle(p:Vector.<Number>, at:int):void
@@ -31,7 +32,7 @@ package starlogo.convex
             var vx:Number = p[int(at + 6)] - p[at];
             var vy:Number = p[int(at + 7)] - p[int(at + 1)];
             var vz:Number = p[int(at + 8)] - p[int(at + 2)];
-            squared = ux * ux + uy * uy + uz * uz + vx * vx + vy * vy + vz * vz;
+            _squared = ux * ux + uy * uy + uz * uz + vx * vx + vy * vy + vz * vz;
             x = uy * vz - uz * vy;
             y = uz * vx - ux * vz;
             z = ux * vy - uy * vx;
@@ -39,16 +40,23 @@ package starlogo.convex
             x /= length;
             y /= length;
             z /= length;
+            offset = x * p[at] + y * p[int(at + 1)] + z * p[int(at + 2)];
         }
 
-        /** Sets the normal to no number, so that all comparisons with it are false. */
+        /** Whether the triangle counts as a segment, so that its normal is a rounding error. */
+        public function get isFlat():Boolean
+        {
+            return !(length * length > Tolerances.FLAT_TRIANGLE * _squared * _squared);
+        }
+
+        /** Sets the normal and the plane to no number, so that all comparisons with them are false. */
         public function clear():void
         {
-            x = y = z = NaN;
+            x = y = z = offset = NaN;
         }
 
         /** Finds how far the points of a part of a list extend along the normal. The results are NaN if the normal is. */
-        public function measure(points:Vector.<Number>, from:int, end:int):void
+        public function measure(points:Vector.<Number>, from:int, end:int, out:Interval):void
         {
             var low:Number = Infinity;
             var high:Number = -Infinity;
@@ -58,8 +66,8 @@ package starlogo.convex
                 low = low < along ? low : along;
                 high = high > along ? high : along;
             }
-            least = low;
-            greatest = high;
+            out.least = low;
+            out.greatest = high;
         }
     }
 }

@@ -1,6 +1,6 @@
 package starlogo.convex
 {
-    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Touching;
 
     /**
      * A sweep of one shape against another that stands still, as a record: the straight motion from time 0 to time 1, without rotation or
@@ -83,14 +83,7 @@ package starlogo.convex
         /** Computes the margin. */
         public function findMargin():void
         {
-            // Math.abs would be a call for each number.
-            var sum:Number = startX < 0 ? -startX : startX;
-            sum = startY < 0 ? sum - startY : sum + startY;
-            sum = startZ < 0 ? sum - startZ : sum + startZ;
-            sum = x < 0 ? sum - x : sum + x;
-            sum = y < 0 ? sum - y : sum + y;
-            sum = z < 0 ? sum - z : sum + z;
-            margin = Tolerances.ROUNDING * sum;
+            margin = Touching.marginOfMotion(startX, startY, startZ) + Touching.marginOfMotion(x, y, z);
         }
     }
 }

@@ -102,7 +102,7 @@ package starlogo.convex
             {
                 tryTriangle(0, 1, 2);
             }
-            else if (isInside(isApart))
+            else if (tryTetrahedron(isApart))
             {
                 return true;
             }
@@ -174,9 +174,9 @@ package starlogo.convex
             count = kept;
         }
 
-        // Whether the origin is inside of the tetrahedron. If not, tries the faces that the origin is beyond; the face of the first three corners
-        // is none of them, because the fourth corner was nearer. The shares are those of the nearest place in that face until now.
-        private function isInside(isApart:Boolean):Boolean
+        // Returns whether the origin is inside of the tetrahedron. If not, tries the faces that the origin is beyond; the face of the first three
+        // corners is none of them, because the fourth corner was nearer. The shares are those of the nearest place in that face until now.
+        private function tryTetrahedron(isApart:Boolean):Boolean
         {
             _shares[3] = 0;
             var isFlat:Boolean = !moveToOrigin();

@@ -184,9 +184,10 @@ package starlogo.geometry
         public static const FLAT_TRIANGLE:Number = 1e-24;
 
         /**
-         * Used for contacts in two ways. If two closest points are farther apart than this fraction of the structures' size, the line
-         * between them is the normal. The same number is the sine of the angle within which edges count as parallel to each other or to a
-         * face. Smaller: normals have an error of 1e-16 divided by it. Larger: depths have an error of that fraction.
+         * The least sine of an angle between directions of contacts that rounding leaves certain. Edges within this angle count as parallel to
+         * each other or to a face. As a fraction of the structures' size it is a length: a gap that is longer has a certain direction, so the
+         * normal is along it, and corners whose depths differ by less touch together. Smaller: normals have an error of 1e-16 divided by it.
+         * Larger: depths have an error of that fraction.
          */
         public static const DIRECTION:Number = 1e-9;
 

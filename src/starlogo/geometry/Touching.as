@@ -40,10 +40,14 @@ package starlogo.geometry
             return Tolerances.SURFACES * radius;
         }
 
-        /** The margin that rounding a vector of a motion causes. The vector of its way and the vector to its start have one each. */
+        /** The margin that rounding a vector of a motion causes. The displacement until time 1 and the vector to the start have one each. */
         public static function marginOfMotion(x:Number, y:Number, z:Number):Number
         {
-            return Tolerances.ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z));
+            // Math.abs would be a call for each number.
+            var sum:Number = x < 0 ? -x : x;
+            sum = y < 0 ? sum - y : sum + y;
+            sum = z < 0 ? sum - z : sum + z;
+            return Tolerances.ROUNDING * sum;
         }
     }
 }

@@ -7,7 +7,7 @@ package starlogo.hierarchy
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.BoxAxes;
-    import starlogo.intersection.distance.findClosest;
+    import starlogo.intersection.PairTable;
 
     use namespace engine;
 
@@ -207,7 +207,7 @@ package starlogo.hierarchy
         // Measures the distance of two nodes.
         private function measure(treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:NodePairBounds):void
         {
-            findClosest(treeA.writeBox(a, _boxA), _pose.placeWidened(treeB.writeBox(b, _boxB)), _measured);
+            PairTable.findClosest(treeA.writeBox(a, _boxA), _pose.placeWidened(treeB.writeBox(b, _boxB)), _measured);
             reduce(_measured, treeA.levelOf(a), treeB.levelOf(b), _radii);
             out.current = _measured.distance;
         }

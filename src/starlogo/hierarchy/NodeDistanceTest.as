@@ -6,7 +6,7 @@ package starlogo.hierarchy
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
     import starlogo.intersection.LeafTest;
-    import starlogo.intersection.distance.findClosest;
+    import starlogo.intersection.PairTable;
 
     use namespace engine;
 
@@ -53,7 +53,7 @@ package starlogo.hierarchy
         /** @inheritDoc */
         override public function testLeaf(node:int, first:int, end:int):void
         {
-            findClosest(_tree.writeBox(node, _box), _structure, _measured);
+            PairTable.findClosest(_tree.writeBox(node, _box), _structure, _measured);
             BoxDistanceTraversal.reduce(_measured, _tree.levelOf(node), 0, _radii);
             if (_measured.distance < least)
             {

@@ -7,7 +7,7 @@ package starlogo.hierarchy
     import starlogo.engine;
     import starlogo.intersection.LeafTest;
     import starlogo.intersection.intersects;
-    import starlogo.intersection.sweep.findTimeOfImpact;
+    import starlogo.intersection.PairTable;
 
     use namespace engine;
 
@@ -85,7 +85,7 @@ package starlogo.hierarchy
             }
             else
             {
-                findTimeOfImpact(_structure, _box, _motion);
+                PairTable.findTime(_structure, _box, _motion);
                 time = _motion.time;
             }
             if (time < least || time == least && firstNode < 0)

@@ -3,7 +3,8 @@ package starlogo.hierarchy
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Touching;
+    import starlogo.intersection.sweep.BoxPairMotion;
     import starlogo.intersection.sweep.BoxSweep;
 
     use namespace engine;
@@ -17,6 +18,7 @@ package starlogo.hierarchy
     public final class SweptBoxTraversal extends NodePairTraversal
     {
         private var _sweep:BoxSweep = new BoxSweep();
+        private var _pair:BoxPairMotion = new BoxPairMotion();
 
         private var _pose:RelativePose;
 
@@ -38,12 +40,12 @@ package starlogo.hierarchy
             _boxesB = b.boxes;
             var relative:Placement = pose.placement;
             var motion:RelativeMotion = pose.motion;
-            _sweep.axes.readAxes(relative, 1);
-            _sweep.motionX = motion.x;
-            _sweep.motionY = motion.y;
-            _sweep.motionZ = motion.z;
-            _sweep.tolerance = pose.tolerance + Tolerances.ROUNDING * (Math.abs(relative.x) + Math.abs(relative.y) + Math.abs(relative.z)
-                    + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            _pair.axes.readAxes(relative, 1);
+            _pair.motionX = motion.x;
+            _pair.motionY = motion.y;
+            _pair.motionZ = motion.z;
+            _pair.tolerance = pose.tolerance + Touching.marginOfMotion(relative.x, relative.y, relative.z)
+                + Touching.marginOfMotion(motion.x, motion.y, motion.z);
         }
 
         /** @inheritDoc */
@@ -68,7 +70,7 @@ package starlogo.hierarchy
         // If that time is after the least time, sets the bound to RelativeMotion.NEVER.
         private function sweep(a:int, b:int, withEdges:Boolean, out:NodePairBounds):void
         {
-            var boxes:BoxSweep = _sweep;
+            var pair:BoxPairMotion = _pair;
             var relative:Placement = _pose.placement;
             var scale:Number = relative.size;
             var numbers:Vector.<Number> = _boxesB;
@@ -76,24 +78,24 @@ package starlogo.hierarchy
             var bX:Number = numbers[at] * scale;
             var bY:Number = numbers[int(at + 1)] * scale;
             var bZ:Number = numbers[int(at + 2)] * scale;
-            boxes.bX = numbers[int(at + 3)] * scale;
-            boxes.bY = numbers[int(at + 4)] * scale;
-            boxes.bZ = numbers[int(at + 5)] * scale;
+            pair.bX = numbers[int(at + 3)] * scale;
+            pair.bY = numbers[int(at + 4)] * scale;
+            pair.bZ = numbers[int(at + 5)] * scale;
             numbers = _boxesA;
             at = 6 * a;
-            boxes.x = relative.r00 * bX + relative.r01 * bY + relative.r02 * bZ + relative.x - numbers[at];
-            boxes.y = relative.r10 * bX + relative.r11 * bY + relative.r12 * bZ + relative.y - numbers[int(at + 1)];
-            boxes.z = relative.r20 * bX + relative.r21 * bY + relative.r22 * bZ + relative.z - numbers[int(at + 2)];
-            boxes.aX = numbers[int(at + 3)];
-            boxes.aY = numbers[int(at + 4)];
-            boxes.aZ = numbers[int(at + 5)];
-            boxes.latest = out.least < 1 ? out.least : 1;
-            boxes.meetFaces();
-            if (withEdges && boxes.time != RelativeMotion.NEVER)
+            pair.x = relative.r00 * bX + relative.r01 * bY + relative.r02 * bZ + relative.x - numbers[at];
+            pair.y = relative.r10 * bX + relative.r11 * bY + relative.r12 * bZ + relative.y - numbers[int(at + 1)];
+            pair.z = relative.r20 * bX + relative.r21 * bY + relative.r22 * bZ + relative.z - numbers[int(at + 2)];
+            pair.aX = numbers[int(at + 3)];
+            pair.aY = numbers[int(at + 4)];
+            pair.aZ = numbers[int(at + 5)];
+            pair.latest = out.least < 1 ? out.least : 1;
+            _sweep.meetFaces(pair);
+            if (withEdges && pair.time != RelativeMotion.NEVER)
             {
-                boxes.meetEdges();
+                _sweep.meetEdges(pair);
             }
-            out.current = boxes.time;
+            out.current = pair.time;
         }
     }
 }

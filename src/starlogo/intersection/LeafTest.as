@@ -1,15 +1,15 @@
 package starlogo.intersection
 {
     /**
-     * Tests leaves of a tree, in the order in which something may meet them on its way or from the nearest on. Abstract.
+     * Tests leaves of a tree, in the order in which a motion or a ray may meet them, or from the nearest on. Abstract.
      *
      * @private
      */
     public class LeafTest
     {
         /**
-         * How far along the way leaves are tested, or how far away: where the nearest so far is met. Before the first one, the end of the way. A
-         * test that needs no more leaves sets it to -Infinity.
+         * How far along the motion or the ray leaves are tested, or how far away: where the nearest leaf so far is met. Before the first one, the
+         * end. A test that needs no more leaves sets it to -Infinity.
          */
         public var least:Number = 0;
 

@@ -6,8 +6,8 @@ package starlogo.intersection
     import starlogo.convex.RelativeMotion;
 
     /**
-     * The kernel of a pair of kinds: it tests, sweeps and measures two structures. PairTable has the kernel of each pair. This class is the
-     * kernel of pairs that have no such operations, so all of its methods throw.
+     * Answers questions about two structures of certain kinds. PairTable has a kernel for each pair of kinds: an object of a class that extends
+     * this one. This class itself is the kernel of pairs with a structure of another kind, which have no answers: its methods throw.
      *
      * @private
      */
@@ -27,11 +27,13 @@ package starlogo.intersection
         }
 
         /**
-         * Finds when a moving structure first touches another one, and sets the motion's time to it.
+         * Finds when a moving structure first touches another one: the first moment at which <code>intersects()</code> would return true, except
+         * for rounding. The motion's start and end are included.
          *
-         * @param a of the pair's first kind
+         * @param a of the pair's first kind, which moves
          * @param b of the pair's second kind, in the same space
-         * @param motion the motion of a; receives the time
+         * @param motion the motion of a; receives the time: 0 if they touch at the beginning, at most 1, or RelativeMotion.NEVER if they do not
+         *     touch
          * @throws ArgumentError if the pair has no such test
          */
         public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
@@ -41,6 +43,19 @@ package starlogo.intersection
 
         /**
          * Finds where two structures touch, or how they overlap.
+         *
+         * <p>The normal is the direction of the shortest displacement that separates the first structure from the second. The depth is its
+         * length: after that displacement the two just touch. The point is in the middle of the overlap along the normal. If two boxes touch
+         * along an edge or a face, it is in the middle of that edge or face too. The same holds for a box and a capsule's axis inside of it.
+         * The result is exact except for rounding.</p>
+         *
+         * <p>A structure's core is a sphere's centre, a capsule's axis, or a whole box or hull. If the cores are apart, the normal is along the line
+         * between their closest points. If they overlap, and for two boxes, the normal is perpendicular to a face of one or to an edge of each:
+         * the direction along which they overlap least (Gottschalk, Lin and Manocha, "OBBTree", 1996).</p>
+         *
+         * <p>If several displacements are equally short, one is chosen. Spheres with the same centre separate along z. If a sphere's centre is
+         * on a capsule's axis, or two capsules are parallel, the normal is perpendicular to the axis and points upwards as far as possible. In
+         * the middle of a box any face is chosen.</p>
          *
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space
@@ -54,7 +69,11 @@ package starlogo.intersection
         }
 
         /**
-         * Finds the distance of two structures, and their closest points.
+         * Finds the distance of two structures and their closest points. If the structures overlap, the distance is 0, and both points are one
+         * point inside of both.
+         *
+         * <p>The result is exact except for rounding, which is 1e-15 of their sizes and of the distance. So structures that just touch may have
+         * a distance as small as that. Symmetric to the last bit.</p>
          *
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space

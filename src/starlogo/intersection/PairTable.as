@@ -1,18 +1,21 @@
 package starlogo.intersection
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
 
     use namespace engine;
 
     /**
-     * Finds the kernel of two structures by their kinds. The package intersection says how two structures meet: whether they touch
-     * (<code>intersects()</code>, a function for each pair), when they first do (<code>sweep</code>), how they overlap (<code>contact</code>), how far apart
-     * they are (<code>distance</code>), and where a ray meets one (<code>ray</code>); TriangleKernel tests a shape against triangles. Read
-     * PairKernel next, which has the questions, then RoundKernel and SphereCapsuleGap.
+     * Says how two structures meet: when a moving one first touches the other, how they overlap, and how far apart they are.
+     * <code>intersects()</code> says whether they touch. The package is made of a kernel for each pair of kinds, a TriangleKernel for a shape and
+     * triangles, and the tests of rays (<code>ray</code>). Read PairKernel next, which explains the questions, then RoundKernel and SphereBoxGap.
      *
-     * <p>Spheres, capsules and boxes have kernels of their own, because the convex core takes two to eleven times as long. It decides about hulls,
-     * and in all other pairs where two cores overlap.</p>
+     * <p>Spheres, capsules and boxes have kernels of their own, because the package convex takes two to eleven times as long. That package decides
+     * about hulls. It also finds the distance of two boxes and their contact, and the contact of a sphere or capsule whose core overlaps the core of
+     * a capsule or box.</p>
      *
      * @private
      */
@@ -22,6 +25,24 @@ package starlogo.intersection
 
         // For each pair of kinds its kernel: one row after the other, a row for each kind of the first structure.
         private static const KERNELS:Vector.<PairKernel> = makeKernels();
+
+        /** Finds when a moving structure first touches another one. See PairKernel. */
+        public static function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        {
+            kernelOf(a, b).findTime(a, b, motion);
+        }
+
+        /** Finds where two structures touch, or how they overlap. See PairKernel. */
+        public static function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        {
+            kernelOf(a, b).findContact(a, b, displacement, out);
+        }
+
+        /** Finds the distance of two structures and their closest points. See PairKernel. */
+        public static function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
+        {
+            kernelOf(a, b).findClosest(a, b, out);
+        }
 
         /** The kernel of two structures. */
         public static function kernelOf(a:BoundingStructure, b:BoundingStructure):PairKernel

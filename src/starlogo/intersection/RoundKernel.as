@@ -8,8 +8,12 @@ package starlogo.intersection
     import starlogo.geometry.Tolerances;
 
     /**
-     * The kernel of two structures of which at least one is a sphere or a capsule: the gap between their cores and the radii answer all questions.
-     * A GapFinder for each pair of kinds finds the gap. Where the cores overlap there is none, and the convex core finds the contact.
+     * The kernel of two structures of which at least one is a sphere or a capsule, except for two spheres. It answers by the gap between their cores
+     * and the radii. A GapFinder for each pair of kinds finds the gap. If the cores overlap, there is no gap, and the ConvexKernel finds the
+     * contact.
+     *
+     * <p>Two cores have a distance that is a convex function of time if one moves along a straight line. So Newton's method finds the time of
+     * impact (van den Bergen, "Ray casting against general convex objects with application to continuous collision detection", 2004).</p>
      *
      * @private
      */
@@ -109,8 +113,7 @@ package starlogo.intersection
         }
 
         /*
-         * Finds when the gap is as long as the sum of the radii, by Newton's method, from its first step on. The distance of the cores is a convex
-         * function of time, so the method never steps over the first zero when it starts to the left of it. Each step shrinks the product of the gap
+         * Finds when the gap is as long as the sum of the radii, by Newton's method, from its first step on. The method never steps over the first zero when it starts to the left of it. Each step shrinks the product of the gap
          * and its slope to a quarter, and both are numbers of 53 bits. So 80 steps are enough. Should rounding need more, the time of the last step is
          * the time of impact: the structures do not touch before, and their gap is at most rounding.
          *

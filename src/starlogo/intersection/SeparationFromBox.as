@@ -3,7 +3,6 @@ package starlogo.intersection
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.RelativeMotion;
-    import starlogo.intersection.contact.Zonotope;
 
     /**
      * Finds a direction along which a structure and an axis-aligned box are apart, and how far. The distance is a lower bound of their distance:

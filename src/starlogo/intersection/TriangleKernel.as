@@ -7,6 +7,7 @@ package starlogo.intersection
     import starlogo.convex.ConvexPair;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.FaceNormal;
+    import starlogo.convex.Interval;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -16,8 +17,8 @@ package starlogo.intersection
 
     /**
      * Tests a convex shape against triangles, one after the other: whether the two touch, when and how they first touch, and how far they are
-     * apart. The shape is set once, and a triangle is a part of a list. ConvexPair decides; here are quick tests that come before it, and what
-     * depends on a triangle's two sides. Allocates nothing.
+     * apart. The shape is set once, and a triangle is a part of a list. ConvexPair decides. This class adds a quick test that comes before it, and
+     * what depends on a triangle's two sides.
      *
      * @private
      */
@@ -35,14 +36,18 @@ package starlogo.intersection
         private var _structures:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
         private var _placed:Vector.<Number> = new Vector.<Number>();
 
-        // The triangle: nine numbers of a list. Its shape is set when it is needed.
+        // The triangle: nine numbers of a list. Its shape and its face are set when they are needed. The normal is NaN if the triangle has no area,
+        // because comparisons with NaN are false.
         private var _corners:Vector.<Number> = null;
         private var _at:int = 0;
         private var _isSet:Boolean = false;
         private var _triangle:ConvexShape = new ConvexShape();
+        private var _hasFace:Boolean = false;
         private var _face:FaceNormal = new FaceNormal();
-        private var _side:FaceNormal = new FaceNormal();
-        private var _deepest:DeepestPoint = new DeepestPoint();
+
+        private var _deepest:Vector3D = new Vector3D();
+        private var _ofShape:Interval = new Interval();
+        private var _ofTriangle:Interval = new Interval();
 
         /**
          * Sets the shape to a structure.
@@ -73,7 +78,7 @@ package starlogo.intersection
         {
             _corners = corners;
             _at = at;
-            _isSet = false;
+            _isSet = _hasFace = false;
         }
 
         /** Whether the two touch. */
@@ -120,7 +125,7 @@ package starlogo.intersection
                 && contact.normalX * motion.x + contact.normalY * motion.y + contact.normalZ * motion.z < 0;
             if (!isFirstTouch)
             {
-                writeFace(_face);
+                prepareFace();
                 var face:FaceNormal = _face;
                 if (contact.normalX * face.x + contact.normalY * face.y + contact.normalZ * face.z < -Tolerances.DIRECTION)
                 {
@@ -130,7 +135,7 @@ package starlogo.intersection
         }
 
         /**
-         * Finds how far the shape reaches behind the triangle's plane.
+         * Finds how far the shape is behind the triangle's plane.
          *
          * @param motion of the shape; the shape is where it is at the motion's time
          * @param out receives the depth, the triangle's normal, and the middle of the overlap at the shape's deepest point. All are NaN if the triangle
@@ -139,14 +144,14 @@ package starlogo.intersection
          */
         public function findBehind(motion:RelativeMotion, out:ContactPoint):Boolean
         {
-            writeFace(_face);
+            prepareFace();
             out.setNormal(_face.x, _face.y, _face.z);
-            _deepest.find(shape, _face);
-            var deepest:Vector3D = _deepest.point;
+            findDeepestPoint(shape, _face, _ofShape, _deepest);
+            var deepest:Vector3D = _deepest;
             deepest.x += motion.startX + motion.time * motion.x;
             deepest.y += motion.startY + motion.time * motion.y;
             deepest.z += motion.startZ + motion.time * motion.z;
-            out.depth = out.normalX * _corners[_at] + out.normalY * _corners[int(_at + 1)] + out.normalZ * _corners[int(_at + 2)] - out.along(deepest);
+            out.depth = _face.offset - out.along(deepest);
             out.x = deepest.x + out.depth / 2 * out.normalX;
             out.y = deepest.y + out.depth / 2 * out.normalY;
             out.z = deepest.z + out.depth / 2 * out.normalZ;
@@ -154,15 +159,16 @@ package starlogo.intersection
         }
 
         /**
-         * Whether another triangle is behind the plane of <code>findBehind()</code>.
+         * Whether another triangle is behind the triangle's plane.
          *
          * @param corners has nine numbers of the other triangle
-         * @param slack how far it may reach in front of the plane
+         * @param slack how far it may be in front of the plane
          */
         public function isBehindPlane(corners:Vector.<Number>, slack:Number):Boolean
         {
-            _face.measure(corners, 0, 9);
-            return _face.greatest <= _face.x * _corners[_at] + _face.y * _corners[int(_at + 1)] + _face.z * _corners[int(_at + 2)] + slack;
+            prepareFace();
+            _face.measure(corners, 0, 9, _ofTriangle);
+            return _ofTriangle.greatest <= _face.offset + slack;
         }
 
         /**
@@ -181,17 +187,16 @@ package starlogo.intersection
         public function staysBeside(motion:RelativeMotion):Boolean
         {
             prepare();
-            writeFace(_side);
-            var face:FaceNormal = _side;
-            var way:Number = motion.latest * (face.x * motion.x + face.y * motion.y + face.z * motion.z);
+            prepareFace();
+            var face:FaceNormal = _face;
+            var travel:Number = motion.latest * (face.x * motion.x + face.y * motion.y + face.z * motion.z);
             var place:Number = face.x * (shape.x - _triangle.x) + face.y * (shape.y - _triangle.y) + face.z * (shape.z - _triangle.z);
-            face.measure(_triangle.points, 0, 9);
-            var low:Number = face.least;
-            var high:Number = face.greatest;
-            face.measure(shape.points, 0, shape.end);
-            var reach:Number = (shape.radius + shape.margin) * Tolerances.OUTER
+            face.measure(_triangle.points, 0, 9, _ofTriangle);
+            face.measure(shape.points, 0, shape.end, _ofShape);
+            var touchingDistance:Number = (shape.radius + shape.margin) * Tolerances.OUTER
                 + Tolerances.ROUNDING * (shape.size + _triangle.size + Math.abs(place) + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            return place + face.least + Math.min(way, 0) - high > reach || low - place - face.greatest - Math.max(way, 0) > reach;
+            return place + _ofShape.least + Math.min(travel, 0) - _ofTriangle.greatest > touchingDistance
+                || _ofTriangle.least - place - _ofShape.greatest - Math.max(travel, 0) > touchingDistance;
         }
 
         private function prepare():void
@@ -203,13 +208,16 @@ package starlogo.intersection
             }
         }
 
-        // Writes the triangle's normal. It is NaN if the triangle has no area, because comparisons with NaN are false.
-        private function writeFace(out:FaceNormal):void
+        private function prepareFace():void
         {
-            out.setTriangle(_corners, _at);
-            if (!(out.length * out.length > Tolerances.FLAT_TRIANGLE * out.squared * out.squared))
+            if (!_hasFace)
             {
-                out.clear();
+                _hasFace = true;
+                _face.setTriangle(_corners, _at);
+                if (_face.isFlat)
+                {
+                    _face.clear();
+                }
             }
         }
     }

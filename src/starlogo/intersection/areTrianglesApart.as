@@ -4,7 +4,7 @@ package starlogo.intersection
 
     /**
      * A quick test that rules out most pairs of triangles: whether a direction is known along which the two are farther apart than they may be to
-     * touch. The other pairs overlap, just touch or are nearly in one plane, or they are needles. ConvexPair decides about them. Allocates nothing.
+     * touch. If it is false, the triangles may still be apart, and ConvexPair has to decide. Allocates nothing.
      *
      * <p>The directions are the second triangle's normal, and those perpendicular to an edge of each. If each triangle crosses the other's plane,
      * each has one corner alone on its side of that plane. Then only the edges from these two corners can face each other (Guigue and Devillers,
@@ -12,8 +12,8 @@ package starlogo.intersection
      *
      * @param a nine numbers of the first triangle: x, y, z of each corner
      * @param at index of the first of them in a
-     * @param b the second triangle, in the same space. Its gap must be larger than rounding errors; Tolerances.SURFACES of the coordinates' size is
-     *     large enough
+     * @param b the second triangle, in the same space. Its margin must be larger than rounding errors, and at least Tolerances.SURFACES of the
+     *     coordinates' size
      * @private
      */
     public function areTrianglesApart(a:Vector.<Number>, at:int, b:ConvexShape):Boolean

@@ -4,8 +4,8 @@ package starlogo.intersection
     import starlogo.bounding.Box;
     import starlogo.geometry.Tolerances;
 
-    // The sweep of two boxes (BoxSweep) tries the same axes, and a motion of no length gives the same answer. This function has arithmetic
-    // of its own, because the sweep is slower. KernelsAgreeTest checks that both agree.
+    // BoxSweep tries the same axes, and a motion of no length gives the same answer. This function has arithmetic of its own, because the
+    // sweep is slower. KernelsAgreeTest checks that both agree.
 
     /**
      * Whether two boxes touch or overlap, by separating axes (thesis §3.6.4; Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996;

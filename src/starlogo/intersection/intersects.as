@@ -6,11 +6,9 @@ package starlogo.intersection
     import starlogo.bounding.Sphere;
 
     /**
-     * Whether two structures touch or overlap (thesis §3.6). Symmetric. Allocates nothing. This package has a function for each pair
-     * of spheres, capsules and boxes: sphereSphere, sphereCapsule, sphereBox, capsuleCapsule, capsuleBox, boxBox. A test with a hull finds the
-     * distance of two convex shapes.
-     *
-     * <p>From the fastest to the slowest, these are: sphereSphere, sphereCapsule, sphereBox, capsuleCapsule, capsuleBox, boxBox.</p>
+     * Whether two structures touch or overlap (thesis §3.6). Symmetric. This package has a function for each pair of spheres, capsules and boxes.
+     * From the fastest to the slowest, these are: sphereSphere, sphereCapsule, sphereBox, capsuleCapsule, capsuleBox, boxBox. They allocate
+     * nothing. A test with a hull finds the distance of two convex shapes.
      *
      * @param a a Sphere, Capsule, Box or Hull
      * @param b a Sphere, Capsule, Box or Hull, in the same space

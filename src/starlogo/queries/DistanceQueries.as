@@ -8,7 +8,7 @@ package starlogo.queries
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.distance.findClosest;
+    import starlogo.intersection.PairTable;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
@@ -90,7 +90,7 @@ package starlogo.queries
             }
             if (a.shape.hierarchy == null && b.form < ModelShape.GROUND)
             {
-                findClosest(a.structure(), b.structure(), out);
+                PairTable.findClosest(a.structure(), b.structure(), out);
                 var size:Number = a.halfX + a.halfY + a.halfZ + b.halfX + b.halfY + b.halfZ;
                 out.settle(out.distance <= Tolerances.APART * size && narrowPhase.areTouching(a, b));
                 return;

@@ -6,10 +6,9 @@ package starlogo.search
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.intersection.boxBox;
-    import starlogo.intersection.contact.findPairContact;
     import starlogo.intersection.intersects;
+    import starlogo.intersection.PairTable;
     import starlogo.intersection.ray.ConvexRay;
-    import starlogo.intersection.sweep.findTimeOfImpact;
 
     use namespace engine;
 
@@ -150,7 +149,7 @@ package starlogo.search
             var structureA:BoundingStructure = a.structure();
             var structureB:BoundingStructure = b.structure();
             _testCounts[BoundingStructure.KIND_COUNT * a.form + b.form]++;
-            findTimeOfImpact(structureA, structureB, motion);
+            PairTable.findTime(structureA, structureB, motion);
             // rounding can miss a touch at the end of the motion
             if (motion.time == RelativeMotion.NEVER && areTouching(a, b))
             {
@@ -162,7 +161,7 @@ package starlogo.search
         override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             _stopped.stopAt(motion);
-            findPairContact(a.structure(), b.structure(), _stopped, out);
+            PairTable.findContact(a.structure(), b.structure(), _stopped, out);
         }
     }
 }

@@ -1,7 +1,6 @@
 package starlogo.solid
 {
     import starlogo.convex.FaceNormal;
-    import starlogo.geometry.Tolerances;
     import starlogo.steps.StepSequence;
 
     /**
@@ -116,7 +115,7 @@ package starlogo.solid
             for (var i:int = first; i < end; i++)
             {
                 _face.setTriangle(_interior.mesh.corners, 9 * i);
-                if (!(_face.length * _face.length > Tolerances.FLAT_TRIANGLE * _face.squared * _face.squared))
+                if (_face.isFlat)
                 {
                     continue;
                 }

@@ -2,7 +2,7 @@ package starlogo.solid
 {
     import flash.geom.Vector3D;
     import starlogo.convex.RelativeMotion;
-    import starlogo.intersection.contact.Zonotope;
+    import starlogo.intersection.Zonotope;
 
     /** Axes along which a moving structure and a triangle may stay apart. They rule out most triangles before a time of impact is sought. */
     internal final class SweptAxes

@@ -12,7 +12,7 @@ package starlogo.solid
     import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.NodeStructureTest;
     import starlogo.hierarchy.SweptBoxTraversal;
-    import starlogo.intersection.contact.findPairContact;
+    import starlogo.intersection.PairTable;
 
     use namespace engine;
 
@@ -210,7 +210,7 @@ package starlogo.solid
             _displacement.startX = -time * inFirst.x;
             _displacement.startY = -time * inFirst.y;
             _displacement.startZ = -time * inFirst.z;
-            findPairContact(a, _pose.place(b), _displacement, out);
+            PairTable.findContact(a, _pose.place(b), _displacement, out);
             out.x += time * inFirst.x;
             out.y += time * inFirst.y;
             out.z += time * inFirst.z;

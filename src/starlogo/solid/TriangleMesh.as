@@ -1,6 +1,7 @@
 package starlogo.solid
 {
     import starlogo.convex.FaceNormal;
+    import starlogo.convex.Interval;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
@@ -27,6 +28,7 @@ package starlogo.solid
         private var _planes:Vector.<Number> = null;
         private var _extents:Vector.<Number> = null;
         private var _face:FaceNormal = new FaceNormal();
+        private var _extent:Interval = new Interval();
 
         /** @param tree the boxes around the triangles */
         public function TriangleMesh(tree:BoxTree)
@@ -111,8 +113,8 @@ package starlogo.solid
                     into[to] = _face.x;
                     into[to + 1] = _face.y;
                     into[to + 2] = _face.z;
-                    _face.measure(corners, at, at + 9);
-                    into[to + 3] = _face.greatest - _face.least <= flatness ? _face.least : NaN;
+                    _face.measure(corners, at, at + 9, _extent);
+                    into[to + 3] = _extent.greatest - _extent.least <= flatness ? _extent.least : NaN;
                 }
             }
         }

@@ -12,7 +12,7 @@ package starlogo.solid
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.LeafTest;
     import starlogo.intersection.TriangleKernel;
-    import starlogo.intersection.contact.Zonotope;
+    import starlogo.intersection.Zonotope;
 
     use namespace engine;
 

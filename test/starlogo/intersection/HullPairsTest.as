@@ -12,9 +12,6 @@ package starlogo.intersection
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
-    import starlogo.intersection.contact.findPairContact;
-    import starlogo.intersection.distance.findClosest;
-    import starlogo.intersection.sweep.findTimeOfImpact;
     import support.Effort;
     import support.cornerOf;
 
@@ -39,7 +36,7 @@ package starlogo.intersection
                 var box:Box = Box(_structures.ofKind(BoundingStructure.BOX, _random.logBetween(0.2, 2), 1));
                 var other:BoundingStructure = _structures.ofKind(_random.pick(KINDS), _random.logBetween(0.2, 2), 1);
                 var result:ClosestPoints = new ClosestPoints();
-                findClosest(box, other, result);
+                PairTable.findClosest(box, other, result);
                 var isTouching:Boolean = intersects(box, other);
                 touching += isTouching ? 1 : 0;
                 var hull:Hull = hullOf(box);
@@ -58,7 +55,7 @@ package starlogo.intersection
         private static function compareDistance(name:String, expected:Number, a:BoundingStructure, b:BoundingStructure):void
         {
             var result:ClosestPoints = new ClosestPoints();
-            findClosest(a, b, result);
+            PairTable.findClosest(a, b, result);
             assertTrue(name + ": distance " + result.distance + " instead of " + expected, Math.abs(result.distance - expected) < NEAR);
             var between:Number = Vector3D.distance(new Vector3D(result.aX, result.aY, result.aZ), new Vector3D(result.bX, result.bY, result.bZ));
             assertTrue(name + ": points " + between, Math.abs(between - result.distance) < NEAR);
@@ -94,7 +91,7 @@ package starlogo.intersection
             motion.x = way.x;
             motion.y = way.y;
             motion.z = way.z;
-            findTimeOfImpact(a, b, motion);
+            PairTable.findTime(a, b, motion);
             return motion.time;
         }
 
@@ -114,12 +111,12 @@ package starlogo.intersection
                 }
                 deep++;
                 var expected:ContactPoint = new ContactPoint();
-                findPairContact(box, other, RelativeMotion.NONE, expected);
+                PairTable.findContact(box, other, RelativeMotion.NONE, expected);
                 for each (var second:BoundingStructure in other is Box ? [other, hullOf(Box(other))] : [other])
                 {
                     var contact:ContactPoint = new ContactPoint();
                     var hull:Hull = hullOf(box);
-                    findPairContact(hull, second, RelativeMotion.NONE, contact);
+                    PairTable.findContact(hull, second, RelativeMotion.NONE, contact);
                     var name:String = i + ": " + box + ", " + second + ", depth " + contact.depth + " instead of " + expected.depth;
                     assertTrue(name, contact.depth <= expected.depth + 1e-9 && contact.depth >= expected.depth - 1e-9);
                     assertTrue(name, touchesAfter(hull, second, contact, contact.depth - 1e-9) && !touchesAfter(hull, second, contact, contact.depth + 1e-9));

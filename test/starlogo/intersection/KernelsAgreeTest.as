@@ -9,8 +9,6 @@ package starlogo.intersection
     import starlogo.bounding.Sphere;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.intersection.contact.findPairContact;
-    import starlogo.intersection.sweep.findTimeOfImpact;
 
     /** The tests of structures that stand still, which are written out for speed, answer as the kernels of the same pairs do. */
     public class KernelsAgreeTest
@@ -77,7 +75,7 @@ package starlogo.intersection
         // With the first as wide as it just touches, and a few bits more and less.
         private function compareNearTouching(a:BoundingStructure, b:BoundingStructure, what:String):void
         {
-            findPairContact(a, b, RelativeMotion.NONE, _contact);
+            PairTable.findContact(a, b, RelativeMotion.NONE, _contact);
             var radius:Number = a is Sphere ? Sphere(a).radius : Capsule(a).radius;
             var touching:Number = radius - _contact.depth;
             if (_contact.depth == 0 || !(touching > 0))
@@ -103,7 +101,7 @@ package starlogo.intersection
         {
             var isHit:Boolean = intersects(a, b);
             var still:RelativeMotion = new RelativeMotion();
-            findTimeOfImpact(a, b, still);
+            PairTable.findTime(a, b, still);
             assertEquals(what, still.time == 0, isHit);
             return isHit;
         }

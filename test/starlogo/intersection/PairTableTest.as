@@ -12,9 +12,6 @@ package starlogo.intersection
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
-    import starlogo.intersection.contact.findPairContact;
-    import starlogo.intersection.distance.findClosest;
-    import starlogo.intersection.sweep.findTimeOfImpact;
 
     /** A pair that has no test says so, and leaves the results as they were. */
     public class PairTableTest
@@ -55,7 +52,7 @@ package starlogo.intersection
         {
             eachMissing(function(a:BoundingStructure, b:BoundingStructure):void
                 {
-                    findTimeOfImpact(a, b, _motion);
+                    PairTable.findTime(a, b, _motion);
                 });
             assertEquals(OLD, _motion.time);
         }
@@ -65,7 +62,7 @@ package starlogo.intersection
         {
             eachMissing(function(a:BoundingStructure, b:BoundingStructure):void
                 {
-                    findPairContact(a, b, RelativeMotion.NONE, _contact);
+                    PairTable.findContact(a, b, RelativeMotion.NONE, _contact);
                 });
             assertEquals(OLD, _contact.depth);
         }
@@ -75,7 +72,7 @@ package starlogo.intersection
         {
             eachMissing(function(a:BoundingStructure, b:BoundingStructure):void
                 {
-                    findClosest(a, b, _closest);
+                    PairTable.findClosest(a, b, _closest);
                 });
             assertEquals(OLD, _closest.distance);
         }
@@ -88,9 +85,9 @@ package starlogo.intersection
                 for each (var b:BoundingStructure in _collided)
                 {
                     _motion.time = _contact.depth = _closest.distance = OLD;
-                    findTimeOfImpact(a, b, _motion);
-                    findPairContact(a, b, RelativeMotion.NONE, _contact);
-                    findClosest(a, b, _closest);
+                    PairTable.findTime(a, b, _motion);
+                    PairTable.findContact(a, b, RelativeMotion.NONE, _contact);
+                    PairTable.findClosest(a, b, _closest);
                     assertEquals(a + " and " + b + " touch", true, PairTable.kernelOf(a, b).areTouching(a, b));
                     assertEquals(a + " and " + b + " touch at once", 0, _motion.time);
                     assertEquals(a + " and " + b + " have no distance", 0, _closest.distance);

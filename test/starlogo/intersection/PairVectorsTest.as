@@ -8,9 +8,6 @@ package starlogo.intersection
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.intersection.contact.findPairContact;
-    import starlogo.intersection.distance.findClosest;
-    import starlogo.intersection.sweep.findTimeOfImpact;
     import support.Complaints;
     import support.MotionVectors;
     import support.PairVectors;
@@ -129,8 +126,8 @@ package starlogo.intersection
         {
             var size:Number = Math.max(halfDiagonal(pairs.a), halfDiagonal(pairs.b));
             var truth:Number = Math.max(0, pairs.distance);
-            findClosest(pairs.a, pairs.b, _pair);
-            findClosest(pairs.b, pairs.a, _turned);
+            PairTable.findClosest(pairs.a, pairs.b, _pair);
+            PairTable.findClosest(pairs.b, pairs.a, _turned);
             note(pairs.family, "distance", Math.abs(_pair.distance - truth) / Math.max(size, truth), DISTANCE);
             assertEquals(pairs.family + ": hit", truth == 0, _pair.distance <= DISTANCE * size);
             assertEquals(pairs.family + ", swapped", _pair.distance, _turned.distance);
@@ -147,8 +144,8 @@ package starlogo.intersection
         {
             var way:RelativeMotion = motions.way;
             _motionBack.setReversed(way);
-            findTimeOfImpact(motions.a, motions.b, way);
-            findTimeOfImpact(motions.b, motions.a, _motionBack);
+            PairTable.findTime(motions.a, motions.b, way);
+            PairTable.findTime(motions.b, motions.a, _motionBack);
             var time:Number = way.time;
             var timeBack:Number = _motionBack.time;
             var isTouching:Boolean = !isNaN(motions.time);
@@ -164,10 +161,10 @@ package starlogo.intersection
             _touches++;
             note(motions.family, "time", Math.max(Math.abs(time - motions.time), Math.abs(timeBack - motions.time)), TIME);
             _displacement.stopAt(way);
-            findPairContact(motions.a, motions.b, _displacement, _touch);
+            PairTable.findContact(motions.a, motions.b, _displacement, _touch);
             _motionBack.setReversed(way);
             _displacement.stopAt(_motionBack);
-            findPairContact(motions.b, motions.a, _displacement, _back);
+            PairTable.findContact(motions.b, motions.a, _displacement, _back);
             var size:Number = halfDiagonal(motions.a) + halfDiagonal(motions.b);
             note(motions.family, "depth", Math.max(Math.abs(_touch.depth - motions.depth), Math.abs(_back.depth - motions.depth)) / size, TIME);
             if (!isNaN(motions.normalX))

@@ -4,7 +4,7 @@ package starlogo.intersection.ray
 
     /**
      * Adds where a ray enters a structure and where it leaves it. If it begins inside, it enters where it begins. If it ends inside, it does not
-     * leave. Allocates nothing.
+     * leave.
      *
      * @param ray in the space of the structure; it is not changed
      * @param structure see rayStructure

@@ -7,7 +7,7 @@ package starlogo.intersection.ray
     import starlogo.bounding.Sphere;
 
     /**
-     * Narrows a ray to the part inside of a structure. Allocates nothing.
+     * Narrows a ray to the part inside of a structure. Allocates nothing, except at the first ray that meets a hull where it is.
      *
      * @param ray in the space of the structure; its part is narrowed, and its normal is set if it enters the structure
      * @param structure a sphere, a capsule, a box, a hull, or another convex structure

@@ -1,4 +1,4 @@
-package starlogo.intersection.contact
+package starlogo.intersection
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;

@@ -1,4 +1,4 @@
-package starlogo.intersection.contact
+package starlogo.intersection
 {
     import evaluation.pairs.RandomStructures;
     import evaluation.pairs.SeededRandom;
@@ -14,7 +14,7 @@ package starlogo.intersection.contact
     import starlogo.intersection.intersects;
 
     /** Contacts part what overlaps, and lie in the middle of it. */
-    public class FindPairContactTest
+    public class PairContactTest
     {
         private static const KINDS:Array = [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX];
         private static const TOUCHING:Number = 1e-6;
@@ -34,7 +34,7 @@ package starlogo.intersection.contact
                 var b:BoundingStructure = shapes.ofKind(random.pick(KINDS), 1, 0.7);
                 if (intersects(a, b))
                 {
-                    findPairContact(a, b, _displacement, _touch);
+                    PairTable.findContact(a, b, _displacement, _touch);
                     checkParts("overlap " + parted, a, b);
                     parted++;
                 }
@@ -64,15 +64,15 @@ package starlogo.intersection.contact
             from.startX = 1.5;
             from.startY = -0.5;
             from.startZ = 1.9;
-            findPairContact(cube(1, 1, 1), low, _displacement, _touch);
+            PairTable.findContact(cube(1, 1, 1), low, _displacement, _touch);
             assertPoint("faces", 0.75, -0.25, 0.95);
             assertNear("depth", 0.1, _touch.depth);
             from.startX = from.startY = 0;
             from.startZ = 1.2;
-            findPairContact(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, _displacement, _touch);
+            PairTable.findContact(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, _displacement, _touch);
             assertPoint("a capsule on a face", -0.25, 0, 0.85);
             from.startZ = 0.9;
-            findPairContact(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, _displacement, _touch);
+            PairTable.findContact(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, _displacement, _touch);
             assertPoint("a capsule deep in a face", -0.25, 0, 0.7);
         }
 
@@ -95,7 +95,7 @@ package starlogo.intersection.contact
         private function checkNormal(a:BoundingStructure, b:BoundingStructure, x:Number, y:Number, z:Number, depth:Number,
                 orOpposite:Boolean = false):void
         {
-            findPairContact(a, b, _displacement, _touch);
+            PairTable.findContact(a, b, _displacement, _touch);
             var sign:Number = orOpposite && _touch.normalX * x + _touch.normalY * y + _touch.normalZ * z < 0 ? -1 : 1;
             assertNear(a + " in " + b, x, sign * _touch.normalX);
             assertNear(a + " in " + b, y, sign * _touch.normalY);

@@ -1,0 +1,46 @@
+package starlogo.intersection.sweep
+{
+    import starlogo.convex.RelativeMotion;
+    import starlogo.intersection.BoxAxes;
+
+    /**
+     * A sweep of two boxes, as a record: where box b is at time 0, how it moves until time 1, and the time of impact that BoxSweep writes. All
+     * numbers are in the axes of box a. Many pairs of boxes may have the same axes and motion. Then these are set once for all of them.
+     *
+     * @private
+     */
+    public final class BoxPairMotion
+    {
+        /** The axes of b. */
+        public var axes:BoxAxes = new BoxAxes();
+
+        /** The motion of b from time 0 to 1 as seen from a. */
+        public var motionX:Number = 0;
+        public var motionY:Number = 0;
+        public var motionZ:Number = 0;
+
+        /** The distance at which the boxes still touch. */
+        public var tolerance:Number = 0;
+
+        /** The vector from a's middle to b's at time 0. */
+        public var x:Number = 0;
+        public var y:Number = 0;
+        public var z:Number = 0;
+
+        /** The half-extents of a. */
+        public var aX:Number = 0;
+        public var aY:Number = 0;
+        public var aZ:Number = 0;
+
+        /** The half-extents of b. */
+        public var bX:Number = 0;
+        public var bY:Number = 0;
+        public var bZ:Number = 0;
+
+        /** The latest time that counts. */
+        public var latest:Number = 1;
+
+        /** The result: the time from which the axes that were tried do not separate the boxes, or RelativeMotion.NEVER. */
+        public var time:Number = RelativeMotion.NEVER;
+    }
+}

@@ -11,12 +11,9 @@ package starlogo.intersection
      * Whether two boxes touch or overlap, by separating axes (thesis §3.6.4; Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996;
      * Ericson, "Real-Time Collision Detection", §4.4.1). Touching counts, to within Tolerances.TOUCHING. Allocates nothing.
      *
-     * <p>Two spheres decide most pairs before any axis is tried: the smallest sphere around b and the largest sphere inside of b. If an
-     * edge of one box is parallel to an edge of the other, the six face axes are enough. If it is nearly parallel, the edge axes are
-     * computed so that no rounding error separates boxes that touch.</p>
-     *
-     * <p>The steps are: the vector between the centres, in a's axes; the two spheres of b; the faces of a, then of b; the cross products of
-     * edges, a's axisX with each of b's first.</p>
+     * <p>Two spheres decide most pairs before any axis is tried: the smallest sphere around b and the largest sphere inside of b. Then come the
+     * faces of both and the cross products of their edges. If the z axes of both boxes are parallel, the faces are enough. If other axes are, or
+     * are nearly so, the sweep decides, whose edge axes do not cancel.</p>
      *
      * @param a in the space of b; half-extents may be 0
      * @param b in the space of a; the answer is the same, to the last bit, for (b, a)
@@ -78,6 +75,7 @@ package starlogo.intersection
             return true;
         }
 
+        // The axes of b.
         axis = b.axisX;
         var bXx:Number = axis.x;
         var bXy:Number = axis.y;
@@ -91,63 +89,35 @@ package starlogo.intersection
         var bZy:Number = axis.y;
         var bZz:Number = axis.z;
 
-        // The faces of a. The cosines of the angles between the axes, and their absolute values.
-        var radius:Number;
+        // The cosines of the angles between the axes, and their absolute values.
         var m00:Number = aXx * bXx + aXy * bXy + aXz * bXz;
-        var abs00:Number = m00 < 0 ? -m00 : m00;
         var m01:Number = aXx * bYx + aXy * bYy + aXz * bYz;
-        var abs01:Number = m01 < 0 ? -m01 : m01;
         var m02:Number = aXx * bZx + aXy * bZy + aXz * bZz;
-        var abs02:Number = m02 < 0 ? -m02 : m02;
-        radius = halfX + bX * abs00 + bY * abs01 + bZ * abs02;
-        if (x > radius || x < -radius)
-        {
-            return false;
-        }
         var m10:Number = aYx * bXx + aYy * bXy + aYz * bXz;
-        var abs10:Number = m10 < 0 ? -m10 : m10;
         var m11:Number = aYx * bYx + aYy * bYy + aYz * bYz;
-        var abs11:Number = m11 < 0 ? -m11 : m11;
         var m12:Number = aYx * bZx + aYy * bZy + aYz * bZz;
-        var abs12:Number = m12 < 0 ? -m12 : m12;
-        radius = halfY + bX * abs10 + bY * abs11 + bZ * abs12;
-        if (y > radius || y < -radius)
-        {
-            return false;
-        }
         var m20:Number = aZx * bXx + aZy * bXy + aZz * bXz;
-        var abs20:Number = m20 < 0 ? -m20 : m20;
         var m21:Number = aZx * bYx + aZy * bYy + aZz * bYz;
-        var abs21:Number = m21 < 0 ? -m21 : m21;
         var m22:Number = aZx * bZx + aZy * bZy + aZz * bZz;
+        var abs00:Number = m00 < 0 ? -m00 : m00;
+        var abs01:Number = m01 < 0 ? -m01 : m01;
+        var abs02:Number = m02 < 0 ? -m02 : m02;
+        var abs10:Number = m10 < 0 ? -m10 : m10;
+        var abs11:Number = m11 < 0 ? -m11 : m11;
+        var abs12:Number = m12 < 0 ? -m12 : m12;
+        var abs20:Number = m20 < 0 ? -m20 : m20;
+        var abs21:Number = m21 < 0 ? -m21 : m21;
         var abs22:Number = m22 < 0 ? -m22 : m22;
-        radius = halfZ + bX * abs20 + bY * abs21 + bZ * abs22;
-        if (z > radius || z < -radius)
+        var overlap:Boolean;
+        var along:Number;
+        var radius:Number;
+        include "boxFaces.inc";
+        if (!overlap)
         {
             return false;
         }
 
-        // The faces of b.
-        var along:Number = toX * bXx + toY * bXy + toZ * bXz;
-        radius = bX + halfX * abs00 + halfY * abs10 + halfZ * abs20;
-        if (along > radius || along < -radius)
-        {
-            return false;
-        }
-        along = toX * bYx + toY * bYy + toZ * bYz;
-        radius = bY + halfX * abs01 + halfY * abs11 + halfZ * abs21;
-        if (along > radius || along < -radius)
-        {
-            return false;
-        }
-        along = toX * bZx + toY * bZy + toZ * bZz;
-        radius = bZ + halfX * abs02 + halfY * abs12 + halfZ * abs22;
-        if (along > radius || along < -radius)
-        {
-            return false;
-        }
-
-        // The cross products of edges. If two edges are nearly parallel, these products would cancel.
+        // If two edges are nearly parallel, their cross product would cancel.
         var near:Number = 1 - Tolerances.NEARLY_PARALLEL / 2;
         if (abs22 > near || abs21 > near || abs20 > near
                 || abs12 > near || abs11 > near || abs10 > near
@@ -158,10 +128,8 @@ package starlogo.intersection
             {
                 return true;
             }
-            // The sweep's axes do not cancel.
             return PairTable.kernelOf(a, b).areTouching(a, b);
         }
-        var overlap:Boolean;
         include "boxEdges.inc";
         return overlap;
     }

@@ -5,7 +5,6 @@ package starlogo.ground
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
-    import starlogo.intersection.SeparationFromBox;
 
     use namespace engine;
 

@@ -7,7 +7,7 @@ package starlogo.solid
     import starlogo.hierarchy.LeafPairTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.intersection.areTrianglesApart;
+    import starlogo.intersection.TriangleSeparation;
 
     use namespace engine;
 
@@ -100,7 +100,7 @@ package starlogo.solid
                 {
                     continue;
                 }
-                if (areTrianglesApart(mesh.corners, 9 * i, _b))
+                if (TriangleSeparation.areApart(mesh.corners, 9 * i, _b))
                 {
                     continue;
                 }

@@ -180,7 +180,7 @@ package starlogo.intersection
             first.setTriangle(Vector.<Number>([0, 0].concat(a)), 2);
             second.setTriangle(Vector.<Number>(b), 0);
             second.margin += TOLERANCE;
-            var isRuledOut:Boolean = areTrianglesApart(Vector.<Number>([0, 0].concat(a)), 2, second);
+            var isRuledOut:Boolean = TriangleSeparation.areApart(Vector.<Number>([0, 0].concat(a)), 2, second);
             var areTouching:Boolean = new ConvexPair().areTouching(first, second);
             sRuledOut += isRuledOut ? 1 : 0;
             sApart += areTouching ? 0 : 1;

@@ -1,16 +1,15 @@
-package starlogo.intersection
+package starlogo.ground
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.RelativeMotion;
+    import starlogo.intersection.Zonotope;
 
     /**
      * Finds a direction along which a structure and an axis-aligned box are apart, and how far. The distance is a lower bound of their distance:
      * exact for spheres, and close to it for capsules and boxes. The results are fields that are read only.
-     *
-     * @private
      */
-    public final class SeparationFromBox
+    internal final class SeparationFromBox
     {
         /** How far the two are apart along the direction; less than 0 if no such direction was found. */
         public var distance:Number = 0;

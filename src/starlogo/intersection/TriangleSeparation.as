@@ -1,0 +1,182 @@
+package starlogo.intersection
+{
+    import starlogo.convex.ConvexShape;
+
+    /**
+     * A quick test that rules out most pairs of triangles, before ConvexPair decides. Allocates nothing.
+     *
+     * <p>The directions that it tries are the second triangle's normal, and those perpendicular to an edge of each. If each triangle crosses the
+     * other's plane, each has one corner alone on its side of that plane. Then only the edges from these two corners can face each other (Guigue
+     * and Devillers, "Fast and robust triangle-triangle overlap test using orientation predicates", Journal of Graphics Tools, 2003).</p>
+     *
+     * @private
+     */
+    public final class TriangleSeparation
+    {
+        // The first triangle is beside the second one's plane.
+        private static const BESIDE:int = -1;
+
+        // How far apart triangles have to be, as a multiple of the second one's margin. ConvexPair adds Tolerances.CORES of the sizes to the margin,
+        // which is less than half of Tolerances.SURFACES.
+        private static const MARGINS:Number = 1.5;
+
+        /**
+         * Whether a direction is known along which two triangles are farther apart than they may be to touch. If it is false, they may be apart too.
+         *
+         * @param a nine numbers of the first triangle: x, y, z of each corner
+         * @param at index of the first of them in a
+         * @param b the second triangle, in the same space. Its margin must be larger than rounding errors, and at least Tolerances.SURFACES of the
+         *     coordinates' size
+         */
+        public static function areApart(a:Vector.<Number>, at:int, b:ConvexShape):Boolean
+        {
+            var corner:int = cornerAcrossB(a, at, b);
+            return corner == BESIDE || areEdgesApart(a, at, corner, b, cornerAcrossA(a, at, b));
+        }
+
+        // Returns which corner of a is alone on its side of b's plane, or BESIDE if all of a is far enough on one side.
+        private static function cornerAcrossB(a:Vector.<Number>, at:int, b:ConvexShape):int
+        {
+            var p:Vector.<Number> = b.points;
+            var fx:Number = p[3];
+            var fy:Number = p[4];
+            var fz:Number = p[5];
+            var gx:Number = p[6];
+            var gy:Number = p[7];
+            var gz:Number = p[8];
+            var x:Number = fy * gz - fz * gy;
+            var y:Number = fz * gx - fx * gz;
+            var z:Number = fx * gy - fy * gx;
+            // where the corners are along b's normal
+            var aX:Number = a[at];
+            var aY:Number = a[int(at + 1)];
+            var aZ:Number = a[int(at + 2)];
+            var first:Number = x * (aX - b.x) + y * (aY - b.y) + z * (aZ - b.z);
+            var second:Number = first + x * (a[int(at + 3)] - aX) + y * (a[int(at + 4)] - aY) + z * (a[int(at + 5)] - aZ);
+            var third:Number = first + x * (a[int(at + 6)] - aX) + y * (a[int(at + 7)] - aY) + z * (a[int(at + 8)] - aZ);
+            var low:Number = second < third ? second : third;
+            var high:Number = second < third ? third : second;
+            low = first < low ? first : low;
+            high = first < high ? high : first;
+            // For a needle, b's own corners are off the plane that was computed.
+            var ownF:Number = x * fx + y * fy + z * fz;
+            var ownG:Number = x * gx + y * gy + z * gz;
+            ownF = ownF < 0 ? -ownF : ownF;
+            ownG = ownG < 0 ? -ownG : ownG;
+            var distance:Number = low > 0 ? low : -high;
+            distance -= ownF + ownG;
+            var least:Number = MARGINS * b.margin;
+            if (distance > 0 && distance * distance > least * least * (x * x + y * y + z * z))
+            {
+                return BESIDE;
+            }
+            return first * second > 0 ? 2 : first * third > 0 ? 1 : 0;
+        }
+
+        // Returns which corner of b is alone on its side of a's plane.
+        private static function cornerAcrossA(a:Vector.<Number>, at:int, b:ConvexShape):int
+        {
+            var p:Vector.<Number> = b.points;
+            var aX:Number = a[at];
+            var aY:Number = a[int(at + 1)];
+            var aZ:Number = a[int(at + 2)];
+            var ux:Number = a[int(at + 3)] - aX;
+            var uy:Number = a[int(at + 4)] - aY;
+            var uz:Number = a[int(at + 5)] - aZ;
+            var vx:Number = a[int(at + 6)] - aX;
+            var vy:Number = a[int(at + 7)] - aY;
+            var vz:Number = a[int(at + 8)] - aZ;
+            var x:Number = uy * vz - uz * vy;
+            var y:Number = uz * vx - ux * vz;
+            var z:Number = ux * vy - uy * vx;
+            var first:Number = x * (b.x - aX) + y * (b.y - aY) + z * (b.z - aZ);
+            var second:Number = first + x * p[3] + y * p[4] + z * p[5];
+            var third:Number = first + x * p[6] + y * p[7] + z * p[8];
+            return first * second > 0 ? 2 : first * third > 0 ? 1 : 0;
+        }
+
+        // Whether a direction perpendicular to an edge of each keeps the triangles apart. The edges u and v begin at a corner of a, f and g at one of b.
+        private static function areEdgesApart(a:Vector.<Number>, at:int, cornerA:int, b:ConvexShape, cornerB:int):Boolean
+        {
+            var p:Vector.<Number> = b.points;
+            var i:int = at + 3 * cornerA;
+            var j:int = cornerA == 2 ? at : i + 3;
+            var k:int = cornerA == 0 ? at + 6 : i - 3;
+            var x:Number = a[i];
+            var y:Number = a[int(i + 1)];
+            var z:Number = a[int(i + 2)];
+            var ux:Number = a[j] - x;
+            var uy:Number = a[int(j + 1)] - y;
+            var uz:Number = a[int(j + 2)] - z;
+            var vx:Number = a[k] - x;
+            var vy:Number = a[int(k + 1)] - y;
+            var vz:Number = a[int(k + 2)] - z;
+            i = 3 * cornerB;
+            j = cornerB == 2 ? 0 : i + 3;
+            k = cornerB == 0 ? 6 : i - 3;
+            var dx:Number = b.x - x + p[i];
+            var dy:Number = b.y - y + p[int(i + 1)];
+            var dz:Number = b.z - z + p[int(i + 2)];
+            var fx:Number = p[j] - p[i];
+            var fy:Number = p[int(j + 1)] - p[int(i + 1)];
+            var fz:Number = p[int(j + 2)] - p[int(i + 2)];
+            var gx:Number = p[k] - p[i];
+            var gy:Number = p[int(k + 1)] - p[int(i + 1)];
+            var gz:Number = p[int(k + 2)] - p[int(i + 2)];
+            var least:Number = MARGINS * b.margin;
+            least *= least;
+            for (var pair:int = 0; pair < 4; pair++)
+            {
+                x = uy * fz - uz * fy;
+                y = uz * fx - ux * fz;
+                z = ux * fy - uy * fx;
+                var alongU:Number = x * ux + y * uy + z * uz;
+                var alongV:Number = x * vx + y * vy + z * vz;
+                var low:Number = alongU < alongV ? alongU : alongV;
+                var high:Number = alongU < alongV ? alongV : alongU;
+                low = low < 0 ? low : 0;
+                high = high > 0 ? high : 0;
+                var alongF:Number = x * fx + y * fy + z * fz;
+                var alongG:Number = x * gx + y * gy + z * gz;
+                var lowB:Number = alongF < alongG ? alongF : alongG;
+                var highB:Number = alongF < alongG ? alongG : alongF;
+                lowB = lowB < 0 ? lowB : 0;
+                highB = highB > 0 ? highB : 0;
+                var between:Number = x * dx + y * dy + z * dz;
+                low -= between + highB;
+                high -= between + lowB;
+                var distance:Number = low > 0 ? low : -high;
+                if (distance > 0 && distance * distance > least * (x * x + y * y + z * z))
+                {
+                    return true;
+                }
+                // the next pair: u and g, v and g, v and f
+                if (pair == 1)
+                {
+                    x = ux;
+                    y = uy;
+                    z = uz;
+                    ux = vx;
+                    uy = vy;
+                    uz = vz;
+                    vx = x;
+                    vy = y;
+                    vz = z;
+                }
+                else
+                {
+                    x = fx;
+                    y = fy;
+                    z = fz;
+                    fx = gx;
+                    fy = gy;
+                    fz = gz;
+                    gx = x;
+                    gy = y;
+                    gz = z;
+                }
+            }
+            return false;
+        }
+    }
+}

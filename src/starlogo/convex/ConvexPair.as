@@ -250,15 +250,15 @@ package starlogo.convex
         private function skipToBalls(motion:RelativeMotion):void
         {
             var cores:CorePair = _cores;
-            var radius:Number = Tolerances.OUTER * (cores.touchingDistance + cores.a.size + cores.b.size);
-            var beyond:Number = cores.x * cores.x + cores.y * cores.y + cores.z * cores.z - radius * radius;
-            motion.time = 0;
-            if (beyond > 0)
-            {
-                var closing:Number = -(cores.x * cores.motionX + cores.y * cores.motionY + cores.z * cores.motionZ);
-                var left:Number = closing * closing - (cores.motionX * cores.motionX + cores.motionY * cores.motionY + cores.motionZ * cores.motionZ) * beyond;
-                motion.time = closing > 0 && left >= 0 ? beyond / (closing + Math.sqrt(left)) : RelativeMotion.NEVER;
-            }
+            var gap:CoreGap = _gap;
+            // the motion is that of the shape that was asked about first
+            var side:int = cores.isSwapped ? -1 : 1;
+            gap.x = side * cores.x;
+            gap.y = side * cores.y;
+            gap.z = side * cores.z;
+            gap.radiusA = Tolerances.OUTER * (cores.touchingDistance + cores.a.size + cores.b.size);
+            gap.radiusB = 0;
+            findSphereEntry(gap, motion);
         }
 
         // Sets the motion's time to that of the next step. If the search ends, sets it to the time of the first touch and returns false.

@@ -7,7 +7,7 @@ package starlogo.intersection
     import starlogo.convex.ContactPoint;
     import starlogo.convex.CoreGap;
     import starlogo.convex.RelativeMotion;
-    import starlogo.intersection.sweep.findSphereEntry;
+    import starlogo.convex.findSphereEntry;
 
     /**
      * The kernel of two spheres.

@@ -6,11 +6,11 @@ package starlogo.search
     import starlogo.convex.ContactPoint;
     import starlogo.convex.CoreGap;
     import starlogo.convex.RelativeMotion;
+    import starlogo.convex.findSphereEntry;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.SphereSphereKernel;
-    import starlogo.intersection.sweep.findSphereEntry;
 
     use namespace engine;
 

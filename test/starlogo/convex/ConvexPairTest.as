@@ -196,6 +196,27 @@ package starlogo.convex
             assertTrue(hits + " hits, " + misses + " misses", hits > 200 && misses > 200);
         }
 
+        /** The corners of the world are 3e9 apart. Squares of such distances have no digits left for a shape of size 1. */
+        [Test]
+        public function shapesThatComeFromFarAwayAreMet():void
+        {
+            var motion:RelativeMotion = new RelativeMotion();
+            for each (var distance:Number in [1e3, 1e7, 4e8, 9e8, 3e9])
+            {
+                forAll(Effort.choose(1, 20), function():void
+                    {
+                        var direction:Vector3D = _structures.direction();
+                        var a:ConvexShape = RandomConvex.moved(_a, _b.x - _a.x - distance * direction.x, _b.y - _a.y - distance * direction.y, _b.z - _a.z - distance * direction.z);
+                        motion.x = 2 * distance * direction.x;
+                        motion.y = 2 * distance * direction.y;
+                        motion.z = 2 * distance * direction.z;
+                        _pair.findTime(a, _b, motion);
+                        _wrong.addIf(!(motion.time <= 0.5 + 1e-14), "missed from " + distance, _what + ", time " + motion.time);
+                    });
+            }
+            _wrong.assertNone();
+        }
+
         /** Shapes with faces and edges along the axes, which come near each other at any angle: rounding hides the direction of a short gap. */
         [Test]
         public function shortWaysOfLevelShapesAreExact():void

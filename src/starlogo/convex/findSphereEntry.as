@@ -1,11 +1,8 @@
-package starlogo.intersection.sweep
+package starlogo.convex
 {
-    import starlogo.convex.CoreGap;
-    import starlogo.convex.RelativeMotion;
-
     /**
      * Finds when two spheres first touch, in closed form: the path of one centre enters a sphere around the other centre. The radius of that
-     * sphere is the sum of both radii.
+     * sphere is the sum of both radii. The nearest point of the path comes first, so that no digits cancel when the path begins far away.
      *
      * @param gap the vector from the other centre to the moving one at time 0, and the radii
      * @param motion the motion of the one centre; its start is not used. Receives the time, from 0 to 1, or RelativeMotion.NEVER

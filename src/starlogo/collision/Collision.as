@@ -99,7 +99,7 @@ package starlogo.collision
         // or -1.
         private var _isLent:Boolean = false;
         private var _listNumber:int = -1;
-        private var _filteredList:FilteredList = new FilteredList();
+        private var _askedList:AskedList = new AskedList();
 
         /**
          * Creates a Collision without handlers.
@@ -282,10 +282,10 @@ package starlogo.collision
             _updating = system;
             try
             {
-                var listed:Vector.<Agent> = asked == null ? agents : _filteredList.ask(asked, agents);
+                var listed:Vector.<Agent> = asked == null ? agents : _askedList.ask(asked, agents);
                 _hasFailed = true;
                 _input.agents = listed;
-                _input.takePart = asked == null ? null : _filteredList.takePart;
+                _input.takePart = asked == null ? null : _askedList.takePart;
                 if (collider != null)
                 {
                     collider.beginFrame();
@@ -402,7 +402,7 @@ package starlogo.collision
                     // the game's own list, from now on
                     _lastAgents = new Vector.<Agent>();
                 }
-                FilteredList.copyInto(_lastAgents, agents);
+                AskedList.copyInto(_lastAgents, agents);
             }
             _listNumber = number;
             _searched = searched;

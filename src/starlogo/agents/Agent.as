@@ -73,12 +73,12 @@ package starlogo.agents
 
         /**
          * @private The agent's place in the world. Its rotation may be stale: see <code>worldPlacement</code>. Its
-         * <code>extentsRevision</code> counts all changes that affect the extents: of the turn, the size, the shape and the way the agent
-         * collides.
+         * <code>extentsRevision</code> counts changes of the turn, the size, the shape, the way the agent collides, and
+         * <code>traversalDepth</code>: of all that the tests of a pair read, except the place.
          */
         engine var placement:Placement = new Placement();
 
-        /** @private Counts changes of all that a search reads: place, turn, size, shape, breed, and whether the agent sweeps. */
+        /** @private Counts changes of all that a search reads: what <code>extentsRevision</code> counts, the place, the breed, and whether the agent sweeps. */
         engine var revision:int = 0;
 
         /** @private The revision that the last jump made. The agent has no motion up to this revision. */
@@ -160,7 +160,7 @@ package starlogo.agents
             return takeNumber();
         }
 
-        /** @private The number of agents created so far, which is also the largest id. */
+        /** @private The number of agents and terrains created so far, which is also the largest id. */
         engine static function get createdCount():int
         {
             return sCreated;
@@ -679,7 +679,7 @@ package starlogo.agents
             }
         }
 
-        // Call it after a change of what the extents or the tests depend on: the shape, the turn, the size, the depth.
+        // Call it after a change that extentsRevision counts.
         private function extentsChanged():void
         {
             placement.extentsRevision++;

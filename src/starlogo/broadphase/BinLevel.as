@@ -1,7 +1,7 @@
 package starlogo.broadphase
 {
     /**
-     * The cells of one width. Cells are squares of the ground. A cell's number is a hash of its column and row.
+     * The cells of one width. Cells are squares of the ground. A cell's number is a hash of its column and its line.
      *
      * @private
      */
@@ -35,7 +35,7 @@ package starlogo.broadphase
         internal var count:int;
         internal var base:int;
 
-        // The number of a cell is row times stride plus column. Only the bits in the mask count. It is NO_CELLS if the lists of cells have no cells
+        // The number of a cell is its line times stride plus its column. Only the bits in the mask count. It is NO_CELLS if the lists of cells have no cells
         // of the level.
         internal var mask:int = NO_CELLS;
         internal var stride:int;
@@ -86,7 +86,7 @@ package starlogo.broadphase
             return cells - 1;
         }
 
-        /** The column or row of cells at a place. */
+        /** The column of cells at an x, or the line of cells at a y. */
         public function columnOf(place:Number):int
         {
             return place * cellsPerPatch + Bins.BIAS;
@@ -104,7 +104,7 @@ package starlogo.broadphase
             return numberOf(columnOf(x), columnOf(y));
         }
 
-        /** Whether a place is not so far out that it has no cell, and not near any either. */
+        /** Whether cells can be at or near a place. Farther out than <code>BIAS / 2</code> widths along x or y there are none. */
         public function isWithin(x:Number, y:Number):Boolean
         {
             var farthest:Number = width * (Bins.BIAS / 2);

@@ -8,10 +8,11 @@ package starlogo.broadphase
      *
      * <p>The rows of a search are its members. A member has a slot, which is its index in the order of the cells.</p>
      *
-     * <p>A member is in one cell: the cell of its middle. Cells are at least as wide as the widest members, and less than about twice as wide. So if two members overlap, they are in
-     * the same cell or in neighbouring cells. A counting sort puts the members into the order of their cells, with copies of the data that
+     * <p>A member is in one cell: the cell of its middle. A cell is wider than every member of its level. It is at most about twice as wide, except for
+     * the smallest members and for those far from the origin. So if two members of a level overlap, they are in the same cell or in
+     * neighbouring cells. A counting sort puts the members into the order of their cells, with copies of the data that
      * the search reads. So members that are near on the ground are near in memory. The members of a cell are tested against two runs of
-     * slots. The first run is the rest of the cell and its right neighbour. The second run is three cells of the next row. So each pair is
+     * slots. The first run is the rest of the cell and its right neighbour. The second run is three cells of the next line. So each pair is
      * found from one cell only.</p>
      *
      * <p>Members of different sizes are in different levels of a hierarchical grid (Ericson, Real-Time Collision Detection, §7.2). The
@@ -30,7 +31,7 @@ package starlogo.broadphase
         /** The first cells of a level are repeated after its last, so that the neighbours of the last cells are in one run too. */
         internal static const COPIED:int = 2;
 
-        // Added to a column or row, so that it is positive and the conversion to int rounds down. BIAS is even, and larger than
+        // Added to the number of a column or a line, so that it is positive and the conversion to int rounds down. BIAS is even, and larger than
         // BinLevel.MAX_DISTANCE.
         internal static const BIAS:Number = 1 << 26;
 
@@ -280,7 +281,7 @@ package starlogo.broadphase
                 {
                     continue;
                 }
-                // the first run is the cell and its right neighbour, the second run is three cells of the next row
+                // the first run is the cell and its right neighbour, the second run is three cells of the next line
                 var runEnd:int = ends[cell + 2];
                 var below:int = ((cell + toNextLine) & mask) + base;
                 var nextLine:int = ends[below];

@@ -145,7 +145,7 @@ package starlogo.broadphase
             count--;
         }
 
-        /** Whether all members have cells, and about as many as the bins would give them now. */
+        /** Whether all members have cells, and each level with members has as many cells as the bins would give it now. */
         public function areCellsValid():Boolean
         {
             for (var i:int = 0; i < _levels.byWidth.length; i++)

@@ -20,7 +20,7 @@ package starlogo.collision
         private static const MOST_IDS:int = 65536;
         private static const NAMED:int = 10;
 
-        // What an entry begins with: the hash, the number of bytes, and the number of agents created until then. The ids follow.
+        // What an entry begins with: the hash, the number of bytes, and Agent.createdCount at that time. The ids follow.
         private static const HEAD:int = 3;
 
         // The entries, the oldest first, and how many numbers they have together.

@@ -41,7 +41,7 @@ package starlogo.collision
 
         /**
          * If true, the triangles of hierarchies decide, in frames, contacts and all questions. Depth limits do not apply. Two hierarchies collide
-         * if two of their triangles touch. A hierarchy and a structure collide if a triangle touches the solid sphere, capsule or box. A model
+         * if two of their triangles touch. A hierarchy and a structure collide if a triangle touches the solid sphere, capsule, box or hull. A model
          * or structure inside another model collides with it if the outer surface is closed, even if the surfaces do not touch. If a model has
          * no triangles, its leaves decide.
          *

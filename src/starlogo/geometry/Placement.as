@@ -33,8 +33,8 @@ package starlogo.geometry
         public var size:Number = 1;
 
         /**
-         * A number that counts changes of the rotation and the size. Caches of results that do not depend on the position compare it. The owner
-         * of the placement increases it, as an agent does. The methods of this class and <code>copyFrom()</code> leave it as it is.
+         * A number that the owner of the placement increases when it changes the rotation or the size. It may count other changes too, as an agent
+         * does. Caches of results that do not depend on the position compare it. The methods of this class leave it as it is.
          */
         public var extentsRevision:int = 0;
 

@@ -34,8 +34,9 @@ package starlogo.queries
      * <p>An agent's breed, and everything that a filter's <code>accepts</code> reads, is read during the question.</p>
      *
      * <p>An update takes a few tenths of a microsecond per agent. The first question after it builds a tree of the places, or of the extents.
-     * The time of a question grows with the logarithm of the number of agents, and with the length of its answer. Agents of breeds that do
-     * not count take no time, unless agents get other breeds between questions.</p>
+     * The time of a question grows with the logarithm of the number of agents, and with the length of its answer. Questions
+     * skip agents of breeds that do not count. The tree learns the breeds after questions have tested about as many such agents as it has, and
+     * learns them anew after an agent has got another breed.</p>
      *
      * <p>A page that asks only some of the questions, and wants to load no more than these, takes SeenAgents with AgentPlaces, AgentRays or
      * AgentWalks in place of this class. Their answers are the same.</p>
@@ -497,7 +498,7 @@ package starlogo.queries
 
         /**
          * The first agent that an agent would touch on a straight way from its present place. In <code>moveUntilTouch()</code> it would be
-         * stopped by the same agent at the same time, up to rounding. <code>castShape()</code> of the agent's sphere, box or capsule gives the
+         * stopped by the same agent at the same time, up to rounding. <code>castShape()</code> of the agent's sphere, box, capsule or hull gives the
          * same answer, to the last bit. Nothing moves.
          *
          * @param agent the agent that is cast. It is never in the answer

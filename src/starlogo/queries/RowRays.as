@@ -76,7 +76,7 @@ package starlogo.queries
             return true;
         }
 
-        /** What finds rays through hulls; null if the collision system has no tests of structures. */
+        /** The test of rays for convex structures of a game's own; null if the collision system has no tests of structures. */
         public static function convexRayOf(narrowPhase:NarrowPhase):ConvexRay
         {
             return narrowPhase.structures == null ? null : narrowPhase.structures.convexRay;

@@ -40,7 +40,7 @@ package starlogo.queries
         /** By slot: the middle of the row's box. */
         public var middles:Points = new Points();
 
-        /** By slot: the row's box, with a margin larger than its rounding errors. A tree of places reads them only when a row moves. */
+        /** By slot: the row's box, widened by a slack that is larger than its rounding errors. A tree of places reads them only when a row moves. */
         public var rowBoxes:Vector.<Number> = new Vector.<Number>();
 
         /** By node: a box around the boxes of the node's rows. */
@@ -379,7 +379,7 @@ package starlogo.queries
             rowBoxes[int(box + 5)] = z + halfZ;
         }
 
-        /** The margin by which a box is widened. It is larger than the rounding errors of the box's middle and lengths. */
+        /** The slack by which a box is widened. It is larger than the rounding errors of the box's middle and lengths. */
         public static function slackOf(x:Number, y:Number, z:Number, halfX:Number, halfY:Number, halfZ:Number):Number
         {
             return Tolerances.EXTENTS * (halfX + halfY + halfZ)

@@ -105,7 +105,8 @@ package starlogo.search
         }
 
         /**
-         * Reads the agent of one row as it is now. The other rows stay as they are.
+         * Reads the agent of one row as it is now, except for its breed. It then has no motion. Rows whose model was replaced are marked, so the
+         * next search reads them again.
          *
          * @throws ArgumentError if its model is unknown or lacks data that is needed. The row is then unchanged
          */

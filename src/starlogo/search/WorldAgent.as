@@ -8,8 +8,8 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * The agent that stands for the ground or for the edges of the world. Neither its place nor its other traits count. It brings the tests of
-     * pairs with it, so a game without ground or edges does not load their code.
+     * The agent that stands for the ground or for the edges of the world. Its place counts only for rounding. Of its other traits, its breed
+     * and isOneWay count. It brings the tests of pairs with it, so a game without ground or edges does not load their code.
      *
      * @private
      */

@@ -54,5 +54,11 @@ package starlogo.handlers
             otherNumber = BreedInterests.numberOf(otherBreed);
             takesContact = handler.length >= 3 || mayTakeMore(handler);
         }
+
+        /** Whether its calls need a contact. At the end of a touch there is none. */
+        public function get needsContact():Boolean
+        {
+            return takesContact && kind != END;
+        }
     }
 }

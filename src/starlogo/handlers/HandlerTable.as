@@ -96,7 +96,7 @@ package starlogo.handlers
             {
                 interests.addNumbers(handler.breedNumber, handler.otherNumber);
                 kinds |= 1 << handler.kind;
-                contactKinds |= handler.takesContact && handler.kind != CollisionHandler.END ? 1 << handler.kind : 0;
+                contactKinds |= handler.needsContact ? 1 << handler.kind : 0;
             }
             _added.length = 0;
             _knownCount = _count;

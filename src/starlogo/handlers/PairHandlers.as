@@ -118,7 +118,7 @@ package starlogo.handlers
             takesContacts = tracksTouches = false;
             for each (var handler:CollisionHandler in handlers)
             {
-                takesContacts ||= handler.takesContact && handler.kind != CollisionHandler.END;
+                takesContacts ||= handler.needsContact;
                 tracksTouches ||= handler.kind != CollisionHandler.COLLISION;
             }
         }

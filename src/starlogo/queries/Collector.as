@@ -93,8 +93,8 @@ package starlogo.queries
             return _dropAt == 1 && count > 0;
         }
 
-        /** Whether a row counts. This is a search of its own. */
-        public function admits(row:int, asker:Agent, agents:AgentFilter):Boolean
+        /** Asks a filter about one row, as a search of its own. Returns whether the row counts. */
+        public function askFilter(row:int, asker:Agent, agents:AgentFilter):Boolean
         {
             begin(1, 0, asker, agents);
             if (filter.admits(row))

@@ -99,7 +99,7 @@ package starlogo.queries
                         continue;
                     }
                 }
-                if (!isKnown(crossings, index, side, mostSlack))
+                if (!joinKept(crossings, index, side, mostSlack))
                 {
                     _sides[count] = side;
                     mostSlack = Math.max(mostSlack, crossings.slacks[index]);
@@ -108,8 +108,9 @@ package starlogo.queries
             }
         }
 
-        // Whether a crossing that is kept is the same surface. A triangle that the ray runs along takes the side of the first that it meets there.
-        private function isKnown(crossings:RayCrossings, index:int, side:int, mostSlack:Number):Boolean
+        // Joins a crossing to a kept one of the same surface. A kept triangle that the ray runs along takes the other's side. Returns whether there
+        // is one.
+        private function joinKept(crossings:RayCrossings, index:int, side:int, mostSlack:Number):Boolean
         {
             var place:Number = crossings.places[index];
             var slack:Number = crossings.slacks[index];

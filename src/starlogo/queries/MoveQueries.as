@@ -182,10 +182,10 @@ package starlogo.queries
             }
         }
 
-        /** Whether a row counts. This is a search of its own. */
-        public function admits(row:int, asker:Agent, filter:AgentFilter):Boolean
+        /** Asks a filter about one row, as a search of its own. Returns whether the row counts. */
+        public function askFilter(row:int, asker:Agent, filter:AgentFilter):Boolean
         {
-            return _found.admits(row, asker, filter);
+            return _found.askFilter(row, asker, filter);
         }
 
         private function cast(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
@@ -208,7 +208,7 @@ package starlogo.queries
             return hits;
         }
 
-        // Reads the body of an agent that is cast. A sphere, box or capsule becomes the body of a structure, so that an agent and the same structure
+        // Reads the body of an agent that is cast. A sphere, box, capsule or hull becomes the body of a structure, so that an agent and the same structure
         // meet the same, to the last bit.
         private function readCast(agent:Agent, out:Body):void
         {

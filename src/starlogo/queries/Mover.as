@@ -26,10 +26,10 @@ package starlogo.queries
         private static const NEXT:Number = 4;
 
         // If a motion leads this many slops deeper into what it was lifted out of, the body has left the surface. Otherwise its core would meet it.
-        private static const MOST_SLOPS:Number = 2;
+        private static const SLOPS_TO_LEAVE:Number = 2;
 
         // A normal is vertical if the square of its horizontal part is at most this. The rest is a rounding error.
-        private static const UPRIGHT:Number = 1e-20;
+        private static const VERTICAL_NORMAL:Number = 1e-20;
 
         // A slide ends after this many iterations.
         private static const MOST_ITERATIONS:int = 8;
@@ -135,8 +135,8 @@ package starlogo.queries
 
         /**
          * Moves the end of a motion into the touch, on the side that it comes from. If it went beyond a row without thickness, the two would not
-         * touch, and it could not come back. It tries several places, from half a margin before the contact on. The margin is the gap across which
-         * the two still touch. On a long way rounding may hide the touch. Then the body ends where its core touches the row.
+         * touch, and it could not come back. It tries several places. The first is half a tolerance before the contact. The tolerance is the
+         * distance across which the two still touch. On a long way rounding may hide the touch. Then the body ends where its core touches the row.
          *
          * @param result the answer of <code>findTouch()</code>, whose place changes
          */
@@ -159,7 +159,14 @@ package starlogo.queries
             result.place.copyFrom(result.corePlace);
         }
 
-        /** Computes a motion that ends the clearance before it touches a row. The parameters are those of <code>findTouch()</code>. */
+        /**
+         * Computes a motion that ends the clearance before it first touches a row.
+         *
+         * @param from where it begins
+         * @param motion the whole motion
+         * @param out receives the answer of <code>findTouch()</code> without a lift, but its place is the clearance before the touch. Its fraction
+         *     is that of the touch
+         */
         public function goBeforeTouch(from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
             findTouch(from, motion, null, out);
@@ -263,7 +270,7 @@ package starlogo.queries
                 _lift.copyFrom(lift);
                 place.incrementBy(lift.displacement);
             }
-            _lift.mostDepth = MOST_SLOPS * _body.slop;
+            _lift.mostDepth = SLOPS_TO_LEAVE * _body.slop;
             if (replaceDeep(place, false) && !_recovery.liftOut(_obstacles, place, _lift))
             {
                 place.copyFrom(_from);
@@ -345,7 +352,7 @@ package starlogo.queries
         // or down.
         private function standUp(contact:ContactPoint):void
         {
-            if (contact.normalX * contact.normalX + contact.normalY * contact.normalY > UPRIGHT)
+            if (contact.normalX * contact.normalX + contact.normalY * contact.normalY > VERTICAL_NORMAL)
             {
                 contact.setNormal(contact.normalX, contact.normalY, 0);
                 contact.normalise();

@@ -22,8 +22,8 @@ package starlogo.queries
         // A set has a bit for each breed. Breeds with the same remainder share one.
         private static const BITS:int = 32;
 
-        // How many rows that do not count searches have tested since the nodes learned their breeds, or the tree was built.
-        private var _passedOver:int = 0;
+        // How many rows that do not count searches have tested since the nodes learned their breeds, or the tree was built. A test reads it.
+        internal var passedOver:int = 0;
 
         // By node: the set of its rows' breeds; and what Breeds.changes was when the nodes learned them, or -1.
         private var _sets:Vector.<int> = new Vector.<int>();
@@ -55,33 +55,27 @@ package starlogo.queries
             return Breeds.count <= BITS;
         }
 
-        /** How many rows that do not count searches have tested since the nodes learned their breeds, or the tree was built. */
-        public function get passedOver():int
-        {
-            return _passedOver;
-        }
-
         /** Counts rows that a filter does not let through, by their breeds or otherwise. */
         public function passOver(rows:int):void
         {
-            _passedOver += rows;
+            passedOver += rows;
         }
 
         /** Begins anew, for other rows. */
         public function forget():void
         {
-            _passedOver = 0;
+            passedOver = 0;
             _since = -1;
         }
 
         /** Lets the nodes learn their breeds, if searches have passed over so many rows that this takes no longer. */
         public function learn(tree:RowTree, agents:Vector.<Agent>):void
         {
-            if (_passedOver < tree.count || _since == Breeds.changes)
+            if (passedOver < tree.count || _since == Breeds.changes)
             {
                 return;
             }
-            _passedOver = 0;
+            passedOver = 0;
             _since = Breeds.changes;
             var firstLeaf:int = tree.firstLeaf;
             if (_sets.length < 2 * firstLeaf)

@@ -22,7 +22,7 @@ package starlogo.queries
         private static const SURE_ROUND:int = 2;
 
         // If a body only touches a row, it is never this many slops deep in it.
-        private static const MOST_SLOPS:Number = 2;
+        private static const SLOPS_OF_TOUCH:Number = 2;
 
         // Two normals are opposite if the cosine of the angle between them is less than this.
         private static const OPPOSITE:Number = -0.999;
@@ -152,7 +152,7 @@ package starlogo.queries
             var depth:Number = _contact.depth;
             if (lift == null)
             {
-                depth = Math.min(depth, MOST_SLOPS * _body.slop);
+                depth = Math.min(depth, SLOPS_OF_TOUCH * _body.slop);
             }
             else
             {

@@ -90,9 +90,9 @@ package starlogo.queries
             findMiddle(a, _middleA);
             findMiddle(b, _middleB);
             // the ray always starts at the same place of the two, because rounding may let a ray that grazes something pass in one direction only
-            var isTurned:Boolean = _middleA.x > _middleB.x || (_middleA.x == _middleB.x && isAfter(_middleA, _middleB));
-            var from:Vector3D = isTurned ? _middleB : _middleA;
-            var towards:Vector3D = isTurned ? _middleA : _middleB;
+            var isSwapped:Boolean = _middleA.x > _middleB.x || (_middleA.x == _middleB.x && isAfter(_middleA, _middleB));
+            var from:Vector3D = isSwapped ? _middleB : _middleA;
+            var towards:Vector3D = isSwapped ? _middleA : _middleB;
             towards.decrementBy(from);
             var distance:Number = Math.sqrt(towards.x * towards.x + towards.y * towards.y + towards.z * towards.z);
             if (distance == 0)

@@ -46,13 +46,13 @@ package starlogo.queries
             var placement:Placement = body.placement;
             var crossings:RayCrossings = _crossings;
             var isMet:Boolean = false;
-            var isOfTheWorld:Boolean = body.form == ModelShape.GROUND;
+            var isGround:Boolean = body.form == ModelShape.GROUND;
             var start:Number = ray.from = 0;
             var areTriangles:Boolean = true;
             var line:Ray = _inModel;
             var ahead:Number = 0;
             crossings.count = 0;
-            if (isOfTheWorld)
+            if (isGround)
             {
                 _seen.narrowPhase.testsOfWorldAgent(body).findCrossings(body, ray, crossings);
             }
@@ -72,7 +72,7 @@ package starlogo.queries
                 line.normalX = crossings.normals[3 * crossing];
                 line.normalY = crossings.normals[3 * crossing + 1];
                 line.normalZ = crossings.normals[3 * crossing + 2];
-                if (isOfTheWorld)
+                if (isGround)
                 {
                     ray.setNormal(line.normalX, line.normalY, line.normalZ);
                     ray.from = place;

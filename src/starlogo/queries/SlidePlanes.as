@@ -178,7 +178,12 @@ package starlogo.queries
                 motion.incrementBy(_exit.displacement);
                 length = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
             }
-            return keepWithinWidest() && length > STUCK * whole;
+            if (!isSteepEnough())
+            {
+                return false;
+            }
+            shortenToWidest();
+            return length > STUCK * whole;
         }
 
         private static function isSame(a:ContactPoint, b:ContactPoint):Boolean
@@ -186,21 +191,22 @@ package starlogo.queries
             return a.normalX * b.normalX + a.normalY * b.normalY + a.normalZ * b.normalZ > SAME;
         }
 
-        // Shortens the motion to how far it may still go on the ground plane. Returns false if it is not steep enough for a fall.
-        private function keepWithinWidest():Boolean
+        // Whether a fall goes down steeply enough. Other motions always do.
+        private function isSteepEnough():Boolean
+        {
+            return !(_fallSlope >= 0 && -motion.z < _fallSlope * Math.sqrt(motion.x * motion.x + motion.y * motion.y) * (1 - STEEPNESS_ROUNDING));
+        }
+
+        // Shortens the motion to how far it may still go on the ground plane.
+        private function shortenToWidest():void
         {
             var wide:Number = Math.sqrt(motion.x * motion.x + motion.y * motion.y);
-            if (_fallSlope >= 0 && -motion.z < _fallSlope * wide * (1 - STEEPNESS_ROUNDING))
-            {
-                return false;
-            }
             if (wide > _widest)
             {
                 var share:Number = Math.max(0, _widest / wide);
                 motion.scaleBy(share);
                 length *= share;
             }
-            return true;
         }
     }
 }

@@ -20,12 +20,6 @@ package starlogo.queries
         private var _contacts:Vector.<ContactPoint> = new Vector.<ContactPoint>();
         private var _count:int = 0;
 
-        /** The number of contacts. */
-        public function get count():int
-        {
-            return _count;
-        }
-
         /** Forgets the way and the contacts. */
         public function clear():void
         {

@@ -33,6 +33,9 @@ package starlogo.queries
         private var _entries:Vector.<Number> = new Vector.<Number>();
         private var _waiting:int = 0;
 
+        // Where on the way the box meets the box that was tested last.
+        private var _entry:Number = 0;
+
         // The slots of the current leaf whose boxes overlap the box around the way; the next of them; and their number.
         private var _slots:Vector.<int> = new Vector.<int>();
         private var _next:int = 0;
@@ -138,20 +141,17 @@ package starlogo.queries
         public function next(breeds:int, limit:Number):int
         {
             _limit = limit;
-            while (true)
+            while (_next < _end || _waiting > 0)
             {
-                while (_next < _end)
+                if (_next < _end)
                 {
                     var slot:int = _slots[_next];
                     _next++;
-                    if (!_moves || findEntry(_tree.rowBoxes, RowTree.PER_BOX * slot, _waiting))
+                    if (!_moves || findEntry(_tree.rowBoxes, RowTree.PER_BOX * slot))
                     {
                         return _tree.rows[slot];
                     }
-                }
-                if (_waiting == 0)
-                {
-                    return -1;
+                    continue;
                 }
                 _waiting--;
                 if (_nodes[_waiting] == 0)
@@ -243,8 +243,9 @@ package starlogo.queries
             var kept:int = first;
             for (var i:int = first; i < _waiting; i++)
             {
-                if (findEntry(_tree.nodeBoxes, RowTree.PER_BOX * _nodes[i], kept))
+                if (findEntry(_tree.nodeBoxes, RowTree.PER_BOX * _nodes[i]))
                 {
+                    _entries[kept] = _entry;
                     _nodes[kept] = _nodes[i];
                     kept++;
                 }
@@ -262,9 +263,9 @@ package starlogo.queries
             }
         }
 
-        // Finds where on the way the box meets another (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986). It becomes an
-        // entry of the waiting list. Returns whether it is within the limit.
-        private function findEntry(boxes:Vector.<Number>, box:int, index:int):Boolean
+        // Finds where on the way the box meets another (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986), which
+        // _entry receives. Returns whether it is within the limit.
+        private function findEntry(boxes:Vector.<Number>, box:int):Boolean
         {
             var enters:Number = 0;
             var leaves:Number = _limit;
@@ -293,7 +294,7 @@ package starlogo.queries
                     leaves = far;
                 }
             }
-            _entries[index] = enters;
+            _entry = enters;
             return enters <= leaves;
         }
     }

@@ -136,7 +136,7 @@ package starlogo.queries
             if (row >= 0 && _seen.table.shapes[row] != null)
             {
                 walk.turn = standing.carry(_seen.table.bodyOf(row).placement, walk.carry);
-                if ((walk.turn != 0 || walk.carry.length > 0) && _moves.admits(row, walk.agent, walk.options.filter))
+                if ((walk.turn != 0 || walk.carry.length > 0) && _moves.askFilter(row, walk.agent, walk.options.filter))
                 {
                     return row;
                 }
@@ -274,9 +274,10 @@ package starlogo.queries
             _mover.slide(from, _vector, _limits, out);
         }
 
-        private function goDown(from:Vector3D, depth:Number, out:MotionResult):void
+        // Goes straight up, or down if dz is less than 0, until something is in the way.
+        private function goUpright(from:Vector3D, dz:Number, out:MotionResult):void
         {
-            _vector.setTo(0, 0, -depth);
+            _vector.setTo(0, 0, dz);
             _mover.goBeforeTouch(from, _vector, out);
         }
 
@@ -284,7 +285,7 @@ package starlogo.queries
         // Returns whether it does.
         private function climb(walk:Walk, plain:Vector3D):Boolean
         {
-            goDown(walk.start, -walk.options.stepHeight, _straight);
+            goUpright(walk.start, walk.options.stepHeight, _straight);
             var height:Number = _straight.place.z - walk.start.z;
             if (height <= walk.close)
             {
@@ -300,7 +301,7 @@ package starlogo.queries
         private function findGround(walk:Walk, from:Vector3D, depth:Number):Boolean
         {
             walk.place.copyFrom(from);
-            goDown(walk.place, depth, _down);
+            goUpright(walk.place, -depth, _down);
             if (_down.row < 0 || !(findSupport(walk, _down.contact, _down.row, _down.place) || findOtherSupport(walk, _down.place)))
             {
                 return false;
@@ -336,7 +337,7 @@ package starlogo.queries
                 {
                     return false;
                 }
-                goDown(_down.place, Math.min(left, piece), _down);
+                goUpright(_down.place, -Math.min(left, piece), _down);
                 left -= _down.fraction * Math.min(left, piece);
             }
             if (_down.row < 0)

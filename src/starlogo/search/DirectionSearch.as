@@ -13,10 +13,10 @@ package starlogo.search
     internal final class DirectionSearch
     {
         /**
-         * A contact is shallow if its depth is less than this fraction of the larger extent. The search for a way out also begins with steps of
-         * this length.
+         * The search improves the direction of a contact whose depth is more than this fraction of the larger extent. The search for a way out
+         * also begins with steps of this length.
          */
-        internal static const SHALLOW:Number = 1 / 256;
+        internal static const IMPROVED_DEPTH:Number = 1 / 256;
 
         /** Another direction counts as better if its depth is less than this times the old depth. */
         internal static const GAIN:Number = 0.95;
@@ -58,9 +58,9 @@ package starlogo.search
          */
         public function findAlong(guess:ContactPoint, out:ContactPoint):void
         {
-            aim(guess);
+            _tried.setDirection(guess.normalX, guess.normalY, guess.normalZ);
             _free = guess.depth + Tolerances.SEPARATION * _pair.extent;
-            _step = SHALLOW * _pair.extent;
+            _step = IMPROVED_DEPTH * _pair.extent;
             goOut();
             refine(out);
         }
@@ -73,20 +73,18 @@ package starlogo.search
          */
         public function shorten(free:Displacement, out:ContactPoint):void
         {
-            _tried.x = free.x;
-            _tried.y = free.y;
-            _tried.z = free.z;
+            _tried.setDirection(free.x, free.y, free.z);
             _free = free.distance;
             _touching = 0;
             refine(out);
         }
 
-        // Sweeps back from the free distance. If the contact is not shallow, improves the direction. Then the point becomes the middle between the
-        // place where the two part and the matching place on the first body.
+        // Sweeps back from the free distance. If the depth is more than IMPROVED_DEPTH, improves the direction. Then the point becomes the
+        // middle between the place where the two part and the matching place on the first body.
         private function refine(out:ContactPoint):void
         {
             sweepBack(out);
-            if (out.depth > SHALLOW * _pair.extent)
+            if (out.depth > IMPROVED_DEPTH * _pair.extent)
             {
                 for (var left:int = IMPROVEMENTS; left > 0 && tryPartingNormal(out); left--)
                 {
@@ -108,16 +106,16 @@ package starlogo.search
             {
                 return false;
             }
-            aim(_parting);
+            _tried.setDirection(_parting.normalX, _parting.normalY, _parting.normalZ);
             _free = cosine * out.depth + Tolerances.SEPARATION * _pair.extent;
-            return !touchesFree();
+            return !testFree();
         }
 
         // Increases the free distance by longer and longer steps, until the two do not touch there.
         private function goOut():void
         {
             _touching = 0;
-            while (touchesFree() && _free < 1e300)
+            while (testFree() && _free < 1e300)
             {
                 _touching = _free;
                 _free += _step;
@@ -147,7 +145,7 @@ package starlogo.search
         {
             var middle:Number = (_touching + _free) / 2;
             _tried.distance = middle;
-            if (_pair.touchesAt(_tried))
+            if (_pair.testAt(_tried))
             {
                 _touching = middle;
             }
@@ -161,14 +159,14 @@ package starlogo.search
         private function makeSure(out:ContactPoint):void
         {
             var slack:Number = Tolerances.SEPARATION / 4 * _pair.extent;
-            aim(out);
+            _tried.setDirection(out.normalX, out.normalY, out.normalZ);
             _free = out.depth + slack;
             _step = slack;
             goOut();
             if (_touching == 0)
             {
                 _tried.distance = out.depth - slack;
-                if (_tried.distance <= 0 || _pair.touchesAt(_tried))
+                if (_tried.distance <= 0 || _pair.testAt(_tried))
                 {
                     return;
                 }
@@ -181,17 +179,11 @@ package starlogo.search
             out.depth = (_free + _touching) / 2;
         }
 
-        private function aim(contact:ContactPoint):void
-        {
-            _tried.x = contact.normalX;
-            _tried.y = contact.normalY;
-            _tried.z = contact.normalZ;
-        }
-
-        private function touchesFree():Boolean
+        // Tests the free distance. Returns whether the two touch there.
+        private function testFree():Boolean
         {
             _tried.distance = _free;
-            return _pair.touchesAt(_tried);
+            return _pair.testAt(_tried);
         }
     }
 }

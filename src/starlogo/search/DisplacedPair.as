@@ -7,7 +7,7 @@ package starlogo.search
 
     use namespace engine;
 
-    /** Two bodies that touch, the first one at places that are tried. Says whether they touch there. The fields are read only. */
+    /** Two bodies that touch, the first one at places that are tried. Says whether they touch there. Other classes only read the fields. */
     internal final class DisplacedPair
     {
         // How much of a cell of the ground counts as its extent. It is small because agents may be small, and not 0 because they may be points.
@@ -84,8 +84,14 @@ package starlogo.search
             first.moveTo(_place);
         }
 
+        /** Sets whether the leaves of trees are tested instead of triangles. */
+        public function testLeaves(value:Boolean):void
+        {
+            first.isOfLeaves = value;
+        }
+
         /** Displaces the first body. Returns whether it touches the second one there. */
-        public function touchesAt(displacement:Displacement):Boolean
+        public function testAt(displacement:Displacement):Boolean
         {
             displace(displacement);
             return pairTests.areTouching(first, second);

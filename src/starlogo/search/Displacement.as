@@ -7,5 +7,13 @@ package starlogo.search
         public var y:Number = 0;
         public var z:Number = 0;
         public var distance:Number = 0;
+
+        /** Sets the direction. The function is short so that V8 inlines it and allocates no objects for the Numbers. */
+        public function setDirection(x:Number, y:Number, z:Number):void
+        {
+            this.x = x;
+            this.y = y;
+            this.z = z;
+        }
     }
 }

@@ -28,12 +28,12 @@ package starlogo.search
         private var _narrowPhase:NarrowPhase;
 
         // By edge: the direction out of the world, the edge's place in this direction, and how far the body is beyond it (less than 0 if the body is
-        // before it). _nearest is the edge that the body of the last contact is furthest beyond.
+        // before it). _deepest is the edge that the body of the last contact is furthest beyond.
         private var _outwards:Vector.<Vector3D> = new <Vector3D>[new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), new Vector3D(0, -1, 0),
                 new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
         private var _places:Vector.<Number> = new Vector.<Number>(6, true);
         private var _penetration:Vector.<Number> = new Vector.<Number>(6, true);
-        private var _nearest:int = 0;
+        private var _deepest:int = 0;
 
         // Half of the body's largest extent, and the largest gap between the body and an edge that still counts as a touch.
         private var _largestHalf:Number = 0;
@@ -93,14 +93,14 @@ package starlogo.search
         {
             read(a, b, motion, true);
             var left:Number = 1 - motion.time;
-            _nearest = 0;
+            _deepest = 0;
             for (var edge:int = 0; edge < 6; edge++)
             {
                 _penetration[edge] -= left * along(edge, motion.x, motion.y, motion.z);
-                _nearest = _penetration[edge] > _penetration[_nearest] ? edge : _nearest;
+                _deepest = _penetration[edge] > _penetration[_deepest] ? edge : _deepest;
             }
             _farthest.setTo(a, _narrowPhase.treeLimits);
-            _farthest.findPoint(_outwards[_nearest], _largestHalf);
+            _farthest.findPoint(_outwards[_deepest], _largestHalf);
             out.x = _farthest.point.x - left * motion.x;
             out.y = _farthest.point.y - left * motion.y;
             out.z = _farthest.point.z - left * motion.z;
@@ -109,15 +109,15 @@ package starlogo.search
             {
                 // of two opposite edges, the one with the larger value counts
                 var one:int = _penetration[edge] >= _penetration[int(edge + 1)] ? edge : edge + 1;
-                if (_penetration[one] >= -_tolerance || one == _nearest)
+                if (_penetration[one] >= -_tolerance || one == _deepest)
                 {
                     addEdge(one, out);
                 }
             }
             _halfSpaces.solve(3, 0, _shortest);
             out.setNormal(_shortest.displacement.x / _shortest.length, _shortest.displacement.y / _shortest.length, _shortest.displacement.z / _shortest.length);
-            var deepest:Number = Math.max(0, _penetration[_nearest]);
-            out.depth = _halfSpaces.count > 1 && deepest > 0 ? _shortest.length : deepest;
+            var depth:Number = Math.max(0, _penetration[_deepest]);
+            out.depth = _halfSpaces.count > 1 && depth > 0 ? _shortest.length : depth;
         }
 
         /** @inheritDoc */
@@ -130,7 +130,7 @@ package starlogo.search
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             findOuterContact(a, b, _contact);
-            var gap:Number = -_penetration[_nearest];
+            var gap:Number = -_penetration[_deepest];
             out.aX = _contact.x + gap / 2 * _contact.normalX;
             out.aY = _contact.y + gap / 2 * _contact.normalY;
             out.aZ = _contact.z + gap / 2 * _contact.normalZ;
@@ -184,7 +184,7 @@ package starlogo.search
             }
             var least:Number = Tolerances.SEPARATION / 5 * extent;
             var by:Number = Math.max(0, _penetration[edge]);
-            by = edge == _nearest ? Math.max(by, least) : by + least;
+            by = edge == _deepest ? Math.max(by, least) : by + least;
             _halfSpaces.add(-outwards.x, -outwards.y, -outwards.z, by);
             var place:Number = _places[edge] + _penetration[edge] / 2 - along(edge, out.x, out.y, out.z);
             if (isFinite(place))

@@ -63,7 +63,7 @@ package starlogo.search
          */
         public function find(first:ContactPoint, out:ContactPoint):void
         {
-            var maxDistance:Number = Math.max(DirectionSearch.SHALLOW * _pair.extent, Math.min(first.depth, _pair.extent));
+            var maxDistance:Number = Math.max(DirectionSearch.IMPROVED_DEPTH * _pair.extent, Math.min(first.depth, _pair.extent));
             _pushOut.begin(first);
             if (_pushOut.find(Math.max(first.leastDepth / NEEDED, PushOut.ROOM * _pair.extent), out))
             {
@@ -166,11 +166,9 @@ package starlogo.search
             {
                 return;
             }
-            _tried.x = x / length;
-            _tried.y = y / length;
-            _tried.z = z / length;
+            _tried.setDirection(x / length, y / length, z / length);
             _tried.distance = length + Tolerances.SEPARATION * _pair.extent;
-            if (!_pair.touchesAt(_tried))
+            if (!_pair.testAt(_tried))
             {
                 _lift.setTo(_tried.x, _tried.y, _tried.z);
                 _liftLength = length;

@@ -71,9 +71,9 @@ package starlogo.search
         private function findGrazing(motion:RelativeMotion, out:ContactPoint):void
         {
             out.depth = 0;
-            aim(out);
+            _tried.setDirection(out.normalX, out.normalY, out.normalZ);
             _tried.distance = -Math.max(Tolerances.SEPARATION / 4 * _pair.extent, _pair.rounding);
-            if (!_pair.touchesAt(_tried))
+            if (!_pair.testAt(_tried))
             {
                 out.pointAgainst(motion);
             }
@@ -85,8 +85,8 @@ package starlogo.search
             return motion.time > 0 && (motion.x != 0 || motion.y != 0 || motion.z != 0);
         }
 
-        // Finds the shortest way out that it can. If triangles decide and the contact is not shallow, the leaves find a direction first,
-        // because their tests are fast.
+        // Finds the shortest way out that it can. If triangles decide and the depth is more than IMPROVED_DEPTH, the leaves find a direction
+        // first, because their tests are fast.
         private function findLeast(motion:RelativeMotion, out:ContactPoint):void
         {
             _first.copyFrom(out);
@@ -98,7 +98,7 @@ package starlogo.search
             }
             _pushOut.begin(_first);
             _pushOut.find(Infinity, out);
-            if (isComing(motion) && out.depth > DirectionSearch.SHALLOW * _pair.extent)
+            if (isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
             {
                 _first.pointAgainst(motion);
                 _first.depth = 0;
@@ -109,11 +109,12 @@ package starlogo.search
             {
                 return;
             }
-            _pair.first.isOfLeaves = _limits.exact && out.depth > DirectionSearch.SHALLOW * _pair.extent;
+            var areLeavesFirst:Boolean = _limits.exact && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent;
+            _pair.testLeaves(areLeavesFirst);
             tryOuter(out);
-            if (_pair.first.isOfLeaves)
+            if (areLeavesFirst)
             {
-                _pair.first.isOfLeaves = false;
+                _pair.testLeaves(false);
                 _directions.findAlong(out, out);
             }
         }
@@ -128,19 +129,12 @@ package starlogo.search
                 _directions.findAlong(_outer, out);
                 return;
             }
-            aim(_outer);
+            _tried.setDirection(_outer.normalX, _outer.normalY, _outer.normalZ);
             _tried.distance = out.depth - Tolerances.SEPARATION * _pair.extent;
-            if (_tried.distance > 0 && !_pair.touchesAt(_tried))
+            if (_tried.distance > 0 && !_pair.testAt(_tried))
             {
                 _directions.shorten(_tried, out);
             }
-        }
-
-        private function aim(contact:ContactPoint):void
-        {
-            _tried.x = contact.normalX;
-            _tried.y = contact.normalY;
-            _tried.z = contact.normalZ;
         }
     }
 }

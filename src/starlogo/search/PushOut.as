@@ -129,7 +129,7 @@ package starlogo.search
          */
         public function tryPush(out:ContactPoint):Boolean
         {
-            if (!touchesAfterPush())
+            if (!testPush())
             {
                 takePush(out);
                 return true;
@@ -164,23 +164,21 @@ package starlogo.search
         }
 
         // Puts the first body behind the current push. Returns whether the two touch there.
-        private function touchesAfterPush():Boolean
+        private function testPush():Boolean
         {
-            _tried.x = pushes.push.x / pushes.length;
-            _tried.y = pushes.push.y / pushes.length;
-            _tried.z = pushes.push.z / pushes.length;
+            _tried.setDirection(pushes.push.x / pushes.length, pushes.push.y / pushes.length, pushes.push.z / pushes.length);
             var farther:Number = pushes.length + Tolerances.SEPARATION / 4 * _pair.extent;
             if (pushes.deciding > 1)
             {
                 // beyond its end, a push out of several contacts may lead into one of them again
                 _tried.distance = pushes.length;
-                if (_pair.touchesAt(_tried))
+                if (_pair.testAt(_tried))
                 {
                     return true;
                 }
             }
             _tried.distance = farther;
-            if (_pair.touchesAt(_tried))
+            if (_pair.testAt(_tried))
             {
                 return true;
             }
@@ -189,7 +187,7 @@ package starlogo.search
                 return false;
             }
             _tried.distance = pushes.length + ROOM * _pair.extent;
-            return _pair.touchesAt(_tried);
+            return _pair.testAt(_tried);
         }
 
         // Takes the push. If the two are free before its end, the depth is refined. The first push out of the ground needs no test if its contact
@@ -203,7 +201,7 @@ package starlogo.search
                 return;
             }
             _tried.distance = pushes.length - Tolerances.SEPARATION / 4 * _pair.extent;
-            if (_tried.distance > 0 && !_pair.touchesAt(_tried))
+            if (_tried.distance > 0 && !_pair.testAt(_tried))
             {
                 _directions.shorten(_tried, out);
             }

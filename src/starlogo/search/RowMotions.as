@@ -23,7 +23,7 @@ package starlogo.search
         // By row: the motion, which is 0 if there is none; whether the agent sweeps and has a motion; and the extents of the whole motion. The
         // ground and the edges of the world do not move.
         private var _motions:Points = new Points();
-        private var _isSweeping:Vector.<Boolean> = new Vector.<Boolean>();
+        private var _isSwept:Vector.<Boolean> = new Vector.<Boolean>();
         internal var extents:Extents = new Extents();
 
         private var _narrowPhase:NarrowPhase;
@@ -59,11 +59,11 @@ package starlogo.search
          */
         public function find(table:AgentTable, levels:BinLevels, rows:Vector.<int>, count:int):void
         {
-            if (table.list.agents.length > _isSweeping.length)
+            if (table.list.agents.length > _isSwept.length)
             {
-                _isSweeping.length = table.list.agents.length;
-                _motions.grow(_isSweeping.length);
-                extents.grow(_isSweeping.length);
+                _isSwept.length = table.list.agents.length;
+                _motions.grow(_isSwept.length);
+                extents.grow(_isSwept.length);
             }
             var standing:Extents = table.extents;
             var swept:Extents = extents;
@@ -80,7 +80,7 @@ package starlogo.search
                 var motionZ:Number = hasMotion ? table.places.last.z[row] - table.places.before.z[row] : 0;
                 var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
                 var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
-                _isSweeping[row] = hasMotion && table.list.agents[row].isSweeping;
+                _isSwept[row] = hasMotion && table.list.agents[row].isSweeping;
                 _motions.x[row] = motionX;
                 _motions.y[row] = motionY;
                 _motions.z[row] = motionZ;
@@ -159,7 +159,7 @@ package starlogo.search
         // Whether one of two rows sweeps and has a motion.
         private function isSwept(a:int, b:int):Boolean
         {
-            return _isSweeping[a] || _isSweeping[b];
+            return _isSwept[a] || _isSwept[b];
         }
 
         private function hasMoved(row:int):Boolean

@@ -137,9 +137,9 @@ package starlogo.collision
                 }
                 catch (error:*)
                 {
-                    if (count == calls)
+                    if (count == calls || _contacts.isComputing)
                     {
-                        // the error does not come from a handler, so calling again would throw it again
+                        // the error does not come from a handler, so going on would throw it again
                         throw error;
                     }
                     errors.push(error is Error ? error : new Error(String(error)));
@@ -253,14 +253,15 @@ package starlogo.collision
                     continue;
                 }
                 _next = next;
-                count++;
                 var toCall:Function = handler.handler;
                 var isBack:Boolean = next > forwardCount;
                 var collider:Agent = isBack ? second : first;
                 var collidee:Agent = isBack ? first : second;
+                var contact:Contact = handler.takesContact ? _contacts.contactFor(pair, first, second, isBack) : null;
+                count++;
                 if (handler.takesContact)
                 {
-                    toCall(collider, collidee, _contacts.contactFor(pair, first, second, isBack));
+                    toCall(collider, collidee, contact);
                 }
                 else
                 {

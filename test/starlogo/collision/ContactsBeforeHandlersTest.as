@@ -1,5 +1,6 @@
 package starlogo.collision
 {
+    import flash.errors.IllegalOperationError;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
@@ -9,7 +10,9 @@ package starlogo.collision
     import starlogo.queries.AgentQueries;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
+    import support.MoodyBins;
     import support.agentAt;
+    import support.assertThrows;
     import support.landOf;
 
     use namespace engine;
@@ -139,6 +142,42 @@ package starlogo.collision
                 }
                 assertTrue(text, text.indexOf("the ground and the edges of the world have no contact") >= 0);
             }
+        }
+
+        // A handler has changed a breed, so the contact was not computed before the handlers.
+        [Test]
+        public function aLateContactThatFailsEndsTheFrame():void
+        {
+            var system:MoodyBins = new MoodyBins(null);
+            var collision:Collision = new Collision(system);
+            var stone:Agent = agentAt("sphere", 0.2, 0, 0, "stones");
+            var agents:Vector.<Agent> = new <Agent>[agentAt("sphere", 0, 0, 0, "balls"), agentAt("sphere", 0.1, 0, 0, "walls"), stone];
+            var mayFail:Boolean = true;
+            var later:int = 0;
+            collision.onCollision("balls", "walls", function(ball:Agent, wall:Agent):void
+                {
+                    system.refuses = mayFail;
+                    stone.breed = "gems";
+                });
+            collision.onCollision("balls", "stones", function(ball:Agent, other:Agent):void
+                {
+                });
+            collision.onCollision("balls", "gems", note);
+            collision.onCollision("walls", "stones", function(wall:Agent, other:Agent):void
+                {
+                });
+            collision.onCollision("walls", "gems", function(wall:Agent, gem:Agent):void
+                {
+                    later++;
+                });
+            assertThrows(Error, /no contact/, collision.update, agents);
+            assertEquals("no handler has thrown it", 0, collision.handlerErrors.length);
+            assertEquals("handlers after it", 0, _depths.length + later);
+            assertThrows(IllegalOperationError, /failed/, collision.snapshot);
+            system.refuses = mayFail = false;
+            stone.breed = "stones";
+            collision.update(agents);
+            assertEquals("handlers of the next frame", 2, _depths.length + later);
         }
 
         [Test]

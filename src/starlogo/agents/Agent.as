@@ -78,7 +78,10 @@ package starlogo.agents
          */
         engine var placement:Placement = new Placement();
 
-        /** @private Counts changes of all that a search reads: what <code>extentsRevision</code> counts, the place, the breed, and whether the agent sweeps. */
+        /**
+         * @private Counts changes of all that a search reads: what <code>extentsRevision</code> counts, the place, the breed, and whether the
+         * agent sweeps.
+         */
         engine var revision:int = 0;
 
         /** @private The revision that the last jump made. The agent has no motion up to this revision. */

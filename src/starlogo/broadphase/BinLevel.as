@@ -35,8 +35,8 @@ package starlogo.broadphase
         internal var count:int;
         internal var base:int;
 
-        // The number of a cell is its line times stride plus its column. Only the bits in the mask count. It is NO_CELLS if the lists of cells have no cells
-        // of the level.
+        // The number of a cell is its line times stride plus its column. Only the bits in the mask count. It is NO_CELLS if the lists of
+        // cells have no cells of the level.
         internal var mask:int = NO_CELLS;
         internal var stride:int;
 

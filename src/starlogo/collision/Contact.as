@@ -15,8 +15,8 @@ package starlogo.collision
      * farther away than about a million times the extent, the rounding of the coordinates is coarser than that, and takes the place of
      * 1e-9.</p>
      *
-     * <p>For spheres, capsules, boxes and hulls the normal is the shortest way out. For hierarchies and triangles it is a short way. If they overlap by
-     * less than 1/256 of the larger extent, it is the normal of the first two nodes or triangles that touch. Otherwise the engine improves this
+     * <p>For spheres, capsules, boxes and hulls the normal is the shortest way out. For hierarchies and triangles it is a short way. If they
+     * overlap by less than 1/256 of the larger extent, it is the normal of the first two nodes or triangles that touch. Otherwise the engine improves this
      * normal: it also tries the shortest way out of the structures around both, and the surfaces at the ends of these ways. The way ends at the
      * first free place, which may be a hollow. This takes the time of 30 to 135 tests of whether the two touch.</p>
      *

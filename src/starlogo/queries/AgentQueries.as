@@ -34,9 +34,9 @@ package starlogo.queries
      * <p>An agent's breed, and everything that a filter's <code>accepts</code> reads, is read during the question.</p>
      *
      * <p>An update takes a few tenths of a microsecond per agent. The first question after it builds a tree of the places, or of the extents.
-     * The time of a question grows with the logarithm of the number of agents, and with the length of its answer. Questions
-     * skip agents of breeds that do not count. The tree learns the breeds after questions have tested about as many such agents as it has, and
-     * learns them anew after an agent has got another breed.</p>
+     * The time of a question grows with the logarithm of the number of agents, and with the length of its answer. Questions skip
+     * agents of breeds that do not count. The tree learns the breeds after questions have tested about as many such agents as it has, and learns
+     * them anew after an agent has got another breed.</p>
      *
      * <p>A page that asks only some of the questions, and wants to load no more than these, takes SeenAgents with AgentPlaces, AgentRays or
      * AgentWalks in place of this class. Their answers are the same.</p>

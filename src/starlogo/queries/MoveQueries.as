@@ -208,8 +208,8 @@ package starlogo.queries
             return hits;
         }
 
-        // Reads the body of an agent that is cast. A sphere, box, capsule or hull becomes the body of a structure, so that an agent and the same structure
-        // meet the same, to the last bit.
+        // Reads the body of an agent that is cast. A sphere, box, capsule or hull becomes the body of a structure, so that an agent and the same
+        // structure meet the same, to the last bit.
         private function readCast(agent:Agent, out:Body):void
         {
             _seen.placeOf(agent);

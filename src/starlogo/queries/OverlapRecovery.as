@@ -115,7 +115,7 @@ package starlogo.queries
                     {
                         continue;
                     }
-                    var isIn:Boolean = lift == null ? isTouching(row, place, _touching) : isCoreTouching(row, place, _touching);
+                    var isIn:Boolean = lift == null ? findTouch(row, place, _touching) : findCoreTouch(row, place, _touching);
                     if (!isIn)
                     {
                         continue;
@@ -170,16 +170,16 @@ package starlogo.queries
             return _contact.normalX * _last.normalX + _contact.normalY * _last.normalY + _contact.normalZ * _last.normalZ < OPPOSITE;
         }
 
-        // Whether the core touches a row at a place, which is then the touching place.
-        private function isCoreTouching(row:int, place:Vector3D, touching:Vector3D):Boolean
+        // Sets the touching place to a place. Returns whether the core touches a row there.
+        private function findCoreTouch(row:int, place:Vector3D, touching:Vector3D):Boolean
         {
             touching.copyFrom(place);
             return _body.coreTouches(row, place);
         }
 
-        // Whether the body touches a row at a place, or is flat and touches it half of a clearance beside the place, along an axis. The
-        // touching place is that place.
-        private function isTouching(row:int, place:Vector3D, touching:Vector3D):Boolean
+        // Finds where the body touches a row: at a place, or, if it is flat, half of a clearance beside the place along an axis. Returns whether
+        // there is such a touching place.
+        private function findTouch(row:int, place:Vector3D, touching:Vector3D):Boolean
         {
             touching.copyFrom(place);
             if (_body.touches(row, place))

@@ -9,7 +9,7 @@ package starlogo.ground
 
     /**
      * Decides about most agents, in a tenth of the time of a full test, whether they touch the ground. It decides about agents whose middle is in
-     * the ground, about spheres that reach into the ground under or beside their middle, and about agents that are higher above the ground than
+     * the ground, if it is in the agent too, about spheres that reach into the ground under or beside their middle, and about agents that are higher above the ground than
      * the steepest slope near them allows.
      *
      * @private
@@ -47,8 +47,8 @@ package starlogo.ground
         }
 
         /**
-         * Decides about an agent. Nothing is known about trees, and about agents whose middle is outside of the
-         * terrain or over a hole.
+         * Decides about an agent. Nothing is known about trees, about hulls whose extents have their middle in the ground, and about agents whose middle
+         * is outside of the terrain or over a hole.
          *
          * @param extents of agents, by row
          * @param form the form of the agent
@@ -70,7 +70,8 @@ package starlogo.ground
             }
             if (above <= inner)
             {
-                return TOUCHING;
+                // the middle of a hull's extents may be outside of the hull
+                return form == BoundingStructure.HULL ? UNKNOWN : TOUCHING;
             }
             var height:Number = isSphere ? inner + inner * _slope * _slope : extents.halfZ[row] + _slope * (extents.halfX[row] + extents.halfY[row]);
             if (above > height * Tolerances.OUTER + _tolerance || isFar(extents, row, isSphere, above))

@@ -320,7 +320,7 @@ package starlogo.ground
         }
 
         /** Computes the bounds of all squares to which a range of heights belongs. */
-        public function findBounds(first:int, firstRow:int, last:int, lastRow:int):void
+        public function updateBounds(first:int, firstRow:int, last:int, lastRow:int):void
         {
             revision++;
             for (var level:int = 1; level <= levels; level++)

@@ -192,7 +192,7 @@ package starlogo.terrain
             {
                 grid.heights[int((row + int(i / columns)) * grid.columns + column + i % columns)] = heights[i];
             }
-            grid.findBounds(column, row, column + columns - 1, row + rows - 1);
+            grid.updateBounds(column, row, column + columns - 1, row + rows - 1);
         }
 
         /**
@@ -208,7 +208,7 @@ package starlogo.terrain
             {
                 grid.beginChange();
                 grid.setHole(row * grid.columns + column, isHole);
-                grid.findBounds(column, row, column, row);
+                grid.updateBounds(column, row, column, row);
             }
         }
 

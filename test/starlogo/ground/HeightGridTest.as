@@ -52,7 +52,7 @@ package starlogo.ground
             {
                 grid.heights[i] = _random.between(0, high);
             }
-            grid.findBounds(0, 0, SIDE - 1, SIDE - 1);
+            grid.updateBounds(0, 0, SIDE - 1, SIDE - 1);
             return grid;
         }
     }

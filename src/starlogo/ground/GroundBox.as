@@ -31,7 +31,7 @@ package starlogo.ground
         /** The structure that is tested, if it is in the box; null for none. Squares that it clearly does not come near are left out. */
         public var structure:BoundingStructure = null;
 
-        /** The height down to which walls reach at the ground's borders and around holes; -Infinity: below the box. */
+        /** The height, relative to the origin, down to which walls reach at the ground's borders and around holes. -Infinity: to below the box. */
         public var floor:Number = -Infinity;
 
         /** A limit: the latest time that counts, as a multiple of the motion. The triangles that are still found do not depend on it. */

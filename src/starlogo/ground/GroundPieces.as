@@ -165,7 +165,7 @@ package starlogo.ground
             {
                 return false;
             }
-            piece.shape.margin = _pieceMargin + triangles.tolerance;
+            piece.shape.margin = _pieceMargin + triangles.margin;
             piece.setTriangle(triangles.corners, 0);
             return true;
         }

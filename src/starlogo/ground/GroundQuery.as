@@ -1,5 +1,6 @@
 package starlogo.ground
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
@@ -7,6 +8,7 @@ package starlogo.ground
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Touching;
     import starlogo.intersection.TriangleKernel;
     import starlogo.solid.ModelTree;
 
@@ -29,7 +31,7 @@ package starlogo.ground
         // Two exits have nearly the same direction if the cosine of their angle is larger.
         private static const SAME_EXIT:Number = 0.98;
 
-        // The triangle of a contact counts as behind a plane if it is in front of it by at most this many of the plane's tolerances, which are rounding.
+        // The triangle of a contact counts as behind a plane if it is in front of it by at most this many margins of the plane's triangle, which are rounding.
         private static const IN_FRONT:Number = 10;
 
         // The most exits that are found.
@@ -50,9 +52,12 @@ package starlogo.ground
         // The contact with the last triangle that was tried.
         private var _tried:ContactPoint = new ContactPoint();
 
-        // The triangle of the ground that the last contact was with, and whether it was with one.
+        // The triangle of the ground that the model was deepest in at the last contact, and whether there was one: a first touch may be at an edge of
+        // several. The triangle is relative to where the model stood, and the model has come from there by a vector.
         private var _touched:Vector.<Number> = new Vector.<Number>(9, true);
         private var _hasTouched:Boolean = false;
+        private var _touchedFrom:Vector3D = new Vector3D();
+        private var _come:Vector3D = new Vector3D();
 
         // The motion of the search for the first touch; bounds of the ground's heights; and the search for the closest points.
         private var _sweep:RelativeMotion = new RelativeMotion();
@@ -111,7 +116,6 @@ package starlogo.ground
          */
         public function findFirst(motion:RelativeMotion, out:ContactPoint):void
         {
-            _hasTouched = false;
             var touching:Number = 0;
             if (!overlapsAt(motion, 0))
             {
@@ -134,10 +138,12 @@ package starlogo.ground
          * Finds when the model first touches the surface as it moves, and how.
          *
          * @param motion of the model; takes the time, from 0 to 1, or RelativeMotion.NEVER
-         * @param out receives the contact, with a normal that points out of the ground; null if only the time is needed
+         * @param out receives the contact, with a normal that points out of the ground; null if only the time is needed. Then the last contact stays
+         *     the one that <code>findExits()</code> goes by
          */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
+            _hasTouched &&= out == null;
             var first:Number = RelativeMotion.NEVER;
             _sweep.x = motion.x;
             _sweep.y = motion.y;
@@ -190,12 +196,12 @@ package starlogo.ground
                 }
             }
             _pieces.placeAt(motion, time);
-            findDeepest(out, false);
+            findDeepestPoint(out);
             // a point of the model is that deep behind a triangle
             var isSure:Boolean = _hasTouched;
             if (!_hasTouched)
             {
-                findDeepest(out, true);
+                findDeepestOverlap(out);
             }
             if (_hasTouched)
             {
@@ -210,8 +216,8 @@ package starlogo.ground
 
         /**
          * Finds the planes of triangles that the standing structure around the model is behind: of planes with nearly the same direction, the one
-         * that it is least behind. If the last contact of the two was with a triangle of the ground, only planes that this triangle is not in
-         * front of count. So <code>findFirst()</code> or <code>findContact()</code> of the same two comes before.
+         * that it is least behind. The last contact has to be of the same two. If the model was deepest in a triangle of the ground then, and
+         * did not first touch it, only planes that this triangle is not in front of count.
          *
          * @param maxDistance how far away triangles may be
          * @param exits receives the contacts that lead out of the planes
@@ -225,7 +231,7 @@ package starlogo.ground
             while (_pieces.nextTriangle())
             {
                 _piece.findBehind(RelativeMotion.NONE, _tried);
-                if (_tried.depth >= -_triangles.tolerance && (!_hasTouched || _piece.isBehindPlane(_touched, IN_FRONT * _triangles.tolerance)))
+                if (_tried.depth >= -_triangles.margin && (!_hasTouched || isTouchedBehind()))
                 {
                     count = addExit(exits, count);
                 }
@@ -262,9 +268,9 @@ package starlogo.ground
             _distance.find(_grid, _hasTree, areTouching, out);
         }
 
-        // Finds the contact with the triangle that the model is deepest behind. It is of a piece whose deepest point is known to be about as deep in
-        // the ground, or of a piece that overlaps a triangle.
-        private function findDeepest(out:ContactPoint, overlaps:Boolean):void
+        // Finds the contact with the triangle that the model is deepest behind, of those that the deepest point of a piece is behind. Only depths
+        // count that are known to be about as deep in the ground.
+        private function findDeepestPoint(out:ContactPoint):void
         {
             var deepest:Number = 0;
             _pieces.begin(RelativeMotion.NONE, 0);
@@ -272,27 +278,47 @@ package starlogo.ground
             {
                 while (_pieces.nextTriangle())
                 {
-                    var isUnder:Boolean = _piece.findBehind(RelativeMotion.NONE, _tried);
-                    if (deepest > 0 && _tried.depth < deepest + _triangles.tolerance)
+                    var isFootInside:Boolean = _piece.findBehind(RelativeMotion.NONE, _tried);
+                    if (isFootInside && isClearlyDeeper(deepest) && isNeeded(_tried) && isDeeperThan(deepest))
                     {
-                        continue;
-                    }
-                    var isDecided:Boolean = overlaps ? findOverlap() : isUnder && isNeeded(_tried);
-                    if (isDecided && (_tried.depth > deepest || _tried.depth == deepest && !_hasTouched))
-                    {
-                        deepest = _tried.depth;
-                        if (overlaps)
-                        {
-                            _piece.leadOutside(RelativeMotion.NONE, _tried);
-                        }
-                        else
-                        {
-                            _box.above = deepest;
-                        }
+                        deepest = _box.above = _tried.depth;
                         keep(_tried, out);
                     }
                 }
             }
+        }
+
+        // Finds the contact with the triangle that the model overlaps most.
+        private function findDeepestOverlap(out:ContactPoint):void
+        {
+            var deepest:Number = 0;
+            _pieces.begin(RelativeMotion.NONE, 0);
+            while (_pieces.nextPiece())
+            {
+                while (_pieces.nextTriangle())
+                {
+                    // no overlap is deeper than the piece is behind the plane
+                    _piece.findBehind(RelativeMotion.NONE, _tried);
+                    if (isClearlyDeeper(deepest) && findOverlap() && isDeeperThan(deepest))
+                    {
+                        deepest = _tried.depth;
+                        _piece.leadOutside(RelativeMotion.NONE, _tried);
+                        keep(_tried, out);
+                    }
+                }
+            }
+        }
+
+        // Whether the last contact is deeper than the deepest one so far by more than rounding. NaN counts as deeper.
+        private function isClearlyDeeper(deepest:Number):Boolean
+        {
+            return !(deepest > 0 && _tried.depth < deepest + _triangles.margin);
+        }
+
+        // Whether the last contact is deeper than the deepest one so far, or the first one.
+        private function isDeeperThan(deepest:Number):Boolean
+        {
+            return _tried.depth > deepest || _tried.depth == deepest && !_hasTouched;
         }
 
         // Finds when the moving piece touches the triangle, until the latest time.
@@ -306,7 +332,7 @@ package starlogo.ground
             }
         }
 
-        // Finds the contact of the piece and the triangle along its own normal. Returns false if they are apart.
+        // Finds the contact of the piece and the triangle, along the shortest way apart. Returns false if they do not touch.
         private function findOverlap():Boolean
         {
             if (!_piece.areTouching())
@@ -326,6 +352,16 @@ package starlogo.ground
                 _touched[i] = _triangles.corners[i];
             }
             _hasTouched = true;
+            _touchedFrom.setTo(_box.origin.x, _box.origin.y, _box.origin.z);
+        }
+
+        // Whether the triangle of the last contact is not in front of the plane of the last exit.
+        private function isTouchedBehind():Boolean
+        {
+            var origin:Placement = _box.origin;
+            _come.setTo(origin.x - _touchedFrom.x, origin.y - _touchedFrom.y, origin.z - _touchedFrom.z);
+            var rounding:Number = _come.lengthSquared > 0 ? 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z) : 0;
+            return _piece.isBehindPlane(_touched, IN_FRONT * _triangles.margin + rounding + _tried.along(_come));
         }
 
         // Adds the last contact to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.

@@ -36,8 +36,8 @@ package starlogo.ground
         /** The corners of the triangle, nine numbers; counter-clockwise as seen from outside of the ground. Read only. */
         public var corners:Vector.<Number> = new Vector.<Number>(9, true);
 
-        /** The largest distance at which the triangle and another shape still touch. It depends on the size of the triangle. Read only. */
-        public var tolerance:Number = 0;
+        /** The margin of the triangle (see Touching), which depends on its size. Read only. */
+        public var margin:Number = 0;
 
         private var _grid:HeightGrid;
         private var _box:GroundBox;
@@ -310,7 +310,7 @@ package starlogo.ground
             }
             var low:Number = Math.min(corners[2], Math.min(corners[5], corners[8]));
             var high:Number = Math.max(corners[2], Math.max(corners[5], corners[8]));
-            tolerance = Touching.marginOfSurface(_width + high - low);
+            margin = Touching.marginOfSurface(_width + high - low);
             return _low <= high && _high >= low;
         }
 

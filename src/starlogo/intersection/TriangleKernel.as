@@ -140,7 +140,7 @@ package starlogo.intersection
          * @param motion of the shape; the shape is where it is at the motion's time
          * @param out receives the depth, the triangle's normal, and the middle of the overlap at the shape's deepest point. All are NaN if the triangle
          *     has no area
-         * @return whether this point is behind the triangle itself
+         * @return whether the point of the plane that is nearest to the deepest point is in the triangle
          */
         public function findBehind(motion:RelativeMotion, out:ContactPoint):Boolean
         {

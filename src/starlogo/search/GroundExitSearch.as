@@ -156,7 +156,7 @@ package starlogo.search
             _offset.z = 0;
             _pair.displaceBy(_offset);
             _down.endAfter(0, 0, -high);
-            _pair.pairTests.findImpact(_pair.first, _pair.second, _down, _below);
+            _pair.pairTests.findImpact(_pair.first, _pair.second, _down, null);
             var z:Number = high * (1 - Math.min(_down.time, 1));
             // halfway between the place of the push and the one farther
             x *= (1 + farther) / (2 * farther);

@@ -1,0 +1,170 @@
+package starlogo.ground
+{
+    import evaluation.pairs.RandomStructures;
+    import evaluation.pairs.SeededRandom;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.terrain.Terrain;
+    import support.Complaints;
+    import support.Effort;
+    import support.RandomGround;
+
+    use namespace engine;
+
+    /** What a query of the ground keeps of the last contact: the exits depend on it and on nothing else. */
+    public class GroundQueryTest
+    {
+        private static const KINDS:Array = ["rough", "steps", "hills"];
+
+        private var _random:SeededRandom = new SeededRandom(2139);
+        private var _structures:RandomStructures = new RandomStructures(_random);
+        private var _wrong:Complaints = new Complaints();
+        private var _query:GroundQuery = new GroundQuery();
+        private var _out:ContactPoint = new ContactPoint();
+        private var _exits:Vector.<ContactPoint> = new Vector.<ContactPoint>();
+
+        // The ground, and a structure that overlaps it.
+        private var _terrain:Terrain;
+        private var _structure:BoundingStructure;
+        private var _placement:Placement = new Placement();
+        private var _maxDistance:Number = 0;
+
+        // The query is shared by all bodies, so an impact must not leave the triangle of another body's contact.
+        [Test]
+        public function exitsAfterAnImpactAreNotThoseOfAnotherBodysContact():void
+        {
+            var other:GroundQuery = new GroundQuery();
+            var met:int = 0;
+            for (var i:int = 0; met < Effort.choose(100, 2000, 30); i++)
+            {
+                makeOverlap(i);
+                var down:RelativeMotion = new RelativeMotion();
+                down.endAfter(0, 0, -40 * _maxDistance);
+                setTo(other, 0, 0, 0);
+                if (other.overlapsAt(down, 0))
+                {
+                    continue;
+                }
+                other.findImpact(down, _out);
+                var expected:String = exitsOf(other);
+                // the contact of another body in the same ground
+                setTo(_query, 0.3 * _maxDistance, 0.2 * _maxDistance, -0.5 * _maxDistance);
+                _query.findContact(RelativeMotion.NONE, _out);
+                setTo(_query, 0, 0, 0);
+                _query.findImpact(down, _out);
+                met += expected == "" ? 0 : 1;
+                compare(i, expected, exitsOf(_query));
+            }
+            _wrong.assertNone();
+        }
+
+        // A time alone is no contact.
+        [Test]
+        public function theTimeOfAnImpactLeavesTheLastContact():void
+        {
+            for (var i:int = 0; i < Effort.choose(200, 4000, 60); i++)
+            {
+                makeOverlap(i);
+                setTo(_query, 0, 0, 0);
+                _query.findContact(RelativeMotion.NONE, _out);
+                var expected:String = exitsOf(_query);
+                var down:RelativeMotion = new RelativeMotion();
+                down.endAfter(0, 0, -40 * _maxDistance);
+                _query.findImpact(down, null);
+                compare(i, expected, exitsOf(_query));
+            }
+            _wrong.assertNone();
+        }
+
+        // The contact of a moving body that overlaps from the beginning on is relative to the end of its motion, and its exits are those where it was.
+        [Test]
+        public function exitsWhereAMotionBeganAreThoseOfABodyThatStandsThere():void
+        {
+            var filtered:int = 0;
+            for (var i:int = 0; filtered < Effort.choose(100, 2000, 30); i++)
+            {
+                makeOverlap(i);
+                var motion:RelativeMotion = new RelativeMotion(0);
+                motion.endAfter(_random.between(-3, 3) * _maxDistance, _random.between(-3, 3) * _maxDistance, _random.between(-3, 3) * _maxDistance);
+                setTo(_query, motion.x, motion.y, motion.z);
+                _query.findImpact(motion, null);
+                if (motion.time == 0)
+                {
+                    // it touches the surface, so its contact is that of a first touch
+                    continue;
+                }
+                motion.time = 0;
+                _query.findContact(motion, _out);
+                var contact:String = textOf(_out);
+                var found:String = exitsOf(_query);
+                setTo(_query, 0, 0, 0);
+                _query.findContact(RelativeMotion.NONE, _out);
+                if (textOf(_out) != contact)
+                {
+                    // rounding decides whether a depth that ends at the border of a column is needed
+                    continue;
+                }
+                var expected:String = exitsOf(_query);
+                filtered += expected != exitsOf(new GroundQuery()) ? 1 : 0;
+                compare(i, expected, found);
+            }
+            _wrong.assertNone();
+        }
+
+        private function makeOverlap(i:int):void
+        {
+            do
+            {
+                _terrain = RandomGround.make(KINDS[i % KINDS.length], _random);
+                _maxDistance = _terrain.cellWidth * _random.logBetween(0.3, 2);
+                _structure = _structures.ofKind(i % 4, _maxDistance, 0);
+                _placement.x = _terrain.x + _random.between(0.2, 0.8) * _terrain.columns * _terrain.cellWidth;
+                _placement.y = _terrain.y + _random.between(0.2, 0.8) * _terrain.rows * _terrain.cellWidth;
+                _placement.z = _terrain.heightAt(_placement.x, _placement.y) + _random.between(-1.5, 0.5) * _maxDistance;
+                setTo(_query, 0, 0, 0);
+            }
+            while (!_query.overlapsAt(RelativeMotion.NONE, 0));
+        }
+
+        private function setTo(query:GroundQuery, x:Number, y:Number, z:Number):void
+        {
+            var placement:Placement = new Placement();
+            placement.copyFrom(_placement);
+            placement.x += x;
+            placement.y += y;
+            placement.z += z;
+            query.setTo(_terrain.grid, null, _structure, placement, 1, false);
+        }
+
+        private function exitsOf(query:GroundQuery):String
+        {
+            setTo(query, 0, 0, 0);
+            var count:int = query.findExits(_maxDistance, _exits);
+            var texts:Array = [];
+            for (var k:int = 0; k < count; k++)
+            {
+                texts.push(textOf(_exits[k]));
+            }
+            return texts.sort().join("; ");
+        }
+
+        private static function textOf(contact:ContactPoint):String
+        {
+            var digits:Array = [];
+            for each (var number:Number in [contact.normalX, contact.normalY, contact.normalZ, contact.depth])
+            {
+                // 0 and -0 are one
+                digits.push(Math.round(1e6 * number) / 1e6 + 0);
+            }
+            return digits.join(" ");
+        }
+
+        private function compare(i:int, expected:String, found:String):void
+        {
+            _wrong.addIf(found != expected, KINDS[i % KINDS.length], i + ", " + _structure + ": " + found + " instead of " + expected);
+        }
+    }
+}

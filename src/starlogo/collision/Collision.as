@@ -352,6 +352,7 @@ package starlogo.collision
          *     Collision. If the snapshot is without traits, the game has put the agents' traits back
          * @throws ArgumentError if one is null, if the bytes are no snapshot of these agents, or if <code>update()</code> would refuse the list;
          *     nothing has changed then
+         * @throws RangeError if a structure is out of the world; nothing has changed then
          * @throws IllegalOperationError as in snapshot
          */
         public function restore(bytes:ByteArray, agents:Vector.<Agent>):void

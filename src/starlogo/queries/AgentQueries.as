@@ -98,6 +98,7 @@ package starlogo.queries
          * @param agents the list. You may change it afterwards; questions do not see the change
          * @throws ArgumentError if the list or an agent is null, if an agent is listed twice, if a model is unknown or lacks data that the
          *     collision system needs, or if a Collision's system is not one of the engine's. Questions are then still about the old agents
+         * @throws RangeError if a structure is out of the world. Questions are then still about the old agents
          * @throws flash.errors.IllegalOperationError if called from a filter's <code>accepts</code>
          */
         public function update(agents:Vector.<Agent>):void
@@ -111,6 +112,7 @@ package starlogo.queries
          * @param agent an agent of the last update's list
          * @throws ArgumentError if it is null or not in that list, or if its model is unknown or lacks data that the collision system needs.
          *     Questions then see it as before
+         * @throws RangeError if its structure is out of the world. Questions then see it as before
          * @throws flash.errors.IllegalOperationError if called from a filter's <code>accepts</code>
          */
         public function refresh(agent:Agent):void

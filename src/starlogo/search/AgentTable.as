@@ -80,6 +80,7 @@ package starlogo.search
          *
          * @throws ArgumentError if an agent is null or listed twice, or its model is unknown or lacks data that is needed. The positions and
          *     motions of the last search are then unchanged
+         * @throws RangeError if a structure is out of the world; the same holds then
          */
         public function read(agents:Vector.<Agent>):void
         {
@@ -109,6 +110,7 @@ package starlogo.search
          * next search reads them again.
          *
          * @throws ArgumentError if its model is unknown or lacks data that is needed. The row is then unchanged
+         * @throws RangeError if its structure is out of the world. The row is then unchanged
          */
         public function readRow(row:int):void
         {

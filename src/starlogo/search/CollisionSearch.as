@@ -55,7 +55,7 @@ package starlogo.search
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
             _narrowPhase = narrowPhase;
-            _shapes = new ModelShapes(narrowPhase.choice);
+            _shapes = new ModelShapes(narrowPhase.choice, narrowPhase);
             table = new AgentTable(_shapes, _bins.levels);
             _motions = new RowMotions(narrowPhase);
             _candidates = new CandidateFilter(table, narrowPhase, _motions, _conditions);
@@ -78,6 +78,7 @@ package starlogo.search
          * @param out takes the pairs
          * @param counts takes the counts of this search
          * @throws ArgumentError as CollisionSystem.findCollisions does
+         * @throws RangeError as CollisionSystem.findCollisions does
          */
         public function find(input:FrameInput, mayKeep:Boolean, out:FoundPairs, counts:SearchCounts):void
         {

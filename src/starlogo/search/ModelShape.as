@@ -70,9 +70,11 @@ package starlogo.search
          * Uses a structure as the model's shape.
          *
          * @param structure a Sphere, Capsule, Box or Hull in the model's space. Do not change it afterwards
+         * @throws ArgumentError if it is null, or another structure. The shape is then unchanged
          */
         public function setStructure(structure:BoundingStructure):void
         {
+            Body.requireStructure(structure);
             this.structure = structure;
             form = structure.kind;
         }

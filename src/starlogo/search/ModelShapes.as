@@ -23,6 +23,7 @@ package starlogo.search
         public var areSpheres:Boolean = true;
 
         private var _choice:AgentShapes;
+        private var _narrowPhase:NarrowPhase;
         private var _greatLand:GreatLand;
         private var _revision:int = -1;
 
@@ -38,10 +39,14 @@ package starlogo.search
         // The shapes of the ground and of the edges that were needed last.
         private var _ofWorldAgents:Vector.<ModelShape> = new <ModelShape>[null, null];
 
-        /** @param choice chooses the shapes */
-        public function ModelShapes(choice:AgentShapes)
+        /**
+         * @param choice chooses the shapes
+         * @param narrowPhase tests pairs of the shapes, and must have the tests that they need; null if the tests come with questions
+         */
+        public function ModelShapes(choice:AgentShapes, narrowPhase:NarrowPhase = null)
         {
             _choice = choice;
+            _narrowPhase = narrowPhase;
             _greatLand = choice.greatLand;
         }
 
@@ -49,7 +54,8 @@ package starlogo.search
          * The shape of an agent's model.
          *
          * @return null while the model is loading
-         * @throws ArgumentError if the model is unknown or lacks data that is needed
+         * @throws ArgumentError if the model is unknown or lacks data that is needed, if the choice gives it no shape, or if the collider lacks
+         *     the tests of the shape
          * @throws RangeError if its structure is not in the world
          */
         public function shapeOf(agent:Agent):ModelShape
@@ -95,7 +101,15 @@ package starlogo.search
             var shape:ModelShape = new ModelShape(agent.shape, kind, _greatLand == null ? 0 : _greatLand.revisionOf(agent.shape));
             shape.source = _greatLand == null ? null : _greatLand.modelOf(agent.shape);
             _choice.bind(shape, agent);
+            if (shape.form < 0)
+            {
+                throw new ArgumentError(agent + ": its model has no shape, because bind() of the shape choice has not called setStructure()");
+            }
             requireExtents(shape, agent);
+            if (_narrowPhase != null)
+            {
+                _narrowPhase.requireTests(shape.form);
+            }
             areSpheres = areSpheres && shape.form == BoundingStructure.SPHERE;
             shape.next = _ofModels[PREFIX + shape.model];
             _ofModels[PREFIX + shape.model] = shape;
@@ -113,7 +127,7 @@ package starlogo.search
 
         private function shapeOfWorldAgent(worldAgent:WorldAgent):ModelShape
         {
-            var row:int = worldAgent.grid != null ? ListedAgents.GROUND : ListedAgents.EDGES;
+            var row:int = worldAgent.breedNumber;
             var shape:ModelShape = _ofWorldAgents[row];
             if (shape == null || shape.worldAgent !== worldAgent)
             {
@@ -125,10 +139,16 @@ package starlogo.search
         /**
          * Makes a shape for the ground or the edges of the world. Its structure gives the scale for tolerances: as wide as a cell, or a point. A
          * table's row has a shape of its own, because it may be held (HeldWorld).
+         *
+         * @throws ArgumentError if the heights or the edges are not known, because the agent comes from a snapshot of another Collision
          */
         public static function newShapeOfWorldAgent(worldAgent:WorldAgent):ModelShape
         {
-            var isGround:Boolean = worldAgent.grid != null;
+            var isGround:Boolean = worldAgent.isGround;
+            if (isGround ? worldAgent.grid == null : worldAgent.edges == null)
+            {
+                throw new ArgumentError("the place of " + worldAgent + " is not known: it was exchanged before another Collision wrote the snapshot");
+            }
             var shape:ModelShape = new ModelShape(worldAgent.shape, Agent.ANY_KIND, 0);
             shape.structure = new Sphere(new Vector3D(), isGround ? worldAgent.grid.cellWidth / 2 : 0);
             shape.form = isGround ? ModelShape.GROUND : ModelShape.EDGES;

@@ -45,6 +45,20 @@ package starlogo.search
         }
 
         /**
+         * Requires the tests of pairs with a form.
+         *
+         * @throws ArgumentError if the collider has not brought them
+         */
+        public function requireTests(form:int):void
+        {
+            if (form != BoundingStructure.SPHERE && structures == null || form == ModelShape.TREE && trees == null)
+            {
+                throw new ArgumentError("a Collider of " + choice + " has no tests of these shapes: use a TightestFitCollider, "
+                        + "HierarchicalCollider or CombinationCollider, or extend ShapeChoice");
+            }
+        }
+
+        /**
          * Keeps the candidates that touch a row, and moves them to the beginning of the list.
          *
          * @param slack how far apart the extents of touching rows may be

@@ -45,6 +45,12 @@ package starlogo.search
             return -sCreated;
         }
 
+        /** Whether it stands for the ground. */
+        public function get isGround():Boolean
+        {
+            return breedNumber == ListedAgents.GROUND;
+        }
+
         /** Creates the tests of pairs with what it stands for. */
         public function newTests(narrowPhase:NarrowPhase):PairTests
         {

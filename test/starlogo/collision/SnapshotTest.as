@@ -12,9 +12,12 @@ package starlogo.collision
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.AgentQueries;
+    import starlogo.terrain.Terrain;
+    import starlogo.terrain.WorldBounds;
     import support.EachCollider;
     import support.MoodyBins;
     import support.OwnVectorSystem;
+    import support.agentAt;
     import support.assertThrows;
     import support.landOf;
 
@@ -244,6 +247,53 @@ package starlogo.collision
             collision.update(agents);
             collision.restore(all[299], agents);
             collision.restore(all[0], turned);
+        }
+
+        [Test]
+        public function whereAFormerGroundWasIsKnownOnlyToTheCollisionThatWroteIt():void
+        {
+            for each (var breed:String in [Collision.TERRAIN, Collision.EDGE])
+            {
+                var agents:Vector.<Agent> = new <Agent>[agentAt("sphere", 0, 0, -0.1, "balls")];
+                var answers:Array = [];
+                var writer:Collision = worldWith(breed, answers);
+                writer.update(agents);
+                exchangeWorld(writer);
+                var bytes:ByteArray = writer.snapshot();
+                for each (var reader:Collision in [writer, worldWith(breed, answers)])
+                {
+                    reader.restore(bytes, agents);
+                    reader.update(agents);
+                }
+                assertEquals(2, answers.length);
+                assertEquals("true", answers[0]);
+                assertTrue(answers[1], /is not known: it was exchanged/.test(answers[1]));
+            }
+        }
+
+        // Handlers for ends ask about the ground or the edges that were touched.
+        private static function worldWith(breed:String, answers:Array):Collision
+        {
+            var collision:Collision = new Collision(new BinCollider());
+            exchangeWorld(collision);
+            collision.onCollisionEnd("balls", breed, function(ball:Agent, former:Agent):void
+                {
+                    try
+                    {
+                        answers.push(String(collision.collisionSystem.areColliding(ball, former)));
+                    }
+                    catch (error:ArgumentError)
+                    {
+                        answers.push(error.message);
+                    }
+                });
+            return collision;
+        }
+
+        private static function exchangeWorld(collision:Collision):void
+        {
+            collision.terrain = new Terrain(11, 11, 1, -5, -5);
+            collision.bounds = new WorldBounds(-9, -9, -9, 9, 9, 0.5);
         }
 
         [Test]

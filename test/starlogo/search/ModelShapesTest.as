@@ -1,13 +1,17 @@
 package starlogo.search
 {
     import flash.geom.Vector3D;
+    import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Cylinder;
     import starlogo.bounding.Sphere;
     import starlogo.collision.Collider;
+    import starlogo.models.BuiltInModel;
     import support.assertThrows;
+    import support.landOf;
 
-    /** The structure that stands for a model has to be within the world. */
+    /** The structure that stands for a model has to be there, of a kind that is collided, and within the world. */
     public class ModelShapesTest
     {
         [Test]
@@ -22,6 +26,39 @@ package starlogo.search
                 }
             }
         }
+
+        [Test]
+        public function aStructureThatIsNotCollidedIsRefused():void
+        {
+            var cylinder:Cylinder = new Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 0.5);
+            for each (var structure:BoundingStructure in [cylinder, null])
+            {
+                assertRefused(new OneStructure(structure), /a sphere, box, capsule or hull is needed, not/);
+            }
+            assertRefused(new OneStructure(null, false), /^agent \d+ .*: its model has no shape/);
+        }
+
+        [Test]
+        public function aColliderWithoutTheTestsOfItsShapesIsRefused():void
+        {
+            var land:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
+            for each (var choice:AgentShapes in [new TightestShapes(land), new TreeShapes(land), new TreeShapes(land, new TightestShapes(land))])
+            {
+                assertRefused(choice, /has no tests of these shapes: use a TightestFitCollider/);
+            }
+        }
+
+        private static function assertRefused(choice:AgentShapes, message:RegExp):void
+        {
+            var collider:Collider = new Collider(choice);
+            var sphere:Agent = new Agent("sphere");
+            var cube:Agent = new Agent("cube");
+            for (var i:int = 0; i < 2; i++)
+            {
+                assertThrows(ArgumentError, message, collider.findCollisions, new <Agent>[sphere, cube]);
+                assertThrows(ArgumentError, message, collider.areColliding, sphere, cube);
+            }
+        }
     }
 }
 
@@ -34,15 +71,20 @@ import starlogo.search.ShapeChoice;
 internal class OneStructure extends ShapeChoice
 {
     private var _structure:BoundingStructure;
+    private var _isSet:Boolean;
 
-    public function OneStructure(structure:BoundingStructure)
+    public function OneStructure(structure:BoundingStructure, isSet:Boolean = true)
     {
         super(null, false);
         _structure = structure;
+        _isSet = isSet;
     }
 
     override public function bind(shape:ModelShape, agent:Agent):void
     {
-        shape.setStructure(_structure);
+        if (_isSet)
+        {
+            shape.setStructure(_structure);
+        }
     }
 }

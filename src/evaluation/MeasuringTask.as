@@ -101,6 +101,12 @@ package evaluation
         {
         }
 
+        /** Milliseconds since some fixed moment. The measurements take their times from it. */
+        protected function readClock():Number
+        {
+            return Host.now;
+        }
+
         /** Puts the measurements into the results. It is called again until it returns true. */
         protected function conclude():Boolean
         {
@@ -117,16 +123,16 @@ package evaluation
         /** Adds a measurement. */
         protected function measure(name:String, method:Function, count:Number):Measurement
         {
-            var measurement:Measurement = new Measurement(name, method, count);
+            var measurement:Measurement = new Measurement(name, method, count, readClock);
             _measurements.push(measurement);
             return measurement;
         }
 
         private function sampleNext():void
         {
-            var start:Number = Host.now;
+            var start:Number = readClock();
             _active[_next++].sample();
-            _spent += Host.now - start;
+            _spent += readClock() - start;
             if (_next == _active.length)
             {
                 _next = 0;

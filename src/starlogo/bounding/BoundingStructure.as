@@ -1,3 +1,5 @@
+// This room has the structures that enclose models. A structure has its numbers in public fields, and is placed into another one of its
+// kind; the rooms convex and intersection compare two of them. Read this file first, then Sphere, and then Hull with its HullTopology.
 package starlogo.bounding
 {
     import flash.errors.IllegalOperationError;
@@ -13,9 +15,6 @@ package starlogo.bounding
     /**
      * A simple solid that encloses a model. The collision systems test it instead of the model (thesis §3.3). The pair tests know the
      * subclasses Sphere, Capsule, Box and Hull. They refuse a Cylinder, which is fitted but never collided, and a subclass of your own.
-     *
-     * <p>This package has the structures. The packages convex and intersection compare two of them. A structure has its numbers in public
-     * fields, and is placed into another one of its kind. Read Sphere next, then Hull with its HullTopology.</p>
      *
      * <p>A structure includes its surface: two structures that only touch collide, here and everywhere in the engine.</p>
      *

@@ -47,7 +47,13 @@ package starlogo.intersection
         /** The kernel of two structures. */
         public static function kernelOf(a:BoundingStructure, b:BoundingStructure):PairKernel
         {
-            return KERNELS[int(KINDS * a.kind + b.kind)];
+            return KERNELS[int(KINDS * lineOf(a.kind) + lineOf(b.kind))];
+        }
+
+        // A structure of a game's own may have any number for its kind.
+        private static function lineOf(kind:int):int
+        {
+            return kind >= 0 && kind < BoundingStructure.OTHER ? kind : BoundingStructure.OTHER;
         }
 
         private static function makeKernels():Vector.<PairKernel>

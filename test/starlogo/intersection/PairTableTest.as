@@ -25,7 +25,8 @@ package starlogo.intersection
 
         private var _others:Vector.<BoundingStructure> = new <BoundingStructure>[
                 new Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 1),
-                new BoundingStructure(BoundingStructure.OTHER)];
+                new BoundingStructure(BoundingStructure.OTHER),
+                new BoundingStructure(BoundingStructure.OTHER + 3)];
 
         private var _motion:RelativeMotion = new RelativeMotion(OLD);
         private var _contact:ContactPoint = new ContactPoint();

@@ -33,7 +33,8 @@ export function testsIn(text) {
  * - Commas stand between several of these.
  *
  * The tests of a source file are the classes that use it. If none does, they are those that use a file that uses it, and so on. The tests with the
- * names of the files that use it are taken too: of its own package always, of other packages if there are fewer than five tests, and so on.
+ * names of the files that use it are taken too: of its own package always, of other packages if there are fewer than five tests, and so on. If no
+ * test class uses the source itself, those that stand in its package and use it are taken too.
  *
  * @param {string} pattern what -Dtest has
  * @param {Map<string, string>} classes the texts of the test classes, by qualified name
@@ -73,7 +74,12 @@ function chooseOne(pattern, classes, sources, { tests, used, farther, said }) {
 		for (const source of [...sources.keys()].filter((name) => simpleName(name).toLowerCase() === wanted)) {
 			const nearest = nearestTests(source, classes, sources);
 			for (const name of take(`classes that use ${source}`, nearest)) used.add(name);
-			const known = new Set([...ofClass, ...nearest, ...testsOfNeighbours(source, classes, sources)]);
+			const beside = testsOfPackage(source, classes, sources).filter((name) => !nearest.includes(name));
+			for (const name of take(`tests beside ${source}, which no test uses itself`, beside)) {
+				used.add(name);
+				farther.add(name);
+			}
+			const known = new Set([...ofClass, ...nearest, ...beside, ...testsOfNeighbours(source, classes, sources)]);
 			for (const name of take(`tests of what uses ${source}`, [...known, ...testsOfUsers(source, known, classes, sources)])) {
 				used.add(name);
 				farther.add(name);
@@ -105,8 +111,16 @@ function nearestTests(source, classes, sources) {
 /** The test classes with the names of the files of its own package that use a source. */
 function testsOfNeighbours(source, classes, sources) {
 	const [files] = users(source, classes, sources);
-	const own = new Set(files.filter((name) => packageOf(name) === packageOf(source)).map((name) => `${simpleName(name)}Test`));
-	return [...classes.keys()].filter((name) => own.has(simpleName(name)));
+	const own = new Set(files.filter((name) => packageOf(name) === packageOf(source)).map(testName));
+	return [...classes.keys()].filter((name) => own.has(simpleName(name).toLowerCase()));
+}
+
+/** The test classes of a source's own package that use something of it, if no test class uses the source itself. */
+function testsOfPackage(source, classes, sources) {
+	const [files] = users(source, classes, sources);
+	if (files.some((name) => classes.has(name))) return [];
+	const own = [...sources.keys()].filter((name) => packageOf(name) === packageOf(source));
+	return [...classes.keys()].filter((name) => packageOf(name) === packageOf(source) && uses(name, classes.get(name), own));
 }
 
 /** The test classes with the names of the files that use a source, or that use these, and so on, until there are enough tests with those that are known. */
@@ -114,8 +128,8 @@ function testsOfUsers(source, known, classes, sources) {
 	const found = new Set(known);
 	for (const files of users(source, classes, sources)) {
 		if (countOf([...found], classes) >= ENOUGH) break;
-		const own = new Set(files.filter((name) => !classes.has(name)).map((name) => `${simpleName(name)}Test`));
-		for (const name of [...classes.keys()].filter((each) => own.has(simpleName(each)))) found.add(name);
+		const own = new Set(files.filter((name) => !classes.has(name)).map(testName));
+		for (const name of [...classes.keys()].filter((each) => own.has(simpleName(each).toLowerCase()))) found.add(name);
 	}
 	return [...found].filter((name) => !known.has(name));
 }
@@ -125,7 +139,7 @@ function* users(source, classes, sources) {
 	const all = new Map([...sources, ...classes]);
 	const seen = new Set([source]);
 	for (let last = [source]; last.length > 0; ) {
-		const next = [...all.keys()].filter((name) => !seen.has(name) && mayUse(all.get(name), last) && usesIn(name, all.get(name), last).length > 0);
+		const next = [...all.keys()].filter((name) => !seen.has(name) && uses(name, all.get(name), last));
 		yield next;
 		for (const name of next) seen.add(name);
 		last = next.filter((name) => !classes.has(name));
@@ -136,7 +150,12 @@ function countOf(names, classes) {
 	return names.reduce((sum, name) => sum + testsIn(classes.get(name)).length, 0);
 }
 
-/** Whether a text has one of some names at all, which is quickly told. */
-function mayUse(text, names) {
-	return names.some((name) => text.includes(simpleName(name)));
+/** The name that the tests of a source have, in small letters: those of the function intersects are IntersectsTest. */
+function testName(source) {
+	return `${simpleName(source)}Test`.toLowerCase();
+}
+
+/** Whether a file uses one of some sources. Whether it has one of their names at all is quickly told. */
+function uses(file, text, names) {
+	return names.some((name) => text.includes(simpleName(name))) && usesIn(file, text, names).length > 0;
 }

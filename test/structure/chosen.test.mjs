@@ -103,3 +103,22 @@ test('the tests of the files of its package that use a source are chosen with th
 	assert.deepEqual([...farther], ['a.BesideTest']);
 	assert.deepEqual(said, ['classes that use a.low: NearTest', 'tests of what uses a.low: BesideTest']);
 });
+
+test('the tests of a function are found, whose name begins with a small letter', () => {
+	const sources = new Map([['a.low', 'package a { public function low() {} }'], ['a.touches', 'low();']]);
+	const classes = new Map([['a.TouchesTest', '[Test]\n public function one\n'], ['c.NearTest', '[Test]\n public function one\n import a.low;']]);
+	assert.deepEqual([...choose('low', classes, sources).tests.keys()], ['c.NearTest', 'a.TouchesTest']);
+	assert.ok(found('sphereSphere').includes('IntersectsTest'));
+});
+
+test('where no test uses a source itself, the tests of its package are chosen too', () => {
+	const many = '[Test]\n public function one\n'.repeat(9);
+	const sources = new Map([['a.Inner', 'package a { class Inner {} }'], ['a.Table', 'Inner'], ['a.Other', ''], ['b.Else', '']]);
+	const classes = new Map([['a.TableTest', `${many} Table`], ['a.BesideTest', `${many} Other`], ['a.NothingTest', `${many} import b.Else;`], ['b.ElseTest', `${many} import a.Other;`]]);
+	const { tests, farther, said } = choose('Inner', classes, sources);
+	assert.deepEqual([...tests.keys()], ['a.TableTest', 'a.BesideTest']);
+	assert.deepEqual([...farther], ['a.BesideTest']);
+	assert.deepEqual(said, ['classes that use a.Inner: TableTest', 'tests beside a.Inner, which no test uses itself: BesideTest']);
+	assert.deepEqual([...choose('Table', classes, sources).tests.keys()], ['a.TableTest']);
+	for (const name of ['KernelsAgreeTest', 'HullPairsTest', 'RoundKernelTest']) assert.ok(found('SphereBoxGap').includes(name), name);
+});

@@ -4,6 +4,7 @@ package starlogo.intersection
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
@@ -32,6 +33,17 @@ package starlogo.intersection
         {
             assertThrows(TypeError, /./, intersects, null, new Sphere(new Vector3D(), 1));
             assertThrows(TypeError, /./, intersects, new Sphere(new Vector3D(), 1), null);
+        }
+
+        /** The numbers are exact: squared distances of 25 and 4 and squares of the same size. */
+        [Test]
+        public function spheresThatJustTouchCollide():void
+        {
+            var a:Sphere = new Sphere(new Vector3D(1, 2, 3), 2);
+            assertTrue("along an axis", intersects(a, new Sphere(new Vector3D(6, 2, 3), 3)));
+            assertTrue("across two axes", intersects(a, new Sphere(new Vector3D(1, 5, 7), 3)));
+            assertTrue("a point", intersects(a, new Sphere(new Vector3D(1, 2, 1), 0)));
+            assertFalse("just apart", intersects(a, new Sphere(new Vector3D(1, 5, 7), 3 - 1e-12)));
         }
 
         /** Where rounding decides, it decides alike for (a, b) and (b, a), and the extents never contradict a hit. */

@@ -58,6 +58,22 @@ package starlogo.solid
             assertTrue(inside + " wholly inside, " + outside + " apart of " + count, inside > count / 100 && outside > count / 10);
         }
 
+        /** The radius of a tree is half the diagonal of its box, so a part that is longer than the radius may be inside. */
+        [Test]
+        public function aPartLongerThanTheRadiusIsInside():void
+        {
+            for each (var size:Number in [0.6, 0.9, 0.99])
+            {
+                var parts:Array = [[size, 0, 0, (1 - size) / 2, false]];
+                var collider:HierarchicalCollider = new HierarchicalCollider(landOf(BuiltInModel.cube(), SolidModels.of("inner", parts, Model.AS_GIVEN)));
+                collider.exact = true;
+                var outer:Agent = agentAt("cube", 0, 0, 0);
+                var inner:Agent = agentAt("inner", 0, 0, 0);
+                assertTrue("size " + size, collider.areColliding(outer, inner));
+                assertTrue("size " + size + ", the other order", collider.areColliding(inner, outer));
+            }
+        }
+
         private static function tilted(shape:String, random:SeededRandom):Agent
         {
             var agent:Agent = agentAt(shape, random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));

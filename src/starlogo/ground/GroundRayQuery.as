@@ -25,6 +25,9 @@ package starlogo.ground
         private var _test:RayTriangleTest = new RayTriangleTest();
         private var _outside:FaceNormal = new FaceNormal();
 
+        // A size that no triangle of the ground's own height has.
+        private var _largest:Number = 0;
+
         public function GroundRayQuery()
         {
             _box.motion = new RelativeMotion();
@@ -38,7 +41,7 @@ package starlogo.ground
          */
         public function find(grid:HeightGrid, ray:Ray):Boolean
         {
-            if (grid.heightAt(ray.x, ray.y) >= ray.z)
+            if (beginsInside(grid, ray))
             {
                 ray.faceBack();
                 return true;
@@ -48,7 +51,7 @@ package starlogo.ground
             while (_triangles.next())
             {
                 var before:Number = _test.least;
-                _test.testLeaf(0, 0, 1);
+                testTriangle();
                 if (_test.least < before || _test.triangle == 0 && !isHit)
                 {
                     isHit = true;
@@ -72,7 +75,7 @@ package starlogo.ground
          */
         public function findAll(grid:HeightGrid, ray:Ray, out:RayCrossings):void
         {
-            if (grid.heightAt(ray.x, ray.y) >= ray.z)
+            if (beginsInside(grid, ray))
             {
                 ray.faceBack();
                 out.addBeginning(ray, 0, RayCrossings.INSIDE);
@@ -81,7 +84,7 @@ package starlogo.ground
             while (_triangles.next())
             {
                 var before:int = out.count;
-                _test.testLeaf(0, 0, 1);
+                testTriangle();
                 if (out.count > before)
                 {
                     _outside.setTriangle(_triangles.corners, 0);
@@ -90,6 +93,19 @@ package starlogo.ground
                     out.triangles[before] = -1;
                 }
             }
+        }
+
+        // Tests the current triangle. Its rounding error is relative to its size. Walls that are far longer than the ground is high are only long
+        // because the ray is.
+        private function testTriangle():void
+        {
+            _test.setRadius(Math.min(_triangles.size, _largest));
+            _test.testLeaf(0, 0, 1);
+        }
+
+        private static function beginsInside(grid:HeightGrid, ray:Ray):Boolean
+        {
+            return grid.heightAt(ray.x + ray.from * ray.directionX, ray.y + ray.from * ray.directionY) >= ray.z + ray.from * ray.directionZ;
         }
 
         // Begins to visit the triangles near a ray.
@@ -105,7 +121,10 @@ package starlogo.ground
             _triangles.begin(grid, _box);
             // only now, so that the distance does not depend on where the ray ends
             _box.latest = Math.min(ray.to, FARTHEST);
-            _test.begin(ray, _triangles.corners, grid.cellWidth, all);
+            // the last level is one square
+            var whole:int = grid.begins[grid.levels];
+            _largest = 3 * grid.cellWidth + grid.bounds[int(whole + 1)] - grid.bounds[whole];
+            _test.begin(ray, _triangles.corners, _largest, all);
         }
     }
 }

@@ -36,7 +36,8 @@ package starlogo.ground
         /** The corners of the triangle, nine numbers; counter-clockwise as seen from outside of the ground. Read only. */
         public var corners:Vector.<Number> = new Vector.<Number>(9, true);
 
-        /** The margin of the triangle (see Touching), which depends on its size. Read only. */
+        /** A length that no side of the triangle is longer than, and the margin that the triangle has because of it (see Touching). Read only. */
+        public var size:Number = 0;
         public var margin:Number = 0;
 
         private var _grid:HeightGrid;
@@ -310,7 +311,8 @@ package starlogo.ground
             }
             var low:Number = Math.min(corners[2], Math.min(corners[5], corners[8]));
             var high:Number = Math.max(corners[2], Math.max(corners[5], corners[8]));
-            margin = Touching.marginOfSurface(_width + high - low);
+            size = _width + high - low;
+            margin = Touching.marginOfSurface(size);
             return _low <= high && _high >= low;
         }
 

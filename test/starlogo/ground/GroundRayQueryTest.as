@@ -2,10 +2,14 @@ package starlogo.ground
 {
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
     import starlogo.collision.BinCollider;
     import starlogo.collision.Collision;
+    import starlogo.engine;
+    import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossings;
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentQueries;
     import starlogo.queries.RayHit;
@@ -14,6 +18,8 @@ package starlogo.ground
     import support.Effort;
     import support.RandomGround;
     import support.landOf;
+
+    use namespace engine;
 
     /** Rays that meet the ground. */
     public class GroundRayQueryTest
@@ -55,6 +61,50 @@ package starlogo.ground
             }
             wrong.assertNone();
             assertTrue(met + " met, " + walls + " walls", met > 3 * count && walls > met / 8 && walls < met / 1.2);
+        }
+
+        // A ray may begin far from its point.
+        [Test]
+        public function aRayBeginsInTheGroundWhereItsPartBegins():void
+        {
+            var terrain:Terrain = new Terrain(9, 9, 1, 0, 0);
+            terrain.setHeight(4, 4, 2);
+            var query:GroundRayQuery = new GroundRayQuery();
+            for each (var from:Number in [0, 2, 3, 4, 6])
+            {
+                var ray:Ray = new Ray();
+                ray.aim(new Vector3D(1, 4, 1), Vector3D.X_AXIS);
+                ray.from = from;
+                var out:RayCrossings = new RayCrossings();
+                query.findAll(terrain.grid, ray, out);
+                // the hill is from 2.5 to 3.5 of the ray
+                assertEquals(from + ", inside", from > 2.5 && from < 3.5, out.count > 0 && out.sides[0] == RayCrossings.INSIDE);
+            }
+        }
+
+        // The margin of a triangle is relative to its height too, not only to the width of its cell.
+        [Test]
+        public function raysTowardsTheEdgesOfANeedleMeetIt():void
+        {
+            var random:SeededRandom = new SeededRandom(8123);
+            var query:GroundRayQuery = new GroundRayQuery();
+            var missed:int = 0;
+            var count:int = Effort.choose(1000, 20000, 300);
+            for (var i:int = 0; i < count; i++)
+            {
+                var terrain:Terrain = new Terrain(5, 5, 0.1, 0, 0);
+                var high:Number = random.between(500, 1000);
+                terrain.setHeight(2, 2, high);
+                // a point of the edge from the top to the foot that is on the needle's outline as seen along y
+                var down:Number = random.between(0.1, 0.9);
+                var to:Vector3D = new Vector3D(0.2 - 0.1 * down, 0.2, high * (1 - down));
+                var direction:Vector3D = new Vector3D(0, random.pick([-1, 1]), random.between(-1, 1));
+                direction.normalize();
+                var ray:Ray = new Ray();
+                ray.aim(new Vector3D(to.x - high * direction.x, to.y - high * direction.y, to.z - high * direction.z), direction);
+                missed += query.find(terrain.grid, ray) && Math.abs(ray.from - high) < 1 ? 0 : 1;
+            }
+            assertEquals(missed + " of " + count, 0, missed);
         }
 
         private static function textOf(hit:RayHit):String

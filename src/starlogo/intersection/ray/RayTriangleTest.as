@@ -90,6 +90,12 @@ package starlogo.intersection.ray
             _stretch = 1 / _direction[_w];
             _shearX = _direction[_u] / _direction[_w];
             _shearY = _direction[_v] / _direction[_w];
+            setRadius(radius);
+        }
+
+        /** Changes the radius of a sphere around all triangles that come next. Their rounding errors are relative to it. */
+        public function setRadius(radius:Number):void
+        {
             _margin = Tolerances.SURFACES * radius;
             // Shearing may make a side longer than the diameter, by a factor of at most the root of eight.
             _sliver = 6 * _margin * radius;

@@ -36,7 +36,7 @@ package starlogo.convex
             // how far the two points are from the first core's closest point, towards the second core
             var atA:Number = gap.radiusA;
             var atB:Number = length - gap.radiusB;
-            distance = atB - atA;
+            distance = length - (gap.radiusA + gap.radiusB);
             if (!(distance > 0))
             {
                 distance = 0;

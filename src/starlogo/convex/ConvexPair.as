@@ -9,8 +9,10 @@ package starlogo.convex
      * of Simplex, CoreOverlap the way out of an overlap, CommonPoint the point of a contact. Read ConvexShape first, then this class from the top,
      * then CoreDistance.
      *
-     * <p>All four agree about what touches: see Touching. The same two shapes in the other order get the same answer, to the last bit. Memory
-     * is allocated only for the first hulls, whose lists are kept.</p>
+     * <p>areTouching and findTime agree about what touches: see Touching. findTime adds the margin of the motion. The distance and the depth leave
+     * all margins out, so shapes that touch may have a distance as small as the margins, and the depth 0. The same two shapes in the other order
+     * get the same answer, to the last bit. Memory is allocated only for the
+     * first hulls, whose lists are kept.</p>
      *
      * @private
      */

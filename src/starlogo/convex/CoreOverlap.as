@@ -6,7 +6,8 @@ package starlogo.convex
     /**
      * Finds the shortest displacement that separates two cores that touch or overlap. Its direction is the normal of a face of one, or
      * perpendicular to an edge of each. Of the pairs of edges, only those count whose common perpendicular points out of both (Gregorius, "The
-     * separating axis test between convex polyhedra", 2013). Flat cores and segments need no special case.
+     * separating axis test between convex polyhedra", 2013). The edges of boxes and segments say nothing
+     * of faces, so all their pairs are tried.
      *
      * <p>If two displacements are equally short, the first one is taken that is tried: faces of b, faces of a, edges. Of two opposite ones, it is
      * the one against the motion. Points and parallel segments move upwards as far as possible.</p>

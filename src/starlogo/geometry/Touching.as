@@ -1,8 +1,8 @@
 package starlogo.geometry
 {
     /**
-     * How near two shapes of a game have to be to touch. This is the one rule of all tests: of shapes that stand, that move and that are asked
-     * about; of structures, hierarchies, triangles and the ground.
+     * How near two shapes of a game have to be to touch. This is the one rule of all tests that say whether or when two touch: of shapes that
+     * stand, that move and that are asked about; of structures, hierarchies, triangles and the ground. Distances and depths include no margin.
      *
      * <p>Two shapes touch if the distance of their cores is at most the sum of these lengths. A core is a sphere's centre, a capsule's axis, a whole
      * box, triangle or hull.</p>
@@ -13,6 +13,9 @@ package starlogo.geometry
      * <li>for each of the two that is a model's triangle or node, the margin of its surface (<code>marginOfSurface()</code>)</li>
      * <li>while one of the two moves, the margin of its motion (<code>marginOfMotion()</code>). The time of impact includes no margin: margins decide
      *     whether two shapes touch at all</li>
+     * <li>a ray is a shape without a radius. At a sphere and a capsule the radius counts, at a box and a hull the half-extents or the distances of the
+     *     faces from the centre, times Tolerances.TOUCHING; at triangles the margin of the surface. The place of a hit at a box, a hull or a triangle
+     *     includes no tolerance</li>
      * <li>where the convex core decides, Tolerances.CORES of the sizes of both cores</li>
      * </ul>
      *

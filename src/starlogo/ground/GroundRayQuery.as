@@ -52,7 +52,7 @@ package starlogo.ground
             {
                 var before:Number = _test.least;
                 testTriangle();
-                if (_test.least < before || _test.triangle == 0 && !isHit)
+                if (_test.least != before || _test.triangle == 0 && !isHit)
                 {
                     isHit = true;
                     _box.latest = _test.least;

@@ -54,7 +54,7 @@ package starlogo.intersection
          * the direction along which they overlap least (Gottschalk, Lin and Manocha, "OBBTree", 1996).</p>
          *
          * <p>If several displacements are equally short, one is chosen. Spheres with the same centre separate along z. If a sphere's centre is
-         * on a capsule's axis, or two capsules are parallel, the normal is perpendicular to the axis and points upwards as far as possible. In
+         * on a capsule's axis, or the axes of two capsules overlap on one line, the normal is perpendicular to the axis and points upwards as far as possible. In
          * the middle of a box any face is chosen.</p>
          *
          * @param a of the pair's first kind

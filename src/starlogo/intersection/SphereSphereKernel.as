@@ -36,7 +36,7 @@ package starlogo.intersection
         {
             var gap:CoreGap = _gap;
             setGap(a as Sphere, b as Sphere, displacement);
-            // The difference of two points has a direction, however short it is.
+            // The difference of two points has a direction. Below about 1e-162 its square is 0, and the spheres count as concentric.
             if (!(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z > 0))
             {
                 gap.x = gap.y = 0;
@@ -48,8 +48,21 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
-            setGap(a as Sphere, b as Sphere, RelativeMotion.NONE);
-            out.setFromGap(_gap);
+            var center:Vector3D = (a as Sphere).center;
+            var other:Vector3D = (b as Sphere).center;
+            // one order for both, so that rounding is the same
+            var areSwapped:Boolean = center.x > other.x || (center.x == other.x && isAfter(center, other));
+            if (areSwapped)
+            {
+                setGap(b as Sphere, a as Sphere, RelativeMotion.NONE);
+                out.setFromGap(_gap);
+                out.swapShapes();
+            }
+            else
+            {
+                setGap(a as Sphere, b as Sphere, RelativeMotion.NONE);
+                out.setFromGap(_gap);
+            }
         }
 
         // Sets the gap at the motion's start.

@@ -88,7 +88,7 @@ package starlogo.intersection
             radius = capsule.radius;
         }
 
-        /** Measures how far the sum extends in a direction, which must be a unit vector. */
+        /** Measures how far the sum extends in a direction of any length, as a multiple of that length. */
         public function measure(direction:Vector3D):void
         {
             var toX:Number = direction.x;

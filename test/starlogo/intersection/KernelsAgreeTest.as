@@ -2,11 +2,13 @@ package starlogo.intersection
 {
     import evaluation.pairs.RandomStructures;
     import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
 
@@ -51,6 +53,31 @@ package starlogo.intersection
         public function boxBox():void
         {
             check(BoundingStructure.BOX, BoundingStructure.BOX);
+        }
+
+        [Test]
+        public function theOtherOrderGivesTheSameDistance():void
+        {
+            var random:SeededRandom = new SeededRandom(577);
+            var structures:RandomStructures = new RandomStructures(random);
+            var kinds:Array = [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX, BoundingStructure.HULL];
+            var points:ClosestPoints = new ClosestPoints();
+            var others:ClosestPoints = new ClosestPoints();
+            for (var i:int = 0; i < PAIRS; i++)
+            {
+                var a:BoundingStructure = structures.ofKind(random.pick(kinds), 1, 2);
+                var b:BoundingStructure = structures.ofKind(random.pick(kinds), 1, 2);
+                PairTable.kernelOf(a, b).findClosest(a, b, points);
+                PairTable.kernelOf(b, a).findClosest(b, a, others);
+                others.swapShapes();
+                var isSame:Boolean = points.distance == others.distance && points.aX == others.aX && points.aY == others.aY && points.aZ == others.aZ
+                        && points.bX == others.bX && points.bY == others.bY && points.bZ == others.bZ;
+                assertTrue(i + ": " + a + ", " + b + ": " + points.distance + ", " + others.distance, isSame);
+            }
+            var small:Sphere = new Sphere(new Vector3D(0, 0, 0), 0.1);
+            var large:Sphere = new Sphere(new Vector3D(1, 0, 0), 0.3);
+            PairTable.kernelOf(small, large).findClosest(small, large, points);
+            assertEquals(0.6, points.distance);
         }
 
         private function check(kindA:int, kindB:int):void

@@ -342,8 +342,8 @@ package starlogo.queries
             assertEquals("a diagonal", "5", distances("sheet", 0.25, 0.25, 5, 0, 0, -1));
             assertEquals("a diagonal, slanting", 1, castOf("sheet", 0.25 - 1, 0.25 + 2, 5, 1, -2, -5).length);
             assertEquals("a corner", "5", distances("sheet", 0.5, 0.5, 5, 0, 0, -1));
-            assertEquals("in the plane it meets nothing, as without", 0, castOf("sheet", -5, 0.1, 0, 1, 0, 0).length);
-            assertEquals("along the diagonal", 0, castOf("sheet", -5, -5, 0, 1, 1, 0).length);
+            assertEquals("in the plane", 1, castOf("sheet", -5, 0.1, 0, 1, 0, 0).length);
+            assertEquals("along the diagonal", 1, castOf("sheet", -5, -5, 0, 1, 1, 0).length);
             assertEquals("through a cube's faces at their diagonals", "4,5", distances("cube", 0.25, 0.25, 5, 0, 0, -1));
             assertEquals("through a cube's edges", 2, castOf("cube", -5, 0.1, -4.5, 1, 0, 1).length);
             assertEquals("through a cube's corners", 2, castOf("cube", -5, -5, -4.5, 1, 1, 1).length);

@@ -158,6 +158,36 @@ package starlogo.solid
             assertEquals(Infinity, distanceAt(pile, 1, true, ray));
         }
 
+        /** A sheet has no triangles beside it that are not seen edge on. */
+        [Test]
+        public function aRayInThePlaneOfASheetMeetsIt():void
+        {
+            var vertices:Vector.<Number> = new <Number>[-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0];
+            var sheet:ModelTree = hierarchyOf(new Model("sheet", vertices, new <uint>[0, 1, 2, 0, 2, 3], Model.AS_GIVEN));
+            var ray:Ray = new Ray();
+            for each (var z:Number in [0, 1e-15, -1e-15])
+            {
+                for each (var y:Number in [0.1, -0.3, 0, 0.5])
+                {
+                    ray.aim(new Vector3D(-3, y, z), new Vector3D(1, 0, 0));
+                    var distance:Number = distanceAt(sheet, 1, true, ray);
+                    assertTrue(z + ", " + y + ": " + distance, Math.abs(distance - 2.5) < 1e-12);
+                }
+                ray.aim(new Vector3D(-3, 0.5 + 1e-12, z), new Vector3D(1, 0, 0));
+                assertEquals("beside it", Infinity, distanceAt(sheet, 1, true, ray));
+                ray.aim(new Vector3D(3, 0.1, z), new Vector3D(1, 0, 0));
+                assertEquals("away from it", Infinity, distanceAt(sheet, 1, true, ray));
+            }
+            ray.aim(new Vector3D(-3, 0.1, 1e-12), new Vector3D(1, 0, 0));
+            assertEquals("above it", Infinity, distanceAt(sheet, 1, true, ray));
+            // where a face that looks at the ray begins at the same place, its normal counts
+            var bent:Vector.<Number> = vertices.concat(new <Number>[-0.5, -0.5, 1, -0.5, 0.5, 1]);
+            var corner:ModelTree = hierarchyOf(new Model("corner", bent, new <uint>[0, 1, 2, 0, 2, 3, 0, 3, 5, 0, 5, 4], Model.AS_GIVEN));
+            ray.aim(new Vector3D(-3, 0.1, 0), new Vector3D(1, 0, 0));
+            assertTrue(Math.abs(distanceAt(corner, 1, true, ray) - 2.5) < 1e-12);
+            assertEquals("its normal", -1, ray.normalX);
+        }
+
         [Test]
         public function aTriangleSeenEdgeOnIsMetWhereItIs():void
         {

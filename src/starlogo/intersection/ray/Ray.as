@@ -2,6 +2,7 @@ package starlogo.intersection.ray
 {
     import flash.geom.Vector3D;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
 
     /**
      * A part of a line. The kernels narrow it to the part inside of a shape.
@@ -56,6 +57,9 @@ package starlogo.intersection.ray
 
         /** The axis across the slab that the line enters last. */
         public var entered:Vector3D = null;
+
+        /** Where the line enters the shape without the tolerance of touching. Input of narrowExactly. */
+        public var entry:Number = 0;
 
         /** Sets the line to another ray's line, or its own, transformed into a model's space. The part has to be set after that. */
         public function bringInto(placement:Placement, line:Ray):void
@@ -155,8 +159,8 @@ package starlogo.intersection.ray
         }
 
         /**
-         * Narrows near and far to the part inside of a slab, the space between two parallel planes. If near changes, <code>entered</code>
-         * becomes the axis.
+         * Narrows near and far to the part inside of a slab, the space between two parallel planes, or touching it (Tolerances.TOUCHING). If
+         * near changes, <code>entered</code> becomes the axis. Where the line enters the slab itself limits <code>entry</code>.
          *
          * @param axis a unit vector across the slab
          * @param middle a point halfway between the planes
@@ -169,6 +173,12 @@ package starlogo.intersection.ray
             // a line within the planes crosses them at an infinite distance, if its speed is not -0
             speed = speed == 0 ? 0 : speed;
             var ahead:Number = speed < 0 ? -half : half;
+            var exact:Number = (-ahead - offset) / speed;
+            if (exact > entry && exact < Infinity)
+            {
+                entry = exact;
+            }
+            ahead *= Tolerances.TOUCHING;
             var place:Number = (ahead - offset) / speed;
             far = place < far ? place : far;
             place = (-ahead - offset) / speed;
@@ -210,6 +220,21 @@ package starlogo.intersection.ray
                 to = far;
             }
             return from <= to;
+        }
+
+        /**
+         * Narrows the ray's part to the part between near and far. If it begins at near, it begins at <code>entry</code> instead, which is the place
+         * on the surface itself. A line that only touches has no such place.
+         */
+        public function narrowExactly():Boolean
+        {
+            var isEntering:Boolean = near > from;
+            var isMet:Boolean = narrow();
+            if (isMet && isEntering && entry > near && entry <= to)
+            {
+                from = entry;
+            }
+            return isMet;
         }
     }
 }

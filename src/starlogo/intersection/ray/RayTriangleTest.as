@@ -20,7 +20,8 @@ package starlogo.intersection.ray
     public final class RayTriangleTest extends LeafTest
     {
         // A triangle is seen edge on if its height across the ray is less than six times so many gaps. The place where the ray crosses its plane
-        // is then a rounding error, so the places where the ray passes its edges count.
+        // is then a rounding error, so the places where the ray passes its edges count. Of two triangles at one place, one that is not seen edge on
+        // counts, because its normal is against the ray.
         private static const EDGE_ON:Number = 16;
 
         /** The index of the nearest triangle so far, or -1. */
@@ -52,6 +53,9 @@ package starlogo.intersection.ray
         private var _margin:Number = 0;
         private var _sliver:Number = 0;
 
+        // Where the next triangle must be met to count: the nearest place so far, or a rounding error behind it if that triangle is seen edge on.
+        private var _latest:Number = 0;
+
         // Where the ray first and last passes the edges of a triangle that it sees edge on.
         private var _first:Number = 0;
         private var _last:Number = 0;
@@ -69,7 +73,7 @@ package starlogo.intersection.ray
             _ray = ray;
             _all = all;
             _corners = corners;
-            least = ray.to;
+            least = _latest = ray.to;
             triangle = -1;
             _place[0] = ray.x;
             _place[1] = ray.y;
@@ -144,13 +148,16 @@ package starlogo.intersection.ray
                     }
                 }
                 var sum:Number = sideA + sideB + sideC;
-                var crossing:Number = _stretch * (sideA * aZ + sideB * bZ + sideC * cZ) / sum;
-                // NaN is skipped too. A triangle seen edge on gives NaN, and the triangles next to it have its edges.
-                if (!(crossing >= _ray.from && crossing <= least) || (crossing == least && triangle >= 0))
+                var width:Number = Math.abs(aX) + Math.abs(aY) + Math.abs(bX) + Math.abs(bY) + Math.abs(cX) + Math.abs(cY);
+                var isEdgeOn:Boolean = Math.abs(sum) <= EDGE_ON * _margin * width;
+                var crossing:Number = isEdgeOn ? passEdges(9 * i) : _stretch * (sideA * aZ + sideB * bZ + sideC * cZ) / sum;
+                var slack:Number = isEdgeOn ? Tolerances.ROUNDING * Math.abs(crossing) + 4 * EDGE_ON * _margin : 0;
+                // NaN is skipped too
+                if (!(crossing >= _ray.from && crossing <= _latest) || (triangle >= 0 && crossing + slack >= _latest))
                 {
                     continue;
                 }
-                if ((sideA < 0 || sideB < 0 || sideC < 0) && (sideA > 0 || sideB > 0 || sideC > 0))
+                if (sum == 0 || (sideA < 0 || sideB < 0 || sideC < 0) && (sideA > 0 || sideB > 0 || sideC > 0))
                 {
                     if (!isOver(aX, aY, bX, bY, sideC, sum) || !isOver(bX, bY, cX, cY, sideA, sum) || !isOver(cX, cY, aX, aY, sideB, sum)
                             || !isIn(corners, corner, crossing))
@@ -158,24 +165,13 @@ package starlogo.intersection.ray
                         continue;
                     }
                 }
-                var width:Number = Math.abs(aX) + Math.abs(aY) + Math.abs(bX) + Math.abs(bY) + Math.abs(cX) + Math.abs(cY);
-                var isEdgeOn:Boolean = Math.abs(sum) <= EDGE_ON * _margin * width;
-                if (isEdgeOn)
-                {
-                    passEdges(9 * i);
-                    // False too if no edge is near, because rounding has chosen the sides.
-                    if (!(_last >= _ray.from && _first <= least))
-                    {
-                        continue;
-                    }
-                    crossing = Math.max(_first, _ray.from);
-                }
                 if (_all != null)
                 {
                     var depth:Number = Math.abs(_stretch) * (Math.abs(aZ - bZ) + Math.abs(bZ - cZ));
                     addCrossing(i, crossing, isEdgeOn, sum, width * depth);
                     continue;
                 }
+                _latest = Math.min(crossing + slack, _ray.to);
                 least = crossing;
                 triangle = i;
             }
@@ -197,14 +193,16 @@ package starlogo.intersection.ray
             }
         }
 
-        // Finds where the ray first and last passes the edges of a triangle that it sees edge on.
-        private function passEdges(corner:int):void
+        // Finds where the ray first and last passes the edges of a triangle that it sees edge on. Returns where it first meets the triangle; NaN if no
+        // edge is near, or none before the ray begins.
+        private function passEdges(corner:int):Number
         {
             _first = Infinity;
             _last = -Infinity;
             passEdge(corner, corner + 3);
             passEdge(corner + 3, corner + 6);
             passEdge(corner + 6, corner);
+            return _last >= _ray.from ? Math.max(_first, _ray.from) : NaN;
         }
 
         private function passEdge(from:int, to:int):void

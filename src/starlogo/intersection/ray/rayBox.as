@@ -4,7 +4,7 @@ package starlogo.intersection.ray
 
     /**
      * Narrows a ray to the part inside of a box, which is the part between its three pairs of faces (Kay and Kajiya, "Ray tracing complex
-     * scenes", SIGGRAPH 1986). The box's surface counts as inside. Allocates nothing.
+     * scenes", SIGGRAPH 1986). Touching counts, to within Tolerances.TOUCHING. Allocates nothing.
      *
      * @param ray in the space of the box; its part is narrowed, and its normal is set if it enters the box
      * @param box half-extents may be 0
@@ -13,7 +13,7 @@ package starlogo.intersection.ray
      */
     public function rayBox(ray:Ray, box:Box):Boolean
     {
-        ray.near = -Infinity;
+        ray.near = ray.entry = -Infinity;
         ray.far = Infinity;
         ray.cutAlong(box.axisX, box.center, box.halfX);
         ray.cutAlong(box.axisY, box.center, box.halfY);
@@ -22,6 +22,6 @@ package starlogo.intersection.ray
         {
             ray.setNormal(ray.entered.x, ray.entered.y, ray.entered.z);
         }
-        return ray.narrow();
+        return ray.narrowExactly();
     }
 }

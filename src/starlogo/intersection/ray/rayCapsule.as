@@ -5,8 +5,8 @@ package starlogo.intersection.ray
     import starlogo.geometry.Tolerances;
 
     /**
-     * Narrows a ray to the part inside of a capsule: two balls, and the cylinder between them. The capsule's surface counts as inside.
-     * Allocates nothing.
+     * Narrows a ray to the part inside of a capsule: two balls, and the cylinder between them. Touching counts, to
+     * within Tolerances.TOUCHING. Allocates nothing.
      *
      * <p>The steps are: widen the part by the two balls; project the line across the segment, where the cylinder is a circle; find where
      * the line enters and leaves the circle between the ends of the segment; find the normal from the nearest point of the segment.</p>
@@ -20,7 +20,7 @@ package starlogo.intersection.ray
     {
         var start:Vector3D = capsule.start;
         var end:Vector3D = capsule.end;
-        var radius:Number = capsule.radius;
+        var radius:Number = capsule.radius * Tolerances.TOUCHING;
         ray.near = Infinity;
         ray.far = -Infinity;
         ray.addBall(start, radius);

@@ -3,12 +3,13 @@ package starlogo.intersection.ray
     import flash.geom.Vector3D;
     import starlogo.bounding.Hull;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
 
     use namespace engine;
 
     /**
-     * Narrows a ray to the part inside of a hull, which is the part inside of all its half-spaces. The hull's surface counts as inside.
-     * Allocates nothing, except at the first ray that meets the hull where it is.
+     * Narrows a ray to the part inside of a hull, which is the part inside of all its half-spaces. Touching counts, to within
+     * Tolerances.TOUCHING of a plane's distance from the centre. Allocates nothing, except at the first ray that meets the hull where it is.
      *
      * @param ray in the space of the hull; its part is narrowed, and its normal is set if it enters the hull
      * @param hull may be flat
@@ -24,12 +25,17 @@ package starlogo.intersection.ray
         var planes:Vector.<Number> = hull.halfSpaces;
         var end:int = planes.length;
         var entered:int = -1;
-        ray.near = -Infinity;
+        ray.near = ray.entry = -Infinity;
         ray.far = Infinity;
         for (var i:int = 0; i < end; i += 4)
         {
             var height:Number = planes[i] * x + planes[int(i + 1)] * y + planes[int(i + 2)] * z - planes[int(i + 3)] - hull.margin;
             var speed:Number = planes[i] * ray.directionX + planes[int(i + 1)] * ray.directionY + planes[int(i + 2)] * ray.directionZ;
+            if (speed < 0 && -height / speed > ray.entry)
+            {
+                ray.entry = -height / speed;
+            }
+            height -= (Tolerances.TOUCHING - 1) * planes[int(i + 3)];
             if (speed < 0 && -height / speed > ray.near)
             {
                 ray.near = -height / speed;
@@ -48,6 +54,6 @@ package starlogo.intersection.ray
         {
             ray.setNormal(planes[entered], planes[int(entered + 1)], planes[int(entered + 2)]);
         }
-        return ray.narrow();
+        return ray.narrowExactly();
     }
 }

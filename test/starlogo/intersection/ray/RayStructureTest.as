@@ -79,6 +79,52 @@ package starlogo.intersection.ray
         }
 
         [Test]
+        public function raysThatTouchCount():void
+        {
+            var random:SeededRandom = new SeededRandom(2207);
+            var structures:RandomStructures = new RandomStructures(random);
+            var kinds:Array = ["sphere", "capsule", "capsule without length", "box", "hull"];
+            var missed:Array = [0, 0, 0, 0, 0];
+            var met:Array = [0, 0, 0, 0, 0];
+            for (var i:int = 0; i < 1000; i++)
+            {
+                // the ray touches the edge along z, or the surface there, in the plane across the outward vector
+                var axes:Vector.<Vector3D> = structures.frame();
+                var at:Vector3D = structures.position(1);
+                var halves:Vector3D = new Vector3D(random.between(0.3, 1), random.between(0.3, 1), random.between(0.3, 1));
+                var box:Box = new Box(at, axes[0], axes[1], axes[2], halves.x, halves.y, halves.z);
+                var corners:Vector.<Number> = new Vector.<Number>();
+                for (var k:int = 0; k < 8; k++)
+                {
+                    var corner:Vector3D = along(at, axes, k & 1 ? halves.x : -halves.x, k & 2 ? halves.y : -halves.y, k & 4 ? halves.z : -halves.z);
+                    corners.push(corner.x, corner.y, corner.z);
+                }
+                var end:Vector3D = along(at, axes, 0, 0, halves.z);
+                var round:Array = [new Sphere(at, halves.x), new Capsule(at, end, halves.x), new Capsule(at, at, halves.x), box, new Hull(corners)];
+                var turn:Number = random.between(0, 7);
+                for (var kind:int = 0; kind < kinds.length; kind++)
+                {
+                    var isRound:Boolean = kind < 3;
+                    var outX:Number = isRound ? Math.cos(turn) : Math.SQRT1_2;
+                    var outY:Number = isRound ? Math.sin(turn) : Math.SQRT1_2;
+                    var aslant:Number = random.between(-0.5, 0.5);
+                    var direction:Vector3D = along(new Vector3D(), axes, -outY, outX, aslant);
+                    for each (var gap:Number in [0, 1e-12])
+                    {
+                        var x:Number = (isRound ? halves.x * outX : halves.x) + gap * outX;
+                        var y:Number = (isRound ? halves.x * outY : halves.y) + gap * outY;
+                        var origin:Vector3D = along(at, axes, x + 3 * outY, y - 3 * outX, -3 * aslant);
+                        var isMet:Boolean = distanceTo(round[kind], origin, direction) < Infinity;
+                        missed[kind] += !isMet && gap == 0 ? 1 : 0;
+                        met[kind] += isMet && gap > 0 ? 1 : 0;
+                    }
+                }
+            }
+            assertEquals("missed: " + kinds, "0,0,0,0,0", missed.join());
+            assertEquals("met beside them: " + kinds, "0,0,0,0,0", met.join());
+        }
+
+        [Test]
         public function degenerateStructuresArePointsAndSegments():void
         {
             assertEquals("a point", 5, distanceTo(new Sphere(new Vector3D(1, 2, 5), 0), new Vector3D(1, 2, 0), new Vector3D(0, 0, 1)));
@@ -138,6 +184,12 @@ package starlogo.intersection.ray
                 assertTrue("length " + length, Math.abs(ray.directionX - Math.SQRT1_2) < 1e-15 && Math.abs(ray.directionY + Math.SQRT1_2) < 1e-15);
                 assertEquals(0, ray.directionZ);
             }
+        }
+
+        private static function along(at:Vector3D, axes:Vector.<Vector3D>, x:Number, y:Number, z:Number):Vector3D
+        {
+            return new Vector3D(at.x + x * axes[0].x + y * axes[1].x + z * axes[2].x, at.y + x * axes[0].y + y * axes[1].y + z * axes[2].y,
+                    at.z + x * axes[0].z + y * axes[1].z + z * axes[2].z);
         }
 
         // Flat, or thin, or one point.

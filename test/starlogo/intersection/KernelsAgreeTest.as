@@ -71,7 +71,7 @@ package starlogo.intersection
                 PairTable.kernelOf(b, a).findClosest(b, a, others);
                 others.swapShapes();
                 var isSame:Boolean = points.distance == others.distance && points.aX == others.aX && points.aY == others.aY && points.aZ == others.aZ
-                        && points.bX == others.bX && points.bY == others.bY && points.bZ == others.bZ;
+                    && points.bX == others.bX && points.bY == others.bY && points.bZ == others.bZ;
                 assertTrue(i + ": " + a + ", " + b + ": " + points.distance + ", " + others.distance, isSame);
             }
             var small:Sphere = new Sphere(new Vector3D(0, 0, 0), 0.1);

@@ -78,7 +78,7 @@ package starlogo.ground
             {
                 return APART;
             }
-            return isSphere && reachesSphere(extents, row) ? TOUCHING : UNKNOWN;
+            return isSphere && !_grid.isBlocky && reachesSphere(extents, row) ? TOUCHING : UNKNOWN;
         }
 
         // Whether the agent of a row is above all heights near it, or higher than the slopes between them allow.
@@ -101,7 +101,7 @@ package starlogo.ground
             return !grid.isBlocky && above > height;
         }
 
-        // Whether the ground reaches up to the point of a sphere that is nearest to the plane under its middle.
+        // Whether sloping ground reaches up to the point of a sphere that is nearest to the plane under its middle.
         private function reachesSphere(extents:Extents, row:int):Boolean
         {
             var grid:HeightGrid = _grid;

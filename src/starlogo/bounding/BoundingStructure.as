@@ -65,11 +65,11 @@ package starlogo.bounding
         /**
          * For subclasses only.
          *
-         * @param kind one of the constants
+         * @param kind one of the constants. Any other number becomes OTHER
          */
         public function BoundingStructure(kind:int)
         {
-            this.kind = kind;
+            this.kind = kind >= 0 && kind < OTHER ? kind : OTHER;
         }
 
         /** A description of the structure and its place, for messages. */

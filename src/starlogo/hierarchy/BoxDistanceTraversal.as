@@ -84,9 +84,9 @@ package starlogo.hierarchy
             var bX:Number = boxes[at];
             var bY:Number = boxes[int(at + 1)];
             var bZ:Number = boxes[int(at + 2)];
-            var x:Number = axes.xx * bX + axes.xy * bY + axes.xz * bZ + relative.x;
-            var y:Number = axes.yx * bX + axes.yy * bY + axes.yz * bZ + relative.y;
-            var z:Number = axes.zx * bX + axes.zy * bY + axes.zz * bZ + relative.z;
+            var x:Number = axes.m00 * bX + axes.m01 * bY + axes.m02 * bZ + relative.x;
+            var y:Number = axes.m10 * bX + axes.m11 * bY + axes.m12 * bZ + relative.y;
+            var z:Number = axes.m20 * bX + axes.m21 * bY + axes.m22 * bZ + relative.z;
             bX = boxes[int(at + 3)];
             bY = boxes[int(at + 4)];
             bZ = boxes[int(at + 5)];
@@ -100,19 +100,19 @@ package starlogo.hierarchy
             var halfZ:Number = boxes[int(at + 5)];
             var squared:Number = 0;
             var distance:Number = x < 0 ? -x : x;
-            distance -= halfX + axes.absXx * bX + axes.absXy * bY + axes.absXz * bZ;
+            distance -= halfX + axes.abs00 * bX + axes.abs01 * bY + axes.abs02 * bZ;
             if (distance > 0)
             {
                 squared = distance * distance;
             }
             distance = y < 0 ? -y : y;
-            distance -= halfY + axes.absYx * bX + axes.absYy * bY + axes.absYz * bZ;
+            distance -= halfY + axes.abs10 * bX + axes.abs11 * bY + axes.abs12 * bZ;
             if (distance > 0)
             {
                 squared += distance * distance;
             }
             distance = z < 0 ? -z : z;
-            distance -= halfZ + axes.absZx * bX + axes.absZy * bY + axes.absZz * bZ;
+            distance -= halfZ + axes.abs20 * bX + axes.abs21 * bY + axes.abs22 * bZ;
             if (distance > 0)
             {
                 squared += distance * distance;
@@ -128,23 +128,23 @@ package starlogo.hierarchy
 
             // These products contain the scale.
             var squaredInB:Number = 0;
-            distance = axes.xx * x + axes.yx * y + axes.zx * z;
+            distance = axes.m00 * x + axes.m10 * y + axes.m20 * z;
             distance = distance < 0 ? -distance : distance;
-            distance = (distance - axes.absXx * halfX - axes.absYx * halfY - axes.absZx * halfZ) / scale - scale * bX;
+            distance = (distance - axes.abs00 * halfX - axes.abs10 * halfY - axes.abs20 * halfZ) / scale - scale * bX;
             if (distance > 0)
             {
                 squaredInB = distance * distance;
             }
-            distance = axes.xy * x + axes.yy * y + axes.zy * z;
+            distance = axes.m01 * x + axes.m11 * y + axes.m21 * z;
             distance = distance < 0 ? -distance : distance;
-            distance = (distance - axes.absXy * halfX - axes.absYy * halfY - axes.absZy * halfZ) / scale - scale * bY;
+            distance = (distance - axes.abs01 * halfX - axes.abs11 * halfY - axes.abs21 * halfZ) / scale - scale * bY;
             if (distance > 0)
             {
                 squaredInB += distance * distance;
             }
-            distance = axes.xz * x + axes.yz * y + axes.zz * z;
+            distance = axes.m02 * x + axes.m12 * y + axes.m22 * z;
             distance = distance < 0 ? -distance : distance;
-            distance = (distance - axes.absXz * halfX - axes.absYz * halfY - axes.absZz * halfZ) / scale - scale * bZ;
+            distance = (distance - axes.abs02 * halfX - axes.abs12 * halfY - axes.abs22 * halfZ) / scale - scale * bZ;
             if (distance > 0)
             {
                 squaredInB += distance * distance;
@@ -158,9 +158,9 @@ package starlogo.hierarchy
             var length:Number = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
             if (length > 0)
             {
-                var alongX:Number = toX * axes.xx + toY * axes.yx + toZ * axes.zx;
-                var alongY:Number = toX * axes.xy + toY * axes.yy + toZ * axes.zy;
-                var alongZ:Number = toX * axes.xz + toY * axes.yz + toZ * axes.zz;
+                var alongX:Number = toX * axes.m00 + toY * axes.m10 + toZ * axes.m20;
+                var alongY:Number = toX * axes.m01 + toY * axes.m11 + toZ * axes.m21;
+                var alongZ:Number = toX * axes.m02 + toY * axes.m12 + toZ * axes.m22;
                 alongX = alongX < 0 ? -alongX : alongX;
                 alongY = alongY < 0 ? -alongY : alongY;
                 alongZ = alongZ < 0 ? -alongZ : alongZ;

@@ -6,7 +6,6 @@ package starlogo.hierarchy
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.intersection.LeafTest;
-    import starlogo.intersection.intersects;
     import starlogo.intersection.PairTable;
 
     use namespace engine;
@@ -81,7 +80,7 @@ package starlogo.hierarchy
             var time:Number = 0;
             if (_motion === RelativeMotion.NONE)
             {
-                time = intersects(_box, _structure) ? 0 : RelativeMotion.NEVER;
+                time = PairTable.areTouching(_box, _structure) ? 0 : RelativeMotion.NEVER;
             }
             else
             {

@@ -10,56 +10,56 @@ package starlogo.intersection
     public final class BoxAxes
     {
         /**
-         * The axes of b. The first letter is a's axis, the second is b's: xy is the component of b's axisY along a's axisX.
+         * The axes of b. The first digit counts the axes of a, the second those of b: m01 is the component of b's axisY along a's axisX.
          */
-        public var xx:Number = 1;
-        public var xy:Number = 0;
-        public var xz:Number = 0;
-        public var yx:Number = 0;
-        public var yy:Number = 1;
-        public var yz:Number = 0;
-        public var zx:Number = 0;
-        public var zy:Number = 0;
-        public var zz:Number = 1;
+        public var m00:Number = 1;
+        public var m01:Number = 0;
+        public var m02:Number = 0;
+        public var m10:Number = 0;
+        public var m11:Number = 1;
+        public var m12:Number = 0;
+        public var m20:Number = 0;
+        public var m21:Number = 0;
+        public var m22:Number = 1;
 
         /** The absolute values of the axes. */
-        public var absXx:Number = 1;
-        public var absXy:Number = 0;
-        public var absXz:Number = 0;
-        public var absYx:Number = 0;
-        public var absYy:Number = 1;
-        public var absYz:Number = 0;
-        public var absZx:Number = 0;
-        public var absZy:Number = 0;
-        public var absZz:Number = 1;
+        public var abs00:Number = 1;
+        public var abs01:Number = 0;
+        public var abs02:Number = 0;
+        public var abs10:Number = 0;
+        public var abs11:Number = 1;
+        public var abs12:Number = 0;
+        public var abs20:Number = 0;
+        public var abs21:Number = 0;
+        public var abs22:Number = 1;
 
         /** Reads the axes of b from its rotation in the space of a, whose axes are those of the space, and multiplies them by a length. */
         public function readAxes(rotation:Placement, length:Number):void
         {
-            xx = rotation.r00 * length;
-            xy = rotation.r01 * length;
-            xz = rotation.r02 * length;
-            yx = rotation.r10 * length;
-            yy = rotation.r11 * length;
-            yz = rotation.r12 * length;
-            zx = rotation.r20 * length;
-            zy = rotation.r21 * length;
-            zz = rotation.r22 * length;
+            m00 = rotation.r00 * length;
+            m01 = rotation.r01 * length;
+            m02 = rotation.r02 * length;
+            m10 = rotation.r10 * length;
+            m11 = rotation.r11 * length;
+            m12 = rotation.r12 * length;
+            m20 = rotation.r20 * length;
+            m21 = rotation.r21 * length;
+            m22 = rotation.r22 * length;
             measureAxes();
         }
 
         /** Computes the absolute values. The axes must be set. */
         public function measureAxes():void
         {
-            absXx = xx < 0 ? -xx : xx;
-            absXy = xy < 0 ? -xy : xy;
-            absXz = xz < 0 ? -xz : xz;
-            absYx = yx < 0 ? -yx : yx;
-            absYy = yy < 0 ? -yy : yy;
-            absYz = yz < 0 ? -yz : yz;
-            absZx = zx < 0 ? -zx : zx;
-            absZy = zy < 0 ? -zy : zy;
-            absZz = zz < 0 ? -zz : zz;
+            abs00 = m00 < 0 ? -m00 : m00;
+            abs01 = m01 < 0 ? -m01 : m01;
+            abs02 = m02 < 0 ? -m02 : m02;
+            abs10 = m10 < 0 ? -m10 : m10;
+            abs11 = m11 < 0 ? -m11 : m11;
+            abs12 = m12 < 0 ? -m12 : m12;
+            abs20 = m20 < 0 ? -m20 : m20;
+            abs21 = m21 < 0 ? -m21 : m21;
+            abs22 = m22 < 0 ? -m22 : m22;
         }
     }
 }

@@ -41,8 +41,10 @@ package starlogo.intersection
         private var _firstOut:Number = 0;
 
         /** See capsuleBox. */
-        public function areTouching(capsule:Capsule, box:Box):Boolean
+        override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
         {
+            var capsule:Capsule = a as Capsule;
+            var box:Box = b as Box;
             setSegment(capsule, box);
             var radius:Number = capsule.radius * Tolerances.TOUCHING;
             var halfX:Number = box.halfX;

@@ -31,15 +31,17 @@ package starlogo.intersection
         private var _shareOfV:Number = 0;
 
         /** See capsuleCapsule. */
-        public function areTouching(a:Capsule, b:Capsule):Boolean
+        override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
         {
-            var areReversed:Boolean = areSwapped(a, b);
-            setAxes(areReversed ? b : a, areReversed ? a : b);
+            var first:Capsule = a as Capsule;
+            var second:Capsule = b as Capsule;
+            var areReversed:Boolean = areSwapped(first, second);
+            setAxes(areReversed ? second : first, areReversed ? first : second);
             findShares();
             var x:Number = _x + _shareOfU * _uX - _shareOfV * _vX;
             var y:Number = _y + _shareOfU * _uY - _shareOfV * _vY;
             var z:Number = _z + _shareOfU * _uZ - _shareOfV * _vZ;
-            var touchingDistance:Number = (a.radius + b.radius) * Tolerances.TOUCHING;
+            var touchingDistance:Number = (first.radius + second.radius) * Tolerances.TOUCHING;
             return x * x + y * y + z * z <= touchingDistance * touchingDistance;
         }
 

@@ -27,7 +27,7 @@ package starlogo.intersection
         {
             var aroundA:BoundingStructure = a.around;
             var aroundB:BoundingStructure = b.around;
-            if ((aroundA !== a || aroundB !== b) && !intersects(aroundA, aroundB))
+            if ((aroundA !== a || aroundB !== b) && !PairTable.areTouching(aroundA, aroundB))
             {
                 return false;
             }

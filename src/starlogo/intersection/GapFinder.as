@@ -12,6 +12,12 @@ package starlogo.intersection
      */
     public class GapFinder
     {
+        /** Whether two structures touch where they stand. See PairKernel. */
+        public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            return false;
+        }
+
         /** Whether b comes before a, so that the distance of (b, a) is found in place of that of (a, b). Then rounding is the same for both. */
         public function areSwapped(a:BoundingStructure, b:BoundingStructure):Boolean
         {

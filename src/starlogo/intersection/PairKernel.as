@@ -14,8 +14,7 @@ package starlogo.intersection
     public class PairKernel
     {
         /**
-         * Whether two structures touch or overlap. The function <code>intersects()</code> is faster: it calls the function of a pair of spheres,
-         * capsules and boxes at once.
+         * Whether two structures touch or overlap. Touching counts: see Touching.
          *
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space

@@ -9,9 +9,10 @@ package starlogo.intersection
     use namespace engine;
 
     /**
-     * Says how two structures meet: when a moving one first touches the other, how they overlap, and how far apart they are.
-     * <code>intersects()</code> says whether they touch. The package is made of a kernel for each pair of kinds, a TriangleKernel for a shape and
-     * triangles, and the tests of rays (<code>ray</code>). Read PairKernel next, which explains the questions, then RoundKernel and SphereBoxGap.
+     * Says how two structures meet: whether they touch, when a moving one first touches the other, how they overlap, and how far apart they are.
+     * Here alone it is decided which kernel answers for two kinds. The package is made of a kernel for each pair of kinds, a TriangleKernel for a
+     * shape and triangles, and the tests of rays (<code>ray</code>). Read PairKernel next, which explains the questions, then RoundKernel and
+     * SphereBoxGap.
      *
      * <p>Spheres, capsules and boxes have kernels of their own, because the package convex takes two to eleven times as long. That package decides
      * about hulls. It also finds the distance of two boxes and their contact, and the contact of a sphere or capsule whose core overlaps the core of
@@ -26,34 +27,28 @@ package starlogo.intersection
         // For each pair of kinds its kernel: one row after the other, a row for each kind of the first structure.
         private static const KERNELS:Vector.<PairKernel> = makeKernels();
 
+        /** Whether two structures touch or overlap. See PairKernel. Games call it as <code>intersects()</code>. */
+        public static function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            return KERNELS[int(KINDS * a.kind + b.kind)].areTouching(a, b);
+        }
+
         /** Finds when a moving structure first touches another one. See PairKernel. */
         public static function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            kernelOf(a, b).findTime(a, b, motion);
+            KERNELS[int(KINDS * a.kind + b.kind)].findTime(a, b, motion);
         }
 
         /** Finds where two structures touch, or how they overlap. See PairKernel. */
         public static function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            kernelOf(a, b).findContact(a, b, displacement, out);
+            KERNELS[int(KINDS * a.kind + b.kind)].findContact(a, b, displacement, out);
         }
 
         /** Finds the distance of two structures and their closest points. See PairKernel. */
         public static function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
-            kernelOf(a, b).findClosest(a, b, out);
-        }
-
-        /** The kernel of two structures. */
-        public static function kernelOf(a:BoundingStructure, b:BoundingStructure):PairKernel
-        {
-            return KERNELS[int(KINDS * lineOf(a.kind) + lineOf(b.kind))];
-        }
-
-        // A structure of a game's own may have any number for its kind.
-        private static function lineOf(kind:int):int
-        {
-            return kind >= 0 && kind < BoundingStructure.OTHER ? kind : BoundingStructure.OTHER;
+            KERNELS[int(KINDS * a.kind + b.kind)].findClosest(a, b, out);
         }
 
         private static function makeKernels():Vector.<PairKernel>

@@ -41,7 +41,7 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
         {
-            return intersects(a, b);
+            return _finder.areTouching(a, b);
         }
 
         /** @inheritDoc */

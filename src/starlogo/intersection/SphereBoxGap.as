@@ -14,6 +14,12 @@ package starlogo.intersection
         private var _box:Box = null;
 
         /** @inheritDoc */
+        override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            return sphereBox(a as Sphere, b as Box);
+        }
+
+        /** @inheritDoc */
         override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, localMotion:RelativeMotion, out:CoreGap):void
         {
             var sphere:Sphere = a as Sphere;

@@ -18,6 +18,12 @@ package starlogo.intersection
         private var _axisZ:Number = 0;
 
         /** @inheritDoc */
+        override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            return sphereCapsule(a as Sphere, b as Capsule);
+        }
+
+        /** @inheritDoc */
         override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, localMotion:RelativeMotion, out:CoreGap):void
         {
             var sphere:Sphere = a as Sphere;

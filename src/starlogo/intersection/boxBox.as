@@ -3,6 +3,7 @@ package starlogo.intersection
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.sweep.BoxSweep;
 
     // BoxSweep tries the same axes, and a motion of no length gives the same answer. This function has arithmetic of its own, because the
     // sweep is slower. KernelsAgreeTest checks that both agree.
@@ -128,7 +129,7 @@ package starlogo.intersection
             {
                 return true;
             }
-            return PairTable.kernelOf(a, b).areTouching(a, b);
+            return BoxSweep.areTouching(a, b);
         }
         include "boxEdges.inc";
         return overlap;

@@ -6,7 +6,6 @@ package starlogo.search
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.intersection.boxBox;
-    import starlogo.intersection.intersects;
     import starlogo.intersection.PairTable;
     import starlogo.intersection.ray.ConvexRay;
 
@@ -140,7 +139,7 @@ package starlogo.search
             var structureA:BoundingStructure = a.structure();
             var structureB:BoundingStructure = b.structure();
             _testCounts[BoundingStructure.KIND_COUNT * a.form + b.form]++;
-            return intersects(structureA, structureB);
+            return PairTable.areTouching(structureA, structureB);
         }
 
         /** @inheritDoc */

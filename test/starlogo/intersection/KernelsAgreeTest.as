@@ -67,8 +67,8 @@ package starlogo.intersection
             {
                 var a:BoundingStructure = structures.ofKind(random.pick(kinds), 1, 2);
                 var b:BoundingStructure = structures.ofKind(random.pick(kinds), 1, 2);
-                PairTable.kernelOf(a, b).findClosest(a, b, points);
-                PairTable.kernelOf(b, a).findClosest(b, a, others);
+                PairTable.findClosest(a, b, points);
+                PairTable.findClosest(b, a, others);
                 others.swapShapes();
                 var isSame:Boolean = points.distance == others.distance && points.aX == others.aX && points.aY == others.aY && points.aZ == others.aZ
                     && points.bX == others.bX && points.bY == others.bY && points.bZ == others.bZ;
@@ -76,7 +76,7 @@ package starlogo.intersection
             }
             var small:Sphere = new Sphere(new Vector3D(0, 0, 0), 0.1);
             var large:Sphere = new Sphere(new Vector3D(1, 0, 0), 0.3);
-            PairTable.kernelOf(small, large).findClosest(small, large, points);
+            PairTable.findClosest(small, large, points);
             assertEquals(0.6, points.distance);
         }
 

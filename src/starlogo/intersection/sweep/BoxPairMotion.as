@@ -48,7 +48,7 @@ package starlogo.intersection.sweep
         /** Sets two boxes and the motion of a. While a moves, b moves in the opposite direction as seen from a. The latest time stays. */
         public function setBoxes(a:Box, b:Box, motion:RelativeMotion):void
         {
-            var axes:BoxAxes = this.axes;
+            var cosines:BoxAxes = axes;
             var edgeX:Vector3D = b.axisX;
             var edgeY:Vector3D = b.axisY;
             var edgeZ:Vector3D = b.axisZ;
@@ -59,24 +59,24 @@ package starlogo.intersection.sweep
             var fromY:Number = b.center.y - a.center.y - motion.startY;
             var fromZ:Number = b.center.z - a.center.z - motion.startZ;
             var axis:Vector3D = a.axisX;
-            axes.m00 = axis.x * edgeX.x + axis.y * edgeX.y + axis.z * edgeX.z;
-            axes.m01 = axis.x * edgeY.x + axis.y * edgeY.y + axis.z * edgeY.z;
-            axes.m02 = axis.x * edgeZ.x + axis.y * edgeZ.y + axis.z * edgeZ.z;
+            cosines.m00 = axis.x * edgeX.x + axis.y * edgeX.y + axis.z * edgeX.z;
+            cosines.m01 = axis.x * edgeY.x + axis.y * edgeY.y + axis.z * edgeY.z;
+            cosines.m02 = axis.x * edgeZ.x + axis.y * edgeZ.y + axis.z * edgeZ.z;
             motionX = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
             x = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
             axis = a.axisY;
-            axes.m10 = axis.x * edgeX.x + axis.y * edgeX.y + axis.z * edgeX.z;
-            axes.m11 = axis.x * edgeY.x + axis.y * edgeY.y + axis.z * edgeY.z;
-            axes.m12 = axis.x * edgeZ.x + axis.y * edgeZ.y + axis.z * edgeZ.z;
+            cosines.m10 = axis.x * edgeX.x + axis.y * edgeX.y + axis.z * edgeX.z;
+            cosines.m11 = axis.x * edgeY.x + axis.y * edgeY.y + axis.z * edgeY.z;
+            cosines.m12 = axis.x * edgeZ.x + axis.y * edgeZ.y + axis.z * edgeZ.z;
             motionY = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
             y = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
             axis = a.axisZ;
-            axes.m20 = axis.x * edgeX.x + axis.y * edgeX.y + axis.z * edgeX.z;
-            axes.m21 = axis.x * edgeY.x + axis.y * edgeY.y + axis.z * edgeY.z;
-            axes.m22 = axis.x * edgeZ.x + axis.y * edgeZ.y + axis.z * edgeZ.z;
+            cosines.m20 = axis.x * edgeX.x + axis.y * edgeX.y + axis.z * edgeX.z;
+            cosines.m21 = axis.x * edgeY.x + axis.y * edgeY.y + axis.z * edgeY.z;
+            cosines.m22 = axis.x * edgeZ.x + axis.y * edgeZ.y + axis.z * edgeZ.z;
             motionZ = -(axis.x * moveX + axis.y * moveY + axis.z * moveZ);
             z = axis.x * fromX + axis.y * fromY + axis.z * fromZ;
-            axes.measureAxes();
+            cosines.measureAxes();
             aX = a.halfX;
             aY = a.halfY;
             aZ = a.halfZ;

@@ -75,12 +75,12 @@ test("a bundle has what is used and no more", () => {
 });
 
 test("a game loads the questions that it asks", () => {
-	const level = ["Agent", "GreatLand", "Model", "LevelShapes", "SeenAgents"];
+	const level = ["Agent", "Model", "Capsule", "LevelShapes", "SeenAgents"];
 	const limits = [
 		[["Agent", "BinCollider", "SeenAgents", "AgentPlaces"], 34],
 		[["Agent", "Collision", "BinCollider", "SeenAgents", "AgentPlaces"], 43],
-		[[...level, "AgentRays"], 63],
-		[[...level, "AgentWalks"], 99],
+		[[...level, "AgentRays"], 45],
+		[[...level, "AgentWalks"], 81],
 	];
 	for (const [names, limit] of limits) {
 		const size = weigh(bundle(names)) / KB;

@@ -2,7 +2,7 @@
 /**
  * Lists what a bundle with some names of the package has in it, by source file, largest first: its share of the gzipped bundle in kilobytes.
  *
- *   node test/module/contents.mjs Agent GreatLand Model LevelShapes SeenAgents AgentRays
+ *   node test/module/contents.mjs Agent Model LevelShapes SeenAgents AgentRays
  *
  * It reads bin/module. A class of src/starlogo is shown with its room; all else is a stand-in or help of the module.
  */

@@ -215,8 +215,10 @@ function ask(greatLand: GreatLand, agents: Agent[]): void {
 	seen.update(agents);
 	const [places, walks]: [AgentPlaces, AgentWalks] = [new AgentPlaces(seen), new AgentWalks(seen)];
 	if (places.nearest(agents[0], Infinity, filter) !== nearest || walks.moveUntilTouch(agents[0], 0, 0, 0) !== 1) log.push("other answers");
-	const level = new LevelShapes(greatLand);
+	const level = new LevelShapes();
 	level.exact = true;
+	for (const { shape } of agents) level.addStructure(shape, greatLand.boundingStructures.tightestFit(shape));
+	level.addModel(BuiltInModel.box(4, 0.5, 3, "wall"));
 	const seenInLevel = new SeenAgents(level);
 	seenInLevel.update(agents);
 	if (new AgentRays(seenInLevel).castAll(eye, ahead).length > hits.length) log.push("other hits");

@@ -245,6 +245,17 @@ package starlogo.bounding
         }
 
         /**
+         * The half-spaces whose intersection is this structure, if it is a Hull; null for all others. Each has four numbers: an outward unit
+         * normal, and how far its plane is from the centre along the normal.
+         *
+         * @private
+         */
+        engine function get halfSpaces():Vector.<Number>
+        {
+            return null;
+        }
+
+        /**
          * A simpler structure around this one, which tests take first; this structure if there is none.
          *
          * @private

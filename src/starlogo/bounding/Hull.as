@@ -241,13 +241,14 @@ package starlogo.bounding
         }
 
         /**
-         * The half-spaces whose intersection is the hull of the corners. Each has four numbers: an outward unit normal, and how far its
-         * plane is from the centre along the normal. Those whose planes go through the centre come first. A flat hull has two of them, a
-         * segment four, and a point six. The list is kept until the hull changes.
+         * @inheritDoc
+         *
+         * Their intersection is the hull of the corners, without the margin. Those whose planes go through the centre come first. A flat hull
+         * has two of them, a segment four, and a point six. The list is kept until the hull changes.
          *
          * @private
          */
-        engine function get halfSpaces():Vector.<Number>
+        override engine function get halfSpaces():Vector.<Number>
         {
             if (!_hasHalfSpaces)
             {

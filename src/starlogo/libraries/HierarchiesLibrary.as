@@ -41,8 +41,8 @@ package starlogo.libraries
          */
         engine var models:ModelTable = new ModelTable();
 
-        private var _minVerticesToSplit:int = 5;
-        private var _maxDepth:int = 10;
+        private var _minVerticesToSplit:int = ModelTreeBuilder.MIN_VERTICES_TO_SPLIT;
+        private var _maxDepth:int = ModelTreeBuilder.MAX_DEPTH;
 
         /** Creates a library without models. */
         public function HierarchiesLibrary()

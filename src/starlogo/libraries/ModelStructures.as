@@ -25,7 +25,10 @@ package starlogo.libraries
         /** The hull; the smallest sphere if that is not larger; null if there is none. Set it with setHull(). */
         public var hull:BoundingStructure = null;
 
-        /** The structure with the least volume. It is never the hull. Among equal volumes, the one with the cheapest tests. */
+        /**
+         * The structure with the least volume. Among equal volumes, the one with the cheapest tests. It is the hull only if that is the one structure
+         * that was given.
+         */
         public var tightest:BoundingStructure = null;
 
         /** Whether the client may read the smallest structure of each kind. */
@@ -57,6 +60,14 @@ package starlogo.libraries
                 }
             }
             setHull(hull);
+        }
+
+        /** One structure that is given, not found. */
+        public static function of(structure:BoundingStructure):ModelStructures
+        {
+            var given:ModelStructures = new ModelStructures(new Vector.<BoundingStructure>(), null, false);
+            given.tightest = structure;
+            return given;
         }
 
         /** Sets the hull, or null. If the smallest sphere is not larger, it takes the hull's place. */

@@ -1,38 +1,64 @@
 package starlogo.queries
 {
-    import starlogo.GreatLand;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.collision.QuerySource;
     import starlogo.engine;
+    import starlogo.geometry.requireGiven;
+    import starlogo.models.Model;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.TightestShapes;
-    import starlogo.search.TreeShapes;
 
     use namespace engine;
 
     /**
-     * What questions see agents as, in a game that asks for rays or walks and searches for no collisions. It sees them as a CombinationCollider
-     * does: agents that are <code>hierarchical</code>, such as a level, as the trees or the triangles of their models, and all others as
-     * their tightest fits. Pass it to SeenAgents. Rays do not meet bounding structures of a game's own here: they are refused with an
-     * ArgumentError.
+     * What questions see agents as, in a game that asks for rays or walks and searches for no collisions. An agent's <code>shape</code> is the name
+     * of a model or of a structure here. A model is a level, or whatever else stands in it: it is seen as its tree, or as its triangles if
+     * <code>exact</code> is set. A character is best a structure. Nothing is fitted, so such a game needs no GreatLand. The traits
+     * <code>hierarchical</code> and <code>collideAs</code> have no effect. Pass it to SeenAgents.
      *
      * <listing version="3.0">
-     * var seen:SeenAgents = new SeenAgents(new LevelShapes(greatLand));
+     * var shapes:LevelShapes = new LevelShapes();
+     * shapes.addModel(castle);
+     * shapes.addStructure("hero", new Capsule(new Vector3D(0, 0, 0.4), new Vector3D(0, 0, 1.4), 0.4));
+     * var seen:SeenAgents = new SeenAgents(shapes);
      * var rays:AgentRays = new AgentRays(seen);
+     * seen.update(new &lt;Agent&gt;[new Agent(castle.name), new Agent("hero")]);
      * </listing>
      */
     public final class LevelShapes extends QuerySource
     {
+        private var _choice:LevelChoice = new LevelChoice();
         private var _narrowPhase:NarrowPhase;
 
+        /** Creates a LevelShapes without models and structures. */
+        public function LevelShapes()
+        {
+            _narrowPhase = new NarrowPhase(_choice);
+        }
+
         /**
-         * Sees agents as the models of a GreatLand.
+         * Adds a model. It replaces a model or a structure of the same name. Its tree is built, and its triangles are prepared, at
+         * once.
          *
-         * @param greatLand has the models
+         * @param model its name is the shape's name for agents
          * @throws ArgumentError if it is null
          */
-        public function LevelShapes(greatLand:GreatLand)
+        public function addModel(model:Model):void
         {
-            _narrowPhase = new NarrowPhase(new TreeShapes(greatLand, new TightestShapes(greatLand)));
+            requireGiven("model", model);
+            _choice.addModel(model);
+        }
+
+        /**
+         * Adds a structure. It replaces a model or a structure of the same name.
+         *
+         * @param name the shape's name for agents
+         * @param structure a Sphere, Capsule, Box or Hull in the agents' own space, where an agent's place is the origin. Do not change it
+         *     afterwards
+         * @throws ArgumentError if the name is null or empty, or the structure is null or another one
+         */
+        public function addStructure(name:String, structure:BoundingStructure):void
+        {
+            _choice.addStructure(name, structure);
         }
 
         /**

@@ -4,6 +4,7 @@ package starlogo.search
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.models.Model;
 
     use namespace engine;
 
@@ -31,6 +32,38 @@ package starlogo.search
          */
         engine function prepare(narrowPhase:NarrowPhase):void
         {
+        }
+
+        /** @private Increased whenever data of any model is replaced, removed or posed. Shapes made from the data are then void. */
+        engine function get revision():int
+        {
+            return greatLand == null ? 0 : greatLand.revision;
+        }
+
+        /** @private The revision of one model. */
+        engine function revisionOf(name:String):int
+        {
+            return greatLand == null ? 0 : greatLand.revisionOf(name);
+        }
+
+        /** @private The model with a name; null if there is none, or if the shapes need no models. */
+        engine function modelOf(name:String):Model
+        {
+            return greatLand == null ? null : greatLand.modelOf(name);
+        }
+
+        /** @private Whether the model of an agent is still loading. Throws an ArgumentError if the model is unknown. */
+        engine function isLoading(agent:Agent):Boolean
+        {
+            if (greatLand == null || greatLand.hasModel(agent.shape))
+            {
+                return false;
+            }
+            if (!greatLand.isLoading(agent.shape))
+            {
+                throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; add it to the GreatLand first");
+            }
+            return true;
         }
 
         /**

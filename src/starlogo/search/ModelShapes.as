@@ -1,7 +1,6 @@
 package starlogo.search
 {
     import flash.geom.Vector3D;
-    import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
     import starlogo.bounding.BoundingStructure;
@@ -24,7 +23,6 @@ package starlogo.search
 
         private var _choice:AgentShapes;
         private var _narrowPhase:NarrowPhase;
-        private var _greatLand:GreatLand;
         private var _revision:int = -1;
 
         // A text stands before each key, because a model may be called "hasOwnProperty".
@@ -47,7 +45,6 @@ package starlogo.search
         {
             _choice = choice;
             _narrowPhase = narrowPhase;
-            _greatLand = choice.greatLand;
         }
 
         /**
@@ -90,16 +87,12 @@ package starlogo.search
 
         private function newShape(agent:Agent, kind:int):ModelShape
         {
-            if (_greatLand != null && !_greatLand.hasModel(agent.shape))
+            if (_choice.isLoading(agent))
             {
-                if (_greatLand.isLoading(agent.shape))
-                {
-                    return null;
-                }
-                throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; add it to the GreatLand first");
+                return null;
             }
-            var shape:ModelShape = new ModelShape(agent.shape, kind, _greatLand == null ? 0 : _greatLand.revisionOf(agent.shape));
-            shape.source = _greatLand == null ? null : _greatLand.modelOf(agent.shape);
+            var shape:ModelShape = new ModelShape(agent.shape, kind, _choice.revisionOf(agent.shape));
+            shape.source = _choice.modelOf(agent.shape);
             _choice.bind(shape, agent);
             if (shape.form < 0)
             {
@@ -160,16 +153,16 @@ package starlogo.search
         /** Forgets the shapes of models that were replaced or removed. Returns whether there were any. */
         public function forgetReplaced():Boolean
         {
-            if (_greatLand == null || _greatLand.revision == _revision)
+            if (_choice.revision == _revision)
             {
                 return false;
             }
-            _revision = _greatLand.revision;
+            _revision = _choice.revision;
             var haveChanged:Boolean = false;
             for (var key:String in _ofModels)
             {
                 var shape:ModelShape = _ofModels[key];
-                if (shape.revision != _greatLand.revisionOf(shape.model))
+                if (shape.revision != _choice.revisionOf(shape.model))
                 {
                     delete _ofModels[key];
                     haveChanged = true;

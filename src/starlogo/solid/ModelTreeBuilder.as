@@ -17,6 +17,12 @@ package starlogo.solid
      */
     public final class ModelTreeBuilder extends StepSequence
     {
+        /** The vertices of a leaf, and the levels of a tree, if a game does not say (thesis §4.4). */
+        public static const MIN_VERTICES_TO_SPLIT:int = 5;
+
+        /** @copy #MIN_VERTICES_TO_SPLIT */
+        public static const MAX_DEPTH:int = 10;
+
         /** The tree. It is complete after the last step. */
         public var modelTree:ModelTree;
 

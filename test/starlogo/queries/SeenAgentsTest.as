@@ -9,12 +9,15 @@ package starlogo.queries
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
     import starlogo.collision.Collision;
     import starlogo.collision.BinCollider;
     import starlogo.collision.CombinationCollider;
     import starlogo.collision.Contact;
     import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
     import starlogo.terrain.Terrain;
     import support.agentAt;
     import support.assertThrows;
@@ -37,7 +40,7 @@ package starlogo.queries
             {
                 var agent:Agent = agentAt(["cube", "sphere", "cylinder"][i % 3], _random.between(-6, 6), _random.between(-6, 6), _random.between(-1, 1));
                 agent.heading = _random.between(0, 360);
-                agent.hierarchical = i % 4 == 0;
+                agent.hierarchical = agent.shape == "cube";
                 _agents.push(agent);
             }
         }
@@ -46,7 +49,7 @@ package starlogo.queries
         public function theirAnswersAreThoseOfAllQuestions():void
         {
             var system:CombinationCollider = new CombinationCollider(_land);
-            var level:LevelShapes = new LevelShapes(_land);
+            var level:LevelShapes = newLevel();
             var collision:Collision = new Collision(system);
             for each (var isExact:Boolean in [false, true])
             {
@@ -56,6 +59,16 @@ package starlogo.queries
                 compare(system, collision);
                 compare(system, level);
             }
+        }
+
+        // The cubes are trees, and all others are structures, as in a CombinationCollider with these agents.
+        private function newLevel():LevelShapes
+        {
+            var level:LevelShapes = new LevelShapes();
+            level.addModel(BuiltInModel.cube());
+            level.addStructure("sphere", _land.boundingStructures.tightestFit("sphere"));
+            level.addStructure("cylinder", _land.boundingStructures.tightestFit("cylinder"));
+            return level;
         }
 
         // Both ask the same questions in the same order. Motions are made twice from the same place.
@@ -171,7 +184,7 @@ package starlogo.queries
         {
             var ground:Terrain = new Terrain(4, 4);
             var collision:Collision = new Collision(new BinCollider());
-            for each (var source:Object in [new LevelShapes(_land), new BinCollider(), collision])
+            for each (var source:Object in [new LevelShapes(), new BinCollider(), collision])
             {
                 var seen:SeenAgents = new SeenAgents(source);
                 seen.terrain = ground;
@@ -185,12 +198,11 @@ package starlogo.queries
         [Test]
         public function whatIsWrongIsRefused():void
         {
-            assertThrows(ArgumentError, "AgentRays", makeQueries, new LevelShapes(_land));
+            assertThrows(ArgumentError, "AgentRays", makeQueries, new LevelShapes());
             assertThrows(ArgumentError, "a Collision", makeSeen, _land);
             assertThrows(ArgumentError, "a Collision", makeSeen, null);
-            assertThrows(ArgumentError, "greatLand", makeShapes, null);
             assertThrows(ArgumentError, "seen", makeRays, null);
-            var seen:SeenAgents = new SeenAgents(new LevelShapes(_land));
+            var seen:SeenAgents = new SeenAgents(new LevelShapes());
             assertThrows(IllegalOperationError, "update", new AgentPlaces(seen).nearest, _agents[0]);
         }
 
@@ -204,11 +216,6 @@ package starlogo.queries
             new SeenAgents(source);
         }
 
-        private static function makeShapes(land:GreatLand):void
-        {
-            new LevelShapes(land);
-        }
-
         private static function makeRays(seen:SeenAgents):void
         {
             new AgentRays(seen);
@@ -217,7 +224,53 @@ package starlogo.queries
         [Test(expects="RangeError")]
         public function aLevelIsNotTestedToNoDepth():void
         {
-            new LevelShapes(_land).maxDepth = 0;
+            new LevelShapes().maxDepth = 0;
+        }
+
+        [Test]
+        public function aLevelTakesWhatReplacesAShapeAndWhatIsPosed():void
+        {
+            var box:Model = BuiltInModel.box(2, 2, 2);
+            var level:LevelShapes = new LevelShapes();
+            var seen:SeenAgents = new SeenAgents(level);
+            var rays:AgentRays = new AgentRays(seen);
+            var agents:Vector.<Agent> = new <Agent>[new Agent(box.name), agentAt("post", 9, 0, 0)];
+            level.exact = true;
+            level.addModel(box);
+            level.addStructure("post", new Capsule(new Vector3D(), new Vector3D(0, 0, 4), 1));
+            assertHeights(2, 5);
+            level.addStructure("post", new Hull(new <Number>[-1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 3]));
+            assertHeights(2, 3);
+            var lower:Vector.<Number> = box.vertices.concat();
+            for (var i:int = 2; i < lower.length; i += 3)
+            {
+                lower[i] /= 2;
+            }
+            box.pose(lower);
+            assertHeights(1, 3);
+            level.addStructure(box.name, new Sphere(new Vector3D(), 4));
+            level.addModel(new Model("post", lower, box.triangles, Model.AS_GIVEN));
+            assertHeights(4, 1);
+
+            function assertHeights(...heights):void
+            {
+                seen.update(agents);
+                for (var i:int = 0; i < 2; i++)
+                {
+                    assertEquals(heights[i], 9 - Math.round(1e9 * rays.cast(new Vector3D(9 * i, 0, 9), new Vector3D(0, 0, -1)).distance) / 1e9);
+                }
+            }
+        }
+
+        [Test]
+        public function aLevelRefusesWhatItDoesNotKnow():void
+        {
+            var level:LevelShapes = new LevelShapes();
+            var seen:SeenAgents = new SeenAgents(level);
+            assertThrows(ArgumentError, "model must not be null", level.addModel, null);
+            assertThrows(ArgumentError, "a name", level.addStructure, "", new Sphere(new Vector3D(), 1));
+            assertThrows(ArgumentError, "not null", level.addStructure, "ball", null);
+            assertThrows(ArgumentError, "LevelShapes", seen.update, new <Agent>[new Agent("ball")]);
         }
     }
 }

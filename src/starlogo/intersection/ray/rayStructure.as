@@ -5,6 +5,9 @@ package starlogo.intersection.ray
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Hull;
     import starlogo.bounding.Sphere;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /**
      * Narrows a ray to the part inside of a structure. Allocates nothing, except at the first ray that meets a hull where it is.
@@ -27,7 +30,8 @@ package starlogo.intersection.ray
             case BoundingStructure.BOX:
                 return rayBox(ray, Box(structure));
             case BoundingStructure.HULL:
-                if (structure is Hull)
+                // the class itself would bring the search for hulls into every game with rays
+                if (structure.halfSpaces != null)
                 {
                     return rayHull(ray, Hull(structure));
                 }

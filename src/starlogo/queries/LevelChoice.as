@@ -1,0 +1,103 @@
+package starlogo.queries
+{
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.engine;
+    import starlogo.libraries.ModelEntry;
+    import starlogo.libraries.ModelStructures;
+    import starlogo.libraries.ModelTable;
+    import starlogo.models.Model;
+    import starlogo.search.AgentShapes;
+    import starlogo.search.Body;
+    import starlogo.search.ModelShape;
+    import starlogo.solid.ModelTreeBuilder;
+    import starlogo.steps.finish;
+
+    use namespace engine;
+
+    /**
+     * The shapes of a LevelShapes. Under each name there is a model, whose tree is the shape, or a structure. Nothing is fitted, so a game loads no
+     * fitter.
+     *
+     * @private
+     */
+    public final class LevelChoice extends AgentShapes
+    {
+        private var _models:ModelTable = new ModelTable();
+
+        public function LevelChoice()
+        {
+            super(null);
+        }
+
+        /** Builds the tree of a model, and prepares its triangles. It replaces what has its name. */
+        public function addModel(model:Model):void
+        {
+            var builder:ModelTreeBuilder = new ModelTreeBuilder(model.vertices, model.triangles, ModelTreeBuilder.MIN_VERTICES_TO_SPLIT,
+                    ModelTreeBuilder.MAX_DEPTH, false, true);
+            finish(builder);
+            replace(model.name, model, builder, null);
+        }
+
+        /**
+         * Uses a structure as the shape with a name. It replaces what has this name.
+         *
+         * @throws ArgumentError if the name is null or empty, or the structure is null or not one of the engine's
+         */
+        public function addStructure(name:String, structure:BoundingStructure):void
+        {
+            ModelTable.checkName(name);
+            Body.requireStructure(structure);
+            replace(name, null, null, ModelStructures.of(structure));
+        }
+
+        private function replace(name:String, model:Model, builder:ModelTreeBuilder, structures:ModelStructures):void
+        {
+            var entry:ModelEntry = _models.entryFor(name);
+            entry.setModel(model);
+            entry.setHierarchy(builder);
+            entry.setStructures(structures);
+        }
+
+        /** @inheritDoc */
+        override engine function get revision():int
+        {
+            return _models.revision;
+        }
+
+        /** @inheritDoc */
+        override engine function revisionOf(name:String):int
+        {
+            return _models.of(name).revision;
+        }
+
+        /** @inheritDoc */
+        override engine function modelOf(name:String):Model
+        {
+            return _models.of(name).model;
+        }
+
+        /** @inheritDoc */
+        override engine function isLoading(agent:Agent):Boolean
+        {
+            var entry:ModelEntry = _models.of(agent.shape);
+            if (entry.model == null && entry.structures == null)
+            {
+                throw new ArgumentError(agent + ": there is no model and no structure \"" + agent.shape + "\"; add it to the LevelShapes first");
+            }
+            return false;
+        }
+
+        /** @inheritDoc */
+        override public function bind(shape:ModelShape, agent:Agent):void
+        {
+            var entry:ModelEntry = _models.of(shape.model);
+            if (entry.structures != null)
+            {
+                shape.setStructure(entry.structures.tightest);
+                return;
+            }
+            shape.setTree(entry.hierarchy);
+        }
+    }
+}

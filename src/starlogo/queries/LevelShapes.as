@@ -17,11 +17,11 @@ package starlogo.queries
      *
      * <listing version="3.0">
      * var shapes:LevelShapes = new LevelShapes();
-     * shapes.addModel(castle);
+     * shapes.addModel(BuiltInModel.box(20, 20, 1, "floor"));
      * shapes.addStructure("hero", new Capsule(new Vector3D(0, 0, 0.4), new Vector3D(0, 0, 1.4), 0.4));
      * var seen:SeenAgents = new SeenAgents(shapes);
      * var rays:AgentRays = new AgentRays(seen);
-     * seen.update(new &lt;Agent&gt;[new Agent(castle.name), new Agent("hero")]);
+     * seen.update(new &lt;Agent&gt;[new Agent("floor"), new Agent("hero")]);
      * </listing>
      */
     public final class LevelShapes extends QuerySource

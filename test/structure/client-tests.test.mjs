@@ -26,6 +26,12 @@ test('all test classes of all folders are run', () => {
 	assert.match(written(), /import game\.world\.TurtleTest;/);
 });
 
+test('a test that fails is told with its file and line', () => {
+	writeFileSync(path.join(folder, 'tests/game/world/TurtleTest.as'), 'package game.world\n{\n    public class TurtleTest\n    {\n        [Test]\n        public function swims():void\n');
+	run('src,tests');
+	assert.match(readFileSync(path.join(folder, 'out/ClientTestsReporter.as'), 'utf8'), /"game\.world\.TurtleTest\.swims": "tests\/game\/world\/TurtleTest\.as:6"/);
+});
+
 test('a name chooses some of them', () => {
 	assert.equal(run('src,tests', 'turtle').stdout, '1 test class\n');
 	assert.match(written(), /Request\.classes\(game\.world\.TurtleTest\)/);

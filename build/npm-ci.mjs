@@ -1,0 +1,51 @@
+#!/usr/bin/env node
+/**
+ * Installs the packages of a package-lock.json with npm, unless they are there.
+ *
+ *   node build/npm-ci.mjs FOLDER WHAT
+ *
+ * They are there if node_modules/.package-lock.json, which npm writes last, says of each package what package-lock.json says. The times of
+ * the files do not count: a checkout of another branch and back installs nothing. While npm works, it says every ten seconds how far it is.
+ */
+import { spawn } from 'node:child_process';
+import { existsSync, readFileSync } from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const SIGN_OF_LIFE_MS = 10000;
+
+const versionOf = (entry) => entry?.integrity ?? entry?.version;
+
+/**
+ * Whether what npm has installed is what a lock file says.
+ *
+ * @param {object} lock package-lock.json
+ * @param {object} installed node_modules/.package-lock.json. Optional packages for other machines are not in it
+ */
+export function isInstalled(lock, installed) {
+	const { '': root, ...wanted } = lock.packages;
+	const there = installed.packages ?? {};
+	return Object.entries(wanted).every(([name, entry]) => name in there ? versionOf(there[name]) === versionOf(entry) : entry.optional)
+		&& Object.keys(there).every((name) => name in wanted);
+}
+
+function install(folder, what) {
+	const read = (file) => JSON.parse(readFileSync(path.join(folder, file), 'utf8'));
+	const lock = read('package-lock.json');
+	if (existsSync(path.join(folder, 'node_modules/.package-lock.json')) && isInstalled(lock, read('node_modules/.package-lock.json'))) return;
+	console.log(`Fetching ${what}`);
+	const names = Object.keys(lock.packages).filter(Boolean);
+	const start = Date.now();
+	const signs = setInterval(() => {
+		const count = names.filter((name) => existsSync(path.join(folder, name, 'package.json'))).length;
+		console.log(`${Math.round((Date.now() - start) / 1000)} s: ${count} of ${names.length} packages`);
+	}, SIGN_OF_LIFE_MS);
+	const npm = spawn('npm', ['ci', '--no-progress', '--loglevel=error'], { cwd: folder, stdio: 'inherit' });
+	npm.on('error', (error) => console.error(`npm does not start: ${error.message}`));
+	npm.on('close', (status) => {
+		clearInterval(signs);
+		process.exitCode = status ?? 1;
+	});
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) install(process.argv[2], process.argv[3]);

@@ -19,9 +19,10 @@ package starlogo.models
             fails("", "not XML", "");
             fails("", "not XML", "hello");
             fails("", "not XML", "\u0089PNG\r\n\u001a\n");
-            fails("", "not well-formed XML, or cut off", "<COLLADA><a>");
-            fails("", "not well-formed", "<svg></COLLADA>");
-            fails("", "root element is <svg>", "<svg/>");
+            fails("line 1", "not well-formed XML, or cut off", "<COLLADA><a>");
+            fails("line 4", "not well-formed XML, or cut off", "<COLLADA>\n<a>\r\n<b/>\r");
+            fails("line 2", "not well-formed", "<svg>\n</COLLADA>\n");
+            fails("svg", "root element is <svg>", "<svg/>");
             fails("", "no vertices", "<COLLADA/>");
             fails("", "no vertices", Collada.scene("", "<node/>"));
             fails("", "no vertices", Collada.document('<library_geometries><geometry id="a"><spline/></geometry></library_geometries>'));
@@ -157,16 +158,16 @@ package starlogo.models
                             Collada.triangles("0 1 2")),
                         new Array(301).join("<node>") + NODE + new Array(301).join("</node>")));
             fails("", "no vertices", "<COLLADA>" + nested(999) + "</COLLADA>");
-            fails("", "nested more than 1000 deep", "<COLLADA>" + nested(1000) + "</COLLADA>");
-            fails("", "nested more than 1000 deep", "<COLLADA>" + new Array(1001).join('<a b="/>">'));
+            fails("line 1", "nested more than 1000 deep", "<COLLADA>" + nested(1000) + "</COLLADA>");
+            fails("line 1", "nested more than 1000 deep", "<COLLADA>" + new Array(1001).join('<a b="/>">'));
             fails("", "no vertices", "<COLLADA>" + new Array(2001).join("<a b='>'/><!-- <b> --><![CDATA[<c>]]><?d <e>?>") + "</COLLADA>");
         }
 
         [Test]
         public function manyElementsAndAttributes():void
         {
-            fails("", "more than 500000 elements", "<COLLADA>" + new Array(500001).join("<a/>") + "</COLLADA>");
-            fails("", "more than 100 attributes", "<COLLADA" + attributes(101) + "/>");
+            fails("line 500001", "more than 500000 elements", "<COLLADA>" + new Array(500001).join("\n<a/>") + "</COLLADA>");
+            fails("line 1", "more than 100 attributes", "<COLLADA" + attributes(101) + "/>");
             fails("", "no vertices", "<COLLADA" + attributes(100) + "/>");
         }
 

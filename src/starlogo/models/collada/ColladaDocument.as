@@ -4,7 +4,6 @@ package starlogo.models.collada
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
     import starlogo.models.TextTokens;
-    import starlogo.models.refuseIf;
 
     /** A COLLADA document. It finds elements by id, reads their numbers, and names their places in errors. */
     internal final class ColladaDocument
@@ -26,16 +25,25 @@ package starlogo.models.collada
         {
             this.budget = budget;
             root = xml.root;
-            refuseIf(root == null, budget.name, "this is not XML: expected a COLLADA document");
-            refuseIf(root.name != "COLLADA", budget.name, "expected a COLLADA document, but its root element is <" + root.name + ">");
+            refuseIf(root == null, "this is not XML: expected a COLLADA document", "");
+            refuseIf(root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + root.name + ">", root);
             _elementsById = xml.elementsById;
+        }
+
+        /** Throws a ModelError if something is wrong. @param place the element where it is; "" for no place */
+        public function refuseIf(isWrong:Boolean, problem:String, place:Object):void
+        {
+            if (isWrong)
+            {
+                throw new ModelError(budget.name, String(place), problem);
+            }
         }
 
         /** The first child element with a name. @throws ModelError if there is none */
         public function requiredChild(element:ColladaElement, name:String):ColladaElement
         {
             var found:ColladaElement = element.child(name);
-            refuseIf(found == null, budget.name, "expected a <" + name + "> in it", element);
+            refuseIf(found == null, "expected a <" + name + "> in it", element);
             return found;
         }
 
@@ -50,7 +58,7 @@ package starlogo.models.collada
         public function target(element:ColladaElement, attribute:String, names:Array, scope:ColladaElement = null):ColladaElement
         {
             var url:String = element.attribute(attribute);
-            refuseIf(url.charAt(0) != "#", budget.name, "expected a " + attribute + " like \"#id\", of an element in this file, but found \"" +
+            refuseIf(url.charAt(0) != "#", "expected a " + attribute + " like \"#id\", of an element in this file, but found \"" +
                     TextTokens.shorten(url) + "\"", element);
             var id:String = url.substr(1);
             for each (var name:String in names)
@@ -86,9 +94,9 @@ package starlogo.models.collada
          */
         public function numbers(element:ColladaElement, count:int):Vector.<Number>
         {
-            var all:Array = element.words;
+            var all:Array = element.splitText();
             var length:int = all.length;
-            refuseIf(length != count, budget.name, "expected " + count + " numbers, but found " + length, element);
+            refuseIf(length != count, "expected " + count + " numbers, but found " + length, element);
             var result:Vector.<Number> = new Vector.<Number>(length);
             for (var i:int = 0; i < length; i++)
             {
@@ -117,7 +125,7 @@ package starlogo.models.collada
         {
             var text:String = element.attribute(attribute);
             var number:Number = text == "" ? missing : Decimal.of(TextTokens.of(text).join(" "));
-            refuseIf(!(number >= 0 && number == Math.floor(number) && number < Infinity), budget.name, "expected " +
+            refuseIf(!(number >= 0 && number == Math.floor(number) && number < Infinity), "expected " +
                     attribute + " to be a whole number, not negative, but found \"" + TextTokens.shorten(text) + "\"", element);
             return number;
         }
@@ -125,7 +133,7 @@ package starlogo.models.collada
         /** Checks an element's attribute <code>count</code>, if there is one. @param counted the value that it must have */
         public function checkCount(element:ColladaElement, counted:int, what:String):void
         {
-            refuseIf(integer(element, "count", counted) != counted, budget.name, "its count is " +
+            refuseIf(integer(element, "count", counted) != counted, "its count is " +
                     TextTokens.shorten(element.attribute("count")) + ", but it has " + counted + " " + what, element);
         }
     }

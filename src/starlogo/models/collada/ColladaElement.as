@@ -18,11 +18,8 @@ package starlogo.models.collada
         /** The pieces of the element's own text. Comments and elements may divide it. */
         public var texts:Array = [];
 
-        /** For an element that is a transform: the transform, after it was first needed. */
+        /** For an element that is a transform: the transform, after a scene first needed it. */
         public var transform:AffineTransform = null;
-
-        /** For a geometry: its vertices and triangles, after they were first needed. */
-        public var mesh:ColladaMesh = null;
 
         // the key is "@" and the name, which differs from every property that each Object has
         private var _attributes:Object = {};
@@ -111,8 +108,8 @@ package starlogo.models.collada
             return _first[key];
         }
 
-        /** The words of the element's own text. For long texts, ColladaWords does the same in steps. */
-        public function get words():Array
+        /** Splits the element's own text into words. For long texts, ColladaWords does the same in steps. */
+        public function splitText():Array
         {
             return TextTokens.of(texts.join(" "));
         }

@@ -3,13 +3,15 @@ package starlogo.models.collada
     import starlogo.models.TriangleLabels;
     import starlogo.models.VertexFilter;
     import starlogo.models.polygons.Triangulator;
-    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /** Reads a COLLADA geometry, in small steps. Splines, solids and lines count as having no surface. */
     internal final class ColladaMesh extends StepSequence
     {
+        /** The geometry's element. */
+        public var geometry:ColladaElement;
+
         /** When all is read: the points that its surfaces use, or all points if it has no surface. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
@@ -35,6 +37,7 @@ package starlogo.models.collada
         public function ColladaMesh(document:ColladaDocument, geometry:ColladaElement)
         {
             _document = document;
+            this.geometry = geometry;
             _mesh = geometry.child("mesh") || geometry.child("convex_mesh");
             _triangulator = new Triangulator(document.budget, vertices, triangles);
             var hasPrimitives:Boolean = false;
@@ -87,7 +90,7 @@ package starlogo.models.collada
         private function sourceOfVertices(vertices:ColladaElement):ColladaElement
         {
             var input:ColladaElement = vertices.input("POSITION");
-            refuseIf(input == null, _document.budget.name, "expected an <input> with the semantic POSITION", vertices);
+            _document.refuseIf(input == null, "expected an <input> with the semantic POSITION", vertices);
             return _document.target(input, "source", ["source"], _mesh);
         }
 

@@ -4,7 +4,6 @@ package starlogo.models.collada
     import starlogo.models.ModelError;
     import starlogo.models.TextTokens;
     import starlogo.models.polygons.Triangulator;
-    import starlogo.models.refuseIf;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -14,6 +13,9 @@ package starlogo.models.collada
     {
         private static const CORNERS_PER_STEP:int = 1500;
         private static const SIZES_PER_STEP:int = 5000;
+
+        // A list of corners counts as so many corners more in a step.
+        private static const CORNERS_PER_LIST:int = 10;
         private static const MAX_OFFSET:int = 255;
         private static const NAMES:Array = ["triangles", "polylist", "polygons", "tristrips", "trifans"];
 
@@ -24,23 +26,9 @@ package starlogo.models.collada
         private var _triangles:Vector.<uint>;
         private var _triangulator:Triangulator;
 
-        // A corner takes _stride indices. That of its position is the one at _offset.
+        // A corner takes _stride indices. The one at _offset is its position's.
         private var _stride:int = 1;
         private var _offset:int;
-
-        // the lists of corners (p or ph), the number of the next one, the words of all, the indices of the present list as texts, and the next
-        // of these
-        private var _lists:Vector.<ColladaElement>;
-        private var _list:int = 0;
-        private var _indexWords:ColladaWords;
-        private var _indices:Array = [];
-        private var _next:int = 0;
-
-        // for a polylist: the number of corners of each polygon, as words and as texts; the next polygon; and the sum of the numbers
-        private var _sizeWords:ColladaWords;
-        private var _sizes:Array;
-        private var _size:int = 0;
-        private var _sum:Number = 0;
 
         /**
          * @param document the document
@@ -59,9 +47,22 @@ package starlogo.models.collada
             _isUsed = isUsed;
             _triangles = triangles;
             _triangulator = triangulator;
-            _lists = element.childrenNamed("p");
             readInputs();
-            addParts();
+            var lists:Vector.<ColladaElement> = element.childrenNamed("p");
+            switch (element.name)
+            {
+                case "triangles":
+                    addTriangles(new ColladaWords(lists));
+                    break;
+                case "polylist":
+                    addPolylist(new ColladaWords(lists), new ColladaWords(element.childrenNamed("vcount").slice(0, 1)));
+                    break;
+                case "polygons":
+                    addLists(lists.concat(element.childrenNamed("ph")), "polygons", readPolygon);
+                    break;
+                default:
+                    addLists(lists, "lists of corners <p>", readStrip);
+            }
         }
 
         /** Whether an element is a primitive with a surface. Some programs write empty primitives without inputs. These do not count. */
@@ -78,7 +79,7 @@ package starlogo.models.collada
         internal static function positionInput(document:ColladaDocument, element:ColladaElement):ColladaElement
         {
             var input:ColladaElement = element.input("VERTEX") || element.input("POSITION");
-            refuseIf(input == null, document.budget.name, "expected an <input> with the semantic VERTEX", element);
+            document.refuseIf(input == null, "expected an <input> with the semantic VERTEX", element);
             return input;
         }
 
@@ -87,169 +88,171 @@ package starlogo.models.collada
             for each (var input:ColladaElement in _element.childrenNamed("input"))
             {
                 var offset:Number = _document.integer(input, "offset", 0);
-                refuseIf(offset > MAX_OFFSET, _document.budget.name, "expected an offset of at most " + MAX_OFFSET + ", but found " + offset, input);
+                _document.refuseIf(offset > MAX_OFFSET, "expected an offset of at most " + MAX_OFFSET + ", but found " + offset, input);
                 _stride = Math.max(_stride, offset + 1);
             }
             _offset = _document.integer(positionInput(_document, _element), "offset", 0);
         }
 
-        private function addParts():void
+        private function addTriangles(reader:ColladaWords):void
         {
-            switch (_element.name)
-            {
-                case "triangles":
-                    _indexWords = new ColladaWords(_lists);
-                    add(_indexWords).begin(readingTriangles);
-                    break;
-                case "polylist":
-                    _indexWords = new ColladaWords(_lists);
-                    _sizeWords = new ColladaWords(_element.childrenNamed("vcount").slice(0, 1));
-                    add(_indexWords).add(_sizeWords).begin(checkingSizes).repeat(_triangulator.cuttingBetween(readPolylist));
-                    break;
-                default:
-                    var arePolygons:Boolean = _element.name == "polygons";
-                    _lists = arePolygons ? _lists.concat(_element.childrenNamed("ph")) : _lists;
-                    _document.checkCount(_element, _lists.length, arePolygons ? "polygons" : "lists of corners <p>");
-                    repeat(_triangulator.cuttingBetween(readLists));
-                    break;
-            }
+            add(reader).begin(function():Steps
+                {
+                    var indices:Array = reader.words;
+                    var count:int = cornersIn(indices);
+                    _document.refuseIf(count % 3 != 0, "expected three corners for each triangle, but found " + count, _element);
+                    _document.checkCount(_element, count / 3, "triangles");
+                    return new Slices(count, CORNERS_PER_STEP, function(first:int, end:int):void
+                        {
+                            readTriangles(indices, first, end);
+                        });
+                });
         }
 
-        private function readingTriangles():Steps
-        {
-            _indices = _indexWords.words;
-            refuseIf(cornerCount % 3 != 0, _document.budget.name, "expected three corners for each triangle, but found " + cornerCount, _element);
-            _document.checkCount(_element, cornerCount / 3, "triangles");
-            return new Slices(cornerCount, CORNERS_PER_STEP, readTriangles);
-        }
-
-        private function readTriangles(first:int, end:int):void
+        private function readTriangles(indices:Array, first:int, end:int):void
         {
             var at:int = _triangles.length;
             for (var i:int = first; i < end; i++)
             {
-                _triangles[at++] = cornerAt(i * _stride);
+                _triangles[at++] = cornerAt(indices, i * _stride);
             }
         }
 
-        private function checkingSizes():Steps
+        // A polylist has the indices of all polygons in one list, and the number of corners of each polygon in another.
+        private function addPolylist(indexReader:ColladaWords, sizeReader:ColladaWords):void
         {
-            _indices = _indexWords.words;
-            _sizes = _sizeWords.words;
-            _document.checkCount(_element, _sizes.length, "numbers in <vcount>");
-            return new Slices(_sizes.length, SIZES_PER_STEP, addSizes);
+            add(indexReader).add(sizeReader).begin(function():Steps
+                {
+                    return readingPolylist(indexReader.words, sizeReader.words);
+                });
         }
 
-        private function addSizes(first:int, end:int):void
+        private function readingPolylist(indices:Array, sizes:Array):Steps
         {
+            var sum:Number = 0;
+            var polygon:int = 0;
+            var next:int = 0;
+            _document.checkCount(_element, sizes.length, "numbers in <vcount>");
+            return new StepSequence().slices(sizes.length, SIZES_PER_STEP, function(first:int, end:int):void
+                {
+                    sum += sumOfSizes(sizes, first, end, indices.length);
+                    _document.refuseIf(end == sizes.length && sum != cornersIn(indices), "its <vcount> adds up to " + sum +
+                            " corners, but <p> has " + cornersIn(indices), _element);
+                }).repeat(_triangulator.cuttingBetween(function():Boolean
+                    {
+                        var end:int = next + CORNERS_PER_STEP * _stride;
+                        while (polygon < sizes.length && next <= end && !_triangulator.isCutting)
+                        {
+                            var count:int = Number(sizes[polygon++]);
+                            if (count > 2)
+                            {
+                                _triangulator.addPolygon(cornersAt(indices, next, count));
+                            }
+                            next += count * _stride;
+                        }
+                        return polygon < sizes.length;
+                    }));
+        }
+
+        // Adds up the numbers of corners of some polygons. Each must be a whole number, at most the given one.
+        private function sumOfSizes(sizes:Array, first:int, end:int, most:int):Number
+        {
+            var sum:Number = 0;
             for (var i:int = first; i < end; i++)
             {
-                var size:Number = Decimal.ofIndex(_sizes[i]);
-                if (!(size >= 0 && size <= _indices.length && size == int(size)))
+                var size:Number = Decimal.ofIndex(sizes[i]);
+                if (!(size >= 0 && size <= most && size == int(size)))
                 {
                     throw new ModelError(_document.budget.name, String(_element.child("vcount")), "expected the number of a polygon's corners, but found \"" +
-                            TextTokens.shorten(_sizes[i]) + "\"");
+                            TextTokens.shorten(sizes[i]) + "\"");
                 }
-                _sum += size;
+                sum += size;
             }
-            refuseIf(end == _sizes.length && _sum != cornerCount, _document.budget.name, "its <vcount> adds up to " + _sum + " corners, but <p> has " +
-                    cornerCount, _element);
+            return sum;
         }
 
-        private function readPolylist():Boolean
+        // Each list of corners is read at once. @param read <code>function(list:ColladaElement):int</code>, returns the number of corners
+        private function addLists(lists:Vector.<ColladaElement>, what:String, read:Function):void
         {
-            var end:int = _next + CORNERS_PER_STEP * _stride;
-            while (_size < _sizes.length && _next <= end && !_triangulator.isCutting)
-            {
-                var count:int = Number(_sizes[_size++]);
-                if (count > 2)
+            var next:int = 0;
+            _document.checkCount(_element, lists.length, what);
+            repeat(_triangulator.cuttingBetween(function():Boolean
                 {
-                    _triangulator.addPolygon(cornersAt(_next, count));
-                }
-                _next += count * _stride;
-            }
-            return _size < _sizes.length;
+                    var count:int = 0;
+                    while (count < CORNERS_PER_STEP && next < lists.length && !_triangulator.isCutting)
+                    {
+                        count += CORNERS_PER_LIST + read(lists[next++]);
+                    }
+                    return next < lists.length;
+                }));
         }
 
-        private function readLists():Boolean
+        // Reads a polygon (p), or one with holes (ph).
+        private function readPolygon(list:ColladaElement):int
         {
-            var read:int = 0;
-            while (read < CORNERS_PER_STEP && _list < _lists.length && !_triangulator.isCutting)
-            {
-                var element:ColladaElement = _lists[_list++];
-                var loop:Vector.<uint> = loopOf(element.name == "ph" ? _document.requiredChild(element, "p") : element);
-                if (_element.name == "polygons")
-                {
-                    _triangulator.addPolygon(loop, holesOf(element));
-                }
-                else
-                {
-                    addStrip(loop);
-                }
-                read += 10 + loop.length;
-            }
-            return _list < _lists.length;
-        }
-
-        // The holes of a polygon with holes (ph).
-        private function holesOf(element:ColladaElement):Vector.<Vector.<uint>>
-        {
+            var hasHoles:Boolean = list.name == "ph";
+            var outline:Vector.<uint> = loopOf(hasHoles ? _document.requiredChild(list, "p") : list);
             var holes:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
-            for each (var hole:ColladaElement in element.name == "ph" ? element.childrenNamed("h") : null)
+            for each (var hole:ColladaElement in hasHoles ? list.childrenNamed("h") : null)
             {
                 holes.push(loopOf(hole));
             }
-            return holes;
+            _triangulator.addPolygon(outline, holes);
+            return outline.length;
         }
 
-        private function addStrip(strip:Vector.<uint>):void
+        // Reads a strip or a fan of triangles.
+        private function readStrip(list:ColladaElement):int
         {
             var isFan:Boolean = _element.name == "trifans";
+            var strip:Vector.<uint> = loopOf(list);
             for (var i:int = 2; i < strip.length; i++)
             {
                 var first:int = isFan ? 0 : i - 2 + (i & 1);
                 var second:int = isFan ? i - 1 : i - 1 - (i & 1);
                 _triangulator.addTriangle(strip[first], strip[second], strip[i]);
             }
+            return strip.length;
         }
 
-        private function loopOf(element:ColladaElement):Vector.<uint>
+        private function loopOf(list:ColladaElement):Vector.<uint>
         {
-            _indices = element.words;
-            return cornersAt(0, cornerCount);
+            var indices:Array = list.splitText();
+            return cornersAt(indices, 0, cornersIn(indices));
         }
 
         // Some corners. The indices of the first one begin at the given place.
-        private function cornersAt(place:int, count:int):Vector.<uint>
+        private function cornersAt(indices:Array, place:int, count:int):Vector.<uint>
         {
             var corners:Vector.<uint> = new Vector.<uint>(count);
             for (var i:int = 0; i < count; i++)
             {
-                corners[i] = cornerAt(place + i * _stride);
+                corners[i] = cornerAt(indices, place + i * _stride);
             }
             return corners;
         }
 
-        // The number of corners in the present list.
-        private function get cornerCount():int
+        // The number of corners that some indices are for.
+        private function cornersIn(indices:Array):int
         {
-            if (_indices.length % _stride != 0)
+            if (indices.length % _stride != 0)
             {
                 throw new ModelError(_document.budget.name, String(_element), "expected " + _stride + " indices for each corner, but found " +
-                        _indices.length + " in all");
+                        indices.length + " in all");
             }
-            return _indices.length / _stride;
+            return indices.length / _stride;
         }
 
-        /** The point of a corner. The corner's indices begin at the given place. */
-        private function cornerAt(place:int):uint
+        // The point of a corner. The corner's indices begin at the given place.
+        private function cornerAt(indices:Array, place:int):uint
         {
-            var value:Number = Decimal.ofIndex(_indices[int(place + _offset)]);
+            var word:String = indices[int(place + _offset)];
+            var value:Number = Decimal.ofIndex(word);
             var index:int = int(value);
             if (index != value || index < 0 || index >= _positions.count)
             {
                 throw new ModelError(_document.budget.name, String(_element), "expected a position's index, 0 to " + (_positions.count - 1) +
-                        ", but found \"" + TextTokens.shorten(_indices[place + _offset]) + "\"");
+                        ", but found \"" + TextTokens.shorten(word) + "\"");
             }
             index += _positions.first;
             _isUsed[index] = 1;

@@ -23,10 +23,6 @@ package starlogo.models.collada
         private var _isAxisNamed:Boolean;
 
         private var _budget:ModelBudget;
-        private var _xml:XmlReader;
-        private var _document:ColladaDocument = null;
-        private var _scene:ColladaScene = null;
-        private var _instance:int = 0;
 
         /**
          * @param name the model's name
@@ -39,44 +35,54 @@ package starlogo.models.collada
             refuseIf(source == null, name, "there is no text to read");
             _isAxisNamed = upAxis != null;
             _budget = new ModelBudget(name, source.length);
-            _xml = new XmlReader(source, _budget);
-            add(_xml).begin(walking).beginEach(readingNext);
+            addSteps(new XmlReader(source, _budget));
         }
 
-        private function walking():Steps
+        private function addSteps(xml:XmlReader):void
         {
-            _document = new ColladaDocument(_budget, _xml);
-            _xml = null;
-            var asset:ColladaElement = _document.root.child("asset");
-            data.unit = unitOf(asset);
-            _scene = new ColladaScene(_document, _isAxisNamed ? turnUp : turnFrom(upAxisOf(asset)));
-            return _scene;
-        }
-
-        // The work that reads the next instance's mesh and places it. Null when there are no more.
-        private function readingNext():Steps
-        {
-            if (_instance == _scene.instances.length)
-            {
-                takeVertices("a scene or a library with a geometry in it");
-                return null;
-            }
-            var instance:ColladaInstance = _scene.instances[_instance];
-            // each geometry is read once, even if it is in the scene many times
-            var mesh:ColladaMesh = instance.geometry.mesh ||= new ColladaMesh(_document, instance.geometry);
-            return new StepSequence().add(mesh).begin(function():Steps
+            add(xml).begin(function():Steps
                 {
-                    _instance++;
-                    progress = 0.9 * _instance / _scene.instances.length;
-                    return placing(mesh, instance, verticesFor(mesh.hasSurfaces));
+                    return readingDocument(new ColladaDocument(_budget, xml));
+                });
+        }
+
+        private function readingDocument(document:ColladaDocument):Steps
+        {
+            var asset:ColladaElement = document.root.child("asset");
+            data.unit = unitOf(asset);
+            var scene:ColladaScene = new ColladaScene(document, _isAxisNamed ? turnUp : turnFrom(upAxisOf(asset)));
+            return new StepSequence().add(scene).begin(function():Steps
+                {
+                    return readingInstances(scene.instances, document);
+                });
+        }
+
+        private function readingInstances(instances:Vector.<ColladaInstance>, document:ColladaDocument):Steps
+        {
+            var next:int = 0;
+            return new StepSequence().beginEach(function():Steps
+                {
+                    if (next == instances.length)
+                    {
+                        takeVertices("a scene or a library with a geometry in it");
+                        return null;
+                    }
+                    var instance:ColladaInstance = instances[next++];
+                    return new StepSequence().add(instance.mesh).begin(function():Steps
+                        {
+                            progress = 0.9 * next / instances.length;
+                            return placing(instance, document);
+                        });
                 });
         }
 
         /**
          * The work that adds a mesh at an instance's place. If the instance's transform mirrors, the triangles' corner order is reversed.
          */
-        private function placing(mesh:ColladaMesh, instance:ColladaInstance, out:Vector.<Number>):Steps
+        private function placing(instance:ColladaInstance, document:ColladaDocument):Steps
         {
+            var mesh:ColladaMesh = instance.mesh;
+            var out:Vector.<Number> = verticesFor(mesh.hasSurfaces);
             var firstVertex:int = out.length / 3;
             var firstCorner:int = data.triangles.length;
             var vertexCount:int = mesh.vertices.length / 3;
@@ -84,7 +90,7 @@ package starlogo.models.collada
             _budget.requireMesh(firstVertex + vertexCount, firstCorner / 3 + triangleCount, instance.element);
             if (triangleCount > 0)
             {
-                addLabels(mesh.symbols, instance, firstCorner / 3);
+                addLabels(instance, document, firstCorner / 3);
             }
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
@@ -97,16 +103,17 @@ package starlogo.models.collada
         }
 
         // An instance is a mesh with the name of its node. Its materials are those that it binds to the symbols of its geometry.
-        private function addLabels(symbols:TriangleLabels, instance:ColladaInstance, firstTriangle:int):void
+        private function addLabels(instance:ColladaInstance, document:ColladaDocument, firstTriangle:int):void
         {
             var element:ColladaElement = instance.element;
-            var label:String = nameOf(element.name != "geometry" && element.parent != null ? element.parent : element) || nameOf(instance.geometry);
+            var symbols:TriangleLabels = instance.mesh.symbols;
+            var label:String = nameOf(element.name != "geometry" && element.parent != null ? element.parent : element) || nameOf(instance.mesh.geometry);
             data.meshes.begin(data.meshes.numberFor(String(data.meshes.names.length), label), firstTriangle);
             data.materials.begin(-1, firstTriangle);
             var bound:Vector.<int> = new Vector.<int>();
             for each (var symbol:String in symbols.names)
             {
-                var material:ColladaElement = _document.materialOf(element, symbol);
+                var material:ColladaElement = document.materialOf(element, symbol);
                 bound.push(material == null ? data.materials.numberFor(symbol, symbol) : data.materials.numberFor(material.id, nameOf(material)));
             }
             for (var i:int = 0; i < symbols.starts.length; i++)
@@ -150,8 +157,8 @@ package starlogo.models.collada
             {
                 return "y";
             }
-            var text:String = element.words.join(" ");
-            refuseIf(!/^[XYZ]_UP$/.test(text), _document.budget.name, "expected X_UP, Y_UP or Z_UP, but found \"" + TextTokens.shorten(text) +
+            var text:String = element.splitText().join(" ");
+            refuseIf(!/^[XYZ]_UP$/.test(text), name, "expected X_UP, Y_UP or Z_UP, but found \"" + TextTokens.shorten(text) +
                     "\"", element);
             return text.charAt(0).toLowerCase();
         }

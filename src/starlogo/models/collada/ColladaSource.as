@@ -50,7 +50,7 @@ package starlogo.models.collada
             var columns:Vector.<int> = columnsOf(_accessor, stride);
             var wanted:Number = _document.integer(_accessor, "count", Math.max(0, Math.floor((words.length - offset) / stride)));
             var last:Number = offset + stride * (wanted - 1) + Math.max(columns[0], columns[1], columns[2]);
-            refuseIf(wanted > 0 && last >= words.length, _document.budget.name, "its count of " + wanted + " with a stride of " + stride +
+            _document.refuseIf(wanted > 0 && last >= words.length, "its count of " + wanted + " with a stride of " + stride +
                     " reaches beyond the " + words.length + " numbers of its array", _accessor);
             _document.budget.take(ModelBudget.NUMBERS, 3 * wanted, _accessor);
             count = wanted;

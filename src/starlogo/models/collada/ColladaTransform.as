@@ -2,7 +2,6 @@ package starlogo.models.collada
 {
     import starlogo.geometry.Trigonometry;
     import starlogo.models.AffineTransform;
-    import starlogo.models.refuseIf;
 
     /**
      * Reads the transform elements of a COLLADA node, as the COLLADA 1.4 and 1.5 specifications define them. For skew they refer to
@@ -43,7 +42,7 @@ package starlogo.models.collada
         internal static function matrix(document:ColladaDocument, element:ColladaElement):AffineTransform
         {
             var m:Vector.<Number> = document.numbers(element, 16);
-            refuseIf(m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1, document.budget.name,
+            document.refuseIf(m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1,
                     "expected a last row of 0 0 0 1, but found " + m.slice(12).join(" "), element);
             return new AffineTransform(m.slice(0, 12));
         }
@@ -77,7 +76,7 @@ package starlogo.models.collada
             var back:Vector.<Number> = normalise(new <Number>[v[0] - v[3], v[1] - v[4], v[2] - v[5]]);
             var right:Vector.<Number> = normalise(cross(v.slice(6), back));
             var up:Vector.<Number> = cross(back, right);
-            refuseIf(!(dot(back, back) > 0 && dot(right, right) > 0), document.budget.name,
+            document.refuseIf(!(dot(back, back) > 0 && dot(right, right) > 0),
                     "expected two different points and a direction up that is not along their line", element);
             return new AffineTransform(new <Number>[
                         right[0], up[0], back[0], v[0],
@@ -100,7 +99,7 @@ package starlogo.models.collada
             // the turned axis in the plane of the two axes: its parts across the shift and along it
             var turnedHeight:Number = height * Trigonometry.cosine(angle) - along * Trigonometry.sine(angle);
             var turnedAlong:Number = height * Trigonometry.sine(angle) + along * Trigonometry.cosine(angle);
-            refuseIf(!(height > 1e-9 && turnedHeight > 1e-9), document.budget.name,
+            document.refuseIf(!(height > 1e-9 && turnedHeight > 1e-9),
                     "expected two different axes and an angle that leaves the first on its side of the second", element);
             var amount:Number = turnedAlong / turnedHeight - along / height;
             var rows:Vector.<Number> = new Vector.<Number>(12);

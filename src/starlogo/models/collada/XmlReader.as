@@ -1,8 +1,8 @@
 package starlogo.models.collada
 {
     import starlogo.models.ModelBudget;
+    import starlogo.models.ModelError;
     import starlogo.models.NextOfTwo;
-    import starlogo.models.refuseIf;
     import starlogo.steps.Steps;
 
     /**
@@ -21,6 +21,7 @@ package starlogo.models.collada
         private static const QUESTION:int = 0x3F;
         private static const EXCLAMATION:int = 0x21;
         private static const SLASH:int = 0x2F;
+        private static const LINE_END:RegExp = /\r\n|\r|\n/;
         private static const NAME_END:RegExp = /[\s\/]/;
         private static const ATTRIBUTE:RegExp = /^\s+([^\s=]+)\s*=\s*$/;
         private static const TAG_END:RegExp = /^\s*\/?$/;
@@ -74,6 +75,12 @@ package starlogo.models.collada
             return _at < _source.length;
         }
 
+        /** The line that is read now, as a place for errors. */
+        public function toString():String
+        {
+            return "line " + _source.substr(0, _at).split(LINE_END).length;
+        }
+
         private function readTag():void
         {
             switch (_source.charCodeAt(_at))
@@ -117,7 +124,7 @@ package starlogo.models.collada
             var quote:int = _quotes.after(_at);
             var name:String = _source.substring(_at, Math.min(quote, end)).split(NAME_END, 1)[0];
             refuse(name == "" || root != null && _open == null);
-            _budget.take(ModelBudget.THINGS, 1);
+            _budget.take(ModelBudget.THINGS, 1, this);
             var element:ColladaElement = new ColladaElement(localName(name), _open);
             root ||= element;
             _at += name.length;
@@ -131,7 +138,7 @@ package starlogo.models.collada
                 end = end < close ? endOf(">") - 1 : end;
                 quote = _quotes.after(_at);
             }
-            refuseIf(quote < end, _budget.name, "the document has an element of more than " + MAX_ATTRIBUTES + " attributes");
+            refuse(quote < end, "an element has more than " + MAX_ATTRIBUTES + " attributes");
             refuse(!TAG_END.test(_source.substring(_at, end)));
             if (element.id != "")
             {
@@ -142,7 +149,7 @@ package starlogo.models.collada
                 _names.push(name);
                 _open = element;
             }
-            refuseIf(_names.length > MAX_DEPTH, _budget.name, "the document has elements that are nested more than " + MAX_DEPTH + " deep");
+            refuse(_names.length > MAX_DEPTH, "elements are nested more than " + MAX_DEPTH + " deep");
             _at = end + 1;
         }
 
@@ -162,9 +169,12 @@ package starlogo.models.collada
             return place + piece.length;
         }
 
-        private function refuse(isWrong:Boolean):void
+        private function refuse(isWrong:Boolean, problem:String = "this is not well-formed XML, or cut off"):void
         {
-            refuseIf(isWrong, _budget.name, "this is not well-formed XML, or cut off");
+            if (isWrong)
+            {
+                throw new ModelError(_budget.name, toString(), problem);
+            }
         }
 
         private static function localName(name:String):String

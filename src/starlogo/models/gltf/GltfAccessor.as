@@ -3,7 +3,6 @@ package starlogo.models.gltf
     import flash.utils.ByteArray;
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
-    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
     /**
@@ -55,7 +54,7 @@ package starlogo.models.gltf
             count = json.whole(form, "count", place, int.MAX_VALUE, -1);
             _width = WIDTHS[form.type];
             _kind = json.whole(form, "componentType", place, int.MAX_VALUE, -1);
-            refuseIf(!SIZES.hasOwnProperty(_kind), json.name, "expected 5120 to 5123, 5125 or 5126, but found " + _kind, place + ".componentType");
+            json.refuseIf(!SIZES.hasOwnProperty(_kind), "expected 5120 to 5123, 5125 or 5126, but found " + _kind, place + ".componentType");
             _divisor = form.normalized === true && LARGEST[_kind] > 0 ? LARGEST[_kind] : 0;
             var view:int = json.reference(data, "bufferView", place, "bufferViews");
             var offset:int = json.whole(data, "byteOffset", place, int.MAX_VALUE, 0);
@@ -84,7 +83,7 @@ package starlogo.models.gltf
             var size:int = SIZES[_kind] * _width;
             var viewPlace:String = "bufferViews[" + view + "]";
             var stride:int = file.json.whole(file.json.entry("bufferViews", view), "byteStride", viewPlace, 252, size);
-            refuseIf(stride < size, file.json.name, "expected at least " + size + ", but found " + stride, viewPlace + ".byteStride");
+            file.json.refuseIf(stride < size, "expected at least " + size + ", but found " + stride, viewPlace + ".byteStride");
             file.openView(view, offset, count == 0 ? 0 : Number(count - 1) * stride + size, place);
             slices(count, NUMBERS_PER_STEP / _width, function(first:int, end:int):void
                 {
@@ -124,8 +123,8 @@ package starlogo.models.gltf
             var some:int = json.whole(sparse, "count", where, count, -1);
             var indices:Object = json.objectIn(sparse, "indices", where);
             var values:Object = json.objectIn(sparse, "values", where);
-            refuseIf(indices == null || values == null, json.name, "expected indices and values", where);
-            refuseIf(indices.bufferView === undefined || values.bufferView === undefined, json.name, "expected indices and values in bufferViews", where);
+            json.refuseIf(indices == null || values == null, "expected indices and values", where);
+            json.refuseIf(indices.bufferView === undefined || values.bufferView === undefined, "expected indices and values in bufferViews", where);
             var at:GltfAccessor = new GltfAccessor(file, where + ".indices", indices, {count: some, type: "SCALAR", componentType: indices.componentType});
             var by:GltfAccessor = new GltfAccessor(file, where + ".values", values, {count: some, type: accessor.type,
                         componentType: accessor.componentType, normalized: accessor.normalized});

@@ -1,6 +1,5 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
     /**
@@ -36,14 +35,14 @@ package starlogo.models.gltf
                 var where:String = place + ".channels[" + i + "]";
                 var channel:Object = json.elementOf(channels, i, place + ".channels");
                 var target:Object = json.objectIn(channel, "target", where);
-                refuseIf(target == null, json.name, "expected a target", where);
+                json.refuseIf(target == null, "expected a target", where);
                 var node:int = json.reference(target, "node", where + ".target", "nodes");
                 // the target of an extension
                 if (node < 0 || PATHS.indexOf(target.path) < 0)
                 {
                     continue;
                 }
-                refuseIf(json.entry("nodes", node).matrix !== undefined && target.path != "weights", json.name, "a node with a matrix can't be animated",
+                json.refuseIf(json.entry("nodes", node).matrix !== undefined && target.path != "weights", "a node with a matrix can't be animated",
                         where + ".target");
                 var number:int = json.whole(channel, "sampler", where, samplers.length - 1, -1);
                 var sampler:Object = json.elementOf(samplers, number, place + ".samplers");

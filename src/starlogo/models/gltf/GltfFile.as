@@ -104,7 +104,7 @@ package starlogo.models.gltf
          */
         public function setBuffer(uri:String, bytes:ByteArray, problem:String):void
         {
-            refuseIf(bytes == null, budget.name, problem, "buffers[" + _places["#" + uri][0] + "].uri");
+            json.refuseIf(bytes == null, problem, "buffers[" + _places["#" + uri][0] + "].uri");
             budget.addBytes(bytes.length);
             for each (var index:int in _places["#" + uri])
             {
@@ -121,7 +121,7 @@ package starlogo.models.gltf
         internal function accessor(index:int, type:String):GltfAccessor
         {
             var found:Object = json.entry("accessors", index);
-            refuseIf(found.type !== type, budget.name, "expected \"" + type + "\", but found \"" + found.type + "\"", "accessors[" + index + "].type");
+            json.refuseIf(found.type !== type, "expected \"" + type + "\", but found \"" + found.type + "\"", "accessors[" + index + "].type");
             return _accessors["#" + index] ||= new GltfAccessor(this, "accessors[" + index + "]", found, found);
         }
 
@@ -131,17 +131,17 @@ package starlogo.models.gltf
             var view:Object = json.entry("bufferViews", index);
             var viewPlace:String = "bufferViews[" + index + "]";
             var buffer:int = json.reference(view, "buffer", viewPlace, "buffers");
-            refuseIf(buffer < 0, budget.name, "it names no buffer", viewPlace);
+            json.refuseIf(buffer < 0, "it names no buffer", viewPlace);
             var start:int = json.whole(view, "byteOffset", viewPlace, int.MAX_VALUE, 0);
             var size:int = json.whole(view, "byteLength", viewPlace, int.MAX_VALUE, -1);
-            refuseIf(offset + length > size, budget.name, "it needs " + (offset + length) + " bytes of " + viewPlace + ", which has " + size, place);
+            json.refuseIf(offset + length > size, "it needs " + (offset + length) + " bytes of " + viewPlace + ", which has " + size, place);
             if (_buffers[buffer] == null)
             {
-                refuseIf(json.hasExtension(view, "EXT_meshopt_compression", viewPlace) || json.hasExtension(view, "KHR_meshopt_compression", viewPlace),
-                        budget.name, "its data are " + MESHOPT_PROBLEM, viewPlace);
+                json.refuseIf(json.hasExtension(view, "EXT_meshopt_compression", viewPlace) || json.hasExtension(view, "KHR_meshopt_compression", viewPlace),
+                        "its data are " + MESHOPT_PROBLEM, viewPlace);
                 throw new ModelError(budget.name, "buffers[" + buffer + "]", "its data are missing");
             }
-            refuseIf(Number(start) + size > _buffers[buffer].length, budget.name, "it ends at byte " + (Number(start) + size) + " of buffers[" + buffer +
+            json.refuseIf(Number(start) + size > _buffers[buffer].length, "it ends at byte " + (Number(start) + size) + " of buffers[" + buffer +
                     "], which has " + _buffers[buffer].length, viewPlace);
             _buffers[buffer].position = start + offset;
             return _buffers[buffer];
@@ -205,7 +205,7 @@ package starlogo.models.gltf
             var asset:Object = json.objectIn(root, "asset", "");
             // a file of a later 2.x can be read, unless it says that it needs one
             var version:String = asset == null ? "none" : String(asset.minVersion || asset.version);
-            refuseIf(!/^2\.\d/.test(version) || asset.minVersion && !/^2\.0/.test(version), budget.name,
+            json.refuseIf(!/^2\.\d/.test(version) || asset.minVersion && !/^2\.0/.test(version),
                     "expected glTF 2.0, but found \"" + TextTokens.shorten(version) + "\": save the model as 2.0", "asset.version");
             for each (var extension:* in json.listIn(root, "extensionsRequired", ""))
             {
@@ -216,16 +216,16 @@ package starlogo.models.gltf
 
         private function checkExtension(extension:String):void
         {
-            refuseIf(extension == DRACO, budget.name, "its meshes are " + DRACO_PROBLEM, "extensionsRequired");
-            refuseIf(MESHOPT.test(extension), budget.name, "its data are " + MESHOPT_PROBLEM, "extensionsRequired");
-            refuseIf(!SUPPORTED.test(extension), budget.name, "it needs the extension \"" + TextTokens.shorten(extension) +
+            json.refuseIf(extension == DRACO, "its meshes are " + DRACO_PROBLEM, "extensionsRequired");
+            json.refuseIf(MESHOPT.test(extension), "its data are " + MESHOPT_PROBLEM, "extensionsRequired");
+            json.refuseIf(!SUPPORTED.test(extension), "it needs the extension \"" + TextTokens.shorten(extension) +
                     "\", which is not known: save the model without it", "extensionsRequired");
         }
 
         /** Throws if a primitive's geometry is only present in Draco's form. */
         internal function refuseDraco(primitive:Object, place:String):void
         {
-            refuseIf(json.hasExtension(primitive, DRACO, place), budget.name, "it is " + DRACO_PROBLEM, place);
+            json.refuseIf(json.hasExtension(primitive, DRACO, place), "it is " + DRACO_PROBLEM, place);
         }
 
         private function readBuffers(first:int, end:int):void
@@ -241,7 +241,7 @@ package starlogo.models.gltf
         {
             json.whole(buffer, "byteLength", place, ModelBudget.BYTES, -1);
             var uri:* = buffer.uri;
-            refuseIf(uri !== undefined && !(uri is String), budget.name, "expected an address", place + ".uri");
+            json.refuseIf(uri !== undefined && !(uri is String), "expected an address", place + ".uri");
             if (uri === undefined)
             {
                 if (index == 0 && _chunk != null)
@@ -262,7 +262,7 @@ package starlogo.models.gltf
                     });
                 return;
             }
-            refuseIf(!ModelAddress.isWithin(uri), budget.name, "expected data, or a path from the file's folder on, but found \"" +
+            json.refuseIf(!ModelAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found \"" +
                     TextTokens.shorten(uri) + "\"", place + ".uri");
             if (!_places.hasOwnProperty("#" + uri))
             {
@@ -276,7 +276,7 @@ package starlogo.models.gltf
         private function keep(index:int, bytes:ByteArray):void
         {
             var wanted:int = json.whole(json.entry("buffers", index), "byteLength", "buffers[" + index + "]", ModelBudget.BYTES, -1);
-            refuseIf(bytes.length < wanted, budget.name, "it should have " + wanted + " bytes, but has " + bytes.length, "buffers[" + index + "]");
+            json.refuseIf(bytes.length < wanted, "it should have " + wanted + " bytes, but has " + bytes.length, "buffers[" + index + "]");
             bytes.endian = Endian.LITTLE_ENDIAN;
             _buffers[index] = bytes;
         }

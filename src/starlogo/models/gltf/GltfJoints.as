@@ -1,7 +1,6 @@
 package starlogo.models.gltf
 {
     import starlogo.models.AffineTransform;
-    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
     /** Finds how the joints of a skin move points, in steps: at rest or in a pose, as the scene's nodes are. */
@@ -23,13 +22,13 @@ package starlogo.models.gltf
             var place:String = "skins[" + index + "]";
             var skin:Object = json.entry("skins", index);
             var joints:Array = json.listIn(skin, "joints", place);
-            refuseIf(joints.length == 0, json.name, "expected at least one joint", place + ".joints");
+            json.refuseIf(joints.length == 0, "expected at least one joint", place + ".joints");
             var matrices:GltfAccessor = null;
             var accessor:int = json.reference(skin, "inverseBindMatrices", place, "accessors");
             if (accessor >= 0)
             {
                 matrices = file.accessor(accessor, "MAT4");
-                refuseIf(matrices.count < joints.length, json.name, "there are " + joints.length + " joints, but fewer matrices", matrices.place);
+                json.refuseIf(matrices.count < joints.length, "there are " + joints.length + " joints, but fewer matrices", matrices.place);
                 add(matrices);
             }
             addSteps(json, scene, joints, place + ".joints", matrices);

@@ -1,7 +1,7 @@
 package starlogo.models.gltf
 {
+    import starlogo.models.ModelError;
     import starlogo.models.TextTokens;
-    import starlogo.models.refuseIf;
 
     /** The JSON of a glTF file. Each value is checked when it is read. An error names the place in the JSON. */
     internal final class GltfJson
@@ -21,14 +21,23 @@ package starlogo.models.gltf
         {
             this.name = name;
             this.root = root;
-            refuseIf(!isObject(root), name, "its JSON is no object");
+            refuseIf(!isObject(root), "its JSON is no object", "");
+        }
+
+        /** Throws a ModelError if something is wrong. The message is built in any case. @param place where in the JSON; "" for no place */
+        public function refuseIf(isWrong:Boolean, problem:String, place:String):void
+        {
+            if (isWrong)
+            {
+                throw new ModelError(name, place, problem);
+            }
         }
 
         /** A list that is a property of an object; an empty one if there is none. */
         public function listIn(owner:Object, key:String, place:String):Array
         {
             var found:* = owner[key];
-            refuseIf(found !== undefined && !(found is Array), name, "expected a list, but found " + shown(found), placeIn(place, key));
+            refuseIf(found !== undefined && !(found is Array), "expected a list, but found " + shown(found), placeIn(place, key));
             return found === undefined ? [] : found;
         }
 
@@ -36,7 +45,7 @@ package starlogo.models.gltf
         public function objectIn(owner:Object, key:String, place:String):Object
         {
             var found:* = owner[key];
-            refuseIf(found !== undefined && !isObject(found), name, "expected an object, but found " + shown(found), placeIn(place, key));
+            refuseIf(found !== undefined && !isObject(found), "expected an object, but found " + shown(found), placeIn(place, key));
             return found === undefined ? null : found;
         }
 
@@ -56,7 +65,7 @@ package starlogo.models.gltf
         public function elementOf(list:Array, index:int, place:String):Object
         {
             var found:* = list[index];
-            refuseIf(!isObject(found), name, "expected an object, but found " + shown(found), place + "[" + index + "]");
+            refuseIf(!isObject(found), "expected an object, but found " + shown(found), place + "[" + index + "]");
             return found;
         }
 
@@ -71,7 +80,7 @@ package starlogo.models.gltf
         {
             var most:int = count(kind);
             value = JsonMeter.restored(value);
-            refuseIf(!isWhole(value, most - 1), name, "expected the number of one of " + most + " " + kind + ", but found " + shown(value), place);
+            refuseIf(!isWhole(value, most - 1), "expected the number of one of " + most + " " + kind + ", but found " + shown(value), place);
             return value;
         }
 
@@ -83,7 +92,7 @@ package starlogo.models.gltf
             {
                 return preset;
             }
-            refuseIf(!isWhole(found, most), name, "expected an integer from 0 to " + most + ", but found " + shown(found), placeIn(place, key));
+            refuseIf(!isWhole(found, most), "expected an integer from 0 to " + most + ", but found " + shown(found), placeIn(place, key));
             return found;
         }
 
@@ -95,12 +104,12 @@ package starlogo.models.gltf
                 return preset;
             }
             var list:Array = listIn(owner, key, place);
-            refuseIf(length >= 0 && list.length != length, name, "expected " + length + " numbers, but found " + list.length, placeIn(place, key));
+            refuseIf(length >= 0 && list.length != length, "expected " + length + " numbers, but found " + list.length, placeIn(place, key));
             var all:Vector.<Number> = new Vector.<Number>();
             for (var i:int = 0; i < list.length; i++)
             {
                 var found:* = JsonMeter.restored(list[i]);
-                refuseIf(!(found is Number) || found - found != 0, name, "expected a finite number, but found " + shown(found), placeIn(place, key) + "[" + i + "]");
+                refuseIf(!(found is Number) || found - found != 0, "expected a finite number, but found " + shown(found), placeIn(place, key) + "[" + i + "]");
                 all.push(found);
             }
             return all;

@@ -30,9 +30,9 @@ package starlogo.models.gltf
             var json:GltfJson = file.json;
             var input:int = json.reference(sampler, "input", place, "accessors");
             var output:int = json.reference(sampler, "output", place, "accessors");
-            refuseIf(input < 0 || output < 0, json.name, "expected input and output", place);
+            json.refuseIf(input < 0 || output < 0, "expected input and output", place);
             _kind = sampler.interpolation === undefined ? LINEAR : KINDS.indexOf(sampler.interpolation);
-            refuseIf(_kind < 0, json.name, "expected LINEAR, STEP or CUBICSPLINE", place + ".interpolation");
+            json.refuseIf(_kind < 0, "expected LINEAR, STEP or CUBICSPLINE", place + ".interpolation");
             _isRotation = path == "rotation";
             _times = file.accessor(input, "SCALAR");
             _values = file.accessor(output, path == "weights" ? "SCALAR" : (_isRotation ? "VEC4" : "VEC3"));

@@ -2,7 +2,6 @@ package starlogo.models.gltf
 {
     import starlogo.geometry.Placement;
     import starlogo.models.AffineTransform;
-    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
     /** Finds the nodes with meshes in a glTF file's scene, and their transforms, in steps. */
@@ -53,7 +52,7 @@ package starlogo.models.gltf
             var chain:Vector.<int> = new Vector.<int>();
             for (var i:int = node; i >= 0 && _worlds[i] == null; i = _parents[i])
             {
-                refuseIf(chain.length > _worlds.length, _json.name, "it contains itself", "nodes[" + node + "]");
+                _json.refuseIf(chain.length > _worlds.length, "it contains itself", "nodes[" + node + "]");
                 chain.push(i);
             }
             var world:AffineTransform = i < 0 ? _root : _worlds[i];
@@ -81,7 +80,7 @@ package starlogo.models.gltf
                 for (var k:int = 0; k < children.length; k++)
                 {
                     var child:int = _json.checkedIndex(children[k], where + "[" + k + "]", "nodes");
-                    refuseIf(_parents[child] >= 0 || child == i, _json.name, "nodes[" + child + "] contains itself or has two parents", where + "[" + k + "]");
+                    _json.refuseIf(_parents[child] >= 0 || child == i, "nodes[" + child + "] contains itself or has two parents", where + "[" + k + "]");
                     _parents[child] = i;
                 }
             }
@@ -146,7 +145,7 @@ package starlogo.models.gltf
             var m:Vector.<Number> = _json.numbers(node, "matrix", where, 16);
             if (m != null)
             {
-                refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, _json.name, "expected 0, 0, 0 and 1 as every fourth number", where + ".matrix");
+                _json.refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, "expected 0, 0, 0 and 1 as every fourth number", where + ".matrix");
                 return ofColumns(m, 0);
             }
             var t:Vector.<Number> = GltfAnimation.valueIn(_animated, index, "translation") || _json.numbers(node, "translation", where, 3, new <Number>[0, 0, 0]);

@@ -2,7 +2,6 @@ package starlogo.models.gltf
 {
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
-    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
     /** Adds the triangles of a primitive to a model, at the place of a node, in steps. The primitive's vertices are already added. */
@@ -41,7 +40,7 @@ package starlogo.models.gltf
             if (index >= 0)
             {
                 _indices = file.accessor(index, "SCALAR");
-                refuseIf(!_indices.areIndices, _json.name, "indices must be 5121, 5123 or 5125, and not normalized", _indices.place + ".componentType");
+                _json.refuseIf(!_indices.areIndices, "indices must be 5121, 5123 or 5125, and not normalized", _indices.place + ".componentType");
                 add(_indices);
             }
             var cornerCount:int = _indices == null ? _points.count : _indices.count;

@@ -3,7 +3,6 @@ package starlogo.models.gltf
     import starlogo.models.AffineTransform;
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
-    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
     /** Adds the vertices of a primitive to a model, at the place of a node, in steps. They are morphed, and moved by their skin, at rest or in a pose. */
@@ -18,7 +17,7 @@ package starlogo.models.gltf
         /** The number of vertices that the steps add. */
         public var count:int;
 
-        private var _name:String;
+        private var _json:GltfJson;
         private var _node:String;
         private var _source:GltfAccessor;
         private var _vertices:Vector.<Number>;
@@ -43,7 +42,7 @@ package starlogo.models.gltf
                 source:GltfAccessor, vertices:Vector.<Number>)
         {
             var json:GltfJson = file.json;
-            _name = json.name;
+            _json = json;
             _node = "nodes[" + node + "]";
             _source = source;
             _vertices = vertices;
@@ -75,7 +74,7 @@ package starlogo.models.gltf
             for (var i:int = 0; i < targets.length && i < weights.length; i++)
             {
                 var where:String = place + ".targets";
-                var index:int = file.json.reference(file.json.elementOf(targets, i, where), "POSITION", where + "[" + i + "]", "accessors");
+                var index:int = _json.reference(_json.elementOf(targets, i, where), "POSITION", where + "[" + i + "]", "accessors");
                 if (index >= 0 && weights[i] != 0)
                 {
                     addTarget(file.accessor(index, "VEC3"), weights[i]);
@@ -109,8 +108,8 @@ package starlogo.models.gltf
             {
                 for each (var key:String in ["JOINTS_" + i, "WEIGHTS_" + i])
                 {
-                    var index:int = file.json.reference(attributes, key, place, "accessors");
-                    refuseIf(index < 0, _name, "a mesh has no weights for its joints", place);
+                    var index:int = _json.reference(attributes, key, place, "accessors");
+                    _json.refuseIf(index < 0, "a mesh has no weights for its joints", place);
                     _sets.push(counted(file.accessor(index, "VEC4")));
                 }
             }
@@ -121,7 +120,7 @@ package starlogo.models.gltf
         // Adds the steps of an accessor that has an element for each vertex.
         private function counted(accessor:GltfAccessor):GltfAccessor
         {
-            refuseIf(accessor.count != count, _name, "it has " + accessor.count + " elements, but there are " + count + " vertices", accessor.place);
+            _json.refuseIf(accessor.count != count, "it has " + accessor.count + " elements, but there are " + count + " vertices", accessor.place);
             add(accessor);
             return accessor;
         }
@@ -168,7 +167,7 @@ package starlogo.models.gltf
             var joint:Number = numbers.numbers[at];
             if (!(joint >= 0 && joint < _joints.transforms.length && int(joint) == joint))
             {
-                throw new ModelError(_name, numbers.place, "vertex " + (at >> 2) + " names joint " + joint + ", but there are only " + _joints.transforms.length);
+                throw new ModelError(_json.name, numbers.place, "vertex " + (at >> 2) + " names joint " + joint + ", but there are only " + _joints.transforms.length);
             }
             return _joints.transforms[int(joint)];
         }
@@ -177,7 +176,7 @@ package starlogo.models.gltf
         {
             if (!_world.place(_numbers, first, end, _vertices, firstVertex + first))
             {
-                throw new ModelError(_name, _node, "its vertices are not finite numbers, or are too large at the node's place (" + _source.place + ")");
+                throw new ModelError(_json.name, _node, "its vertices are not finite numbers, or are too large at the node's place (" + _source.place + ")");
             }
         }
     }

@@ -17,7 +17,7 @@ package starlogo.models.collada
             assertEquals("1", root.attribute("b"));
             assertEquals(">\"2", root.attribute("c"));
             assertEquals("", root.attribute("toString"));
-            assertEquals("one,two", root.words.join());
+            assertEquals("one,two", root.splitText().join());
             assertEquals(2, root.childrenNamed("d").length);
             assertEquals("d#e", String(root.children[1]));
             assertEquals("d[1]", String(read("<a><d/><d/></a>").children[0]));
@@ -43,7 +43,7 @@ package starlogo.models.collada
         [Test]
         public function passesOverComments():void
         {
-            assertEquals("1,2,<b>,3", read("<a>1<!-- <b> -- > -->2<![CDATA[ <b> ]]>3<?d <e> ?></a>").words.join());
+            assertEquals("1,2,<b>,3", read("<a>1<!-- <b> -- > -->2<![CDATA[ <b> ]]>3<?d <e> ?></a>").splitText().join());
         }
 
         [Test]

@@ -116,7 +116,6 @@ import {
 	AgentWalks,
 	LevelShapes,
 	SeenAgents,
-	StoredResults,
 } from "starlogo-collision";
 
 /** What went on, line by line. */
@@ -385,13 +384,13 @@ export function keep(): string[] {
 	const greatLand = new GreatLand();
 	greatLand.fitStore = new FitStore(100000, storage);
 	greatLand.addModel(model);
-	const fits: StoredResults | null = greatLand.fitStore.read(model, new FitSettings(greatLand.boundingStructures, greatLand.hierarchies));
+	const entry: ByteArray | null = greatLand.fitStore.read(model, new FitSettings(greatLand.boundingStructures, greatLand.hierarchies));
 	const cooked: CookedModel = CookedModel.fromBytes("cylinder", greatLand.cook(model, "z"));
 	finish(new GreatLand().receive(cooked));
 	const bytes: Uint8Array = greatLand.cook(model);
 	// there is none in Node
 	const here: FitStorage = new SharedFitStorage();
-	return [String(bytes.length), String(fits?.hasStructures && fits.hasHierarchy), String(here.read("nothing"))];
+	return [String(bytes.length), String(entry !== null && entry.length > 0), String(here.read("nothing"))];
 }
 
 /** What goes wrong is said by name. */

@@ -67,46 +67,35 @@ package starlogo.libraries
         }
 
         /**
-         * Reads the results for a model, at once.
+         * Reads the entry of a model, at once. A game does not need it: its GreatLand reads and writes entries. It is for a program that
+         * moves entries from one store to another.
          *
          * @param model the model
-         * @param settings the settings of the wanted results
-         * @return null if there are none, or they are damaged
+         * @param settings the settings of the results
+         * @return the entry's bytes; null if there is none, or it is damaged
          * @throws ArgumentError if one argument is null
          */
-        public function read(model:Model, settings:FitSettings):StoredResults
+        public function read(model:Model, settings:FitSettings):ByteArray
         {
             var geometry:Fingerprint = geometryOf(model, settings);
-            var file:CookedFile = fileOf(geometry, settings);
-            finish(file);
-            if (!file.isFor(geometry))
-            {
-                return null;
-            }
-            var results:StoredResults = new StoredResults();
-            results.file = file;
-            return results;
+            var bytes:ByteArray = bytesOf(geometry, settings);
+            return isEntryOf(geometry, bytes) ? bytes : null;
         }
 
         /**
-         * Stores the results for a model. They replace those stored for the same settings. Results of other settings are left out.
+         * Stores an entry of a model. It replaces the one stored for the same settings.
          *
          * @param model the model
-         * @param settings the settings with which they were computed
-         * @param results the results
-         * @return whether they are stored
+         * @param settings the settings of the results
+         * @param bytes what <code>read()</code> of another store has returned for this model and these settings; only their position changes
+         * @return whether they are stored; false if they are damaged or of another model
          * @throws ArgumentError if one argument is null
          */
-        public function write(model:Model, settings:FitSettings, results:StoredResults):Boolean
+        public function write(model:Model, settings:FitSettings, bytes:ByteArray):Boolean
         {
-            requireGiven("the results", results);
+            requireGiven("the bytes", bytes);
             var geometry:Fingerprint = geometryOf(model, settings);
-            var contents:Vector.<ByteArray> = new Vector.<ByteArray>(CookedFile.SECTIONS, true);
-            for (var i:int = CookedFile.STRUCTURES; i < CookedFile.SECTIONS; i++)
-            {
-                contents[i] = settings.read(results.file, i);
-            }
-            return keep(geometry, settings, settings.write(geometry, contents));
+            return isEntryOf(geometry, bytes) && keep(geometry, settings, bytes);
         }
 
         /** Removes all entries. */
@@ -126,13 +115,7 @@ package starlogo.libraries
          */
         engine function fileOf(geometry:Fingerprint, settings:FitSettings):CookedFile
         {
-            var name:String = nameOf(geometry, settings);
-            var bytes:ByteArray = _storage.read(name);
-            if (bytes != null)
-            {
-                list(entriesBut(name), name, bytes);
-            }
-            return new CookedFile(bytes);
+            return new CookedFile(bytesOf(geometry, settings));
         }
 
         /**
@@ -149,7 +132,8 @@ package starlogo.libraries
         /**
          * Stores the file of a geometry.
          *
-         * @return whether they are stored
+         * @param geometry the fingerprint of the model's vertices and triangles
+         * @return whether it is stored
          *
          * @private
          */
@@ -173,6 +157,30 @@ package starlogo.libraries
             return isKept;
         }
 
+        // A copy of an entry; null if there is none. It counts as used.
+        private function bytesOf(geometry:Fingerprint, settings:FitSettings):ByteArray
+        {
+            var name:String = nameOf(geometry, settings);
+            var bytes:ByteArray = _storage.read(name);
+            if (bytes != null)
+            {
+                list(entriesBut(name), name, bytes);
+            }
+            return bytes;
+        }
+
+        private static function isEntryOf(geometry:Fingerprint, bytes:ByteArray):Boolean
+        {
+            var file:CookedFile = new CookedFile(bytes);
+            finish(file);
+            if (bytes != null)
+            {
+                bytes.position = 0;
+            }
+            return file.isFor(geometry);
+        }
+
+        // The fingerprint of a model's vertices and triangles.
         private static function geometryOf(model:Model, settings:FitSettings):Fingerprint
         {
             requireGiven("the model", model);

@@ -4,7 +4,6 @@ package starlogo.libraries
     import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
-    import org.flexunit.asserts.assertNotNull;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
@@ -45,12 +44,15 @@ package starlogo.libraries
             var settings:FitSettings = settingsOf(newGame(null));
             assertNull(_store.read(BuiltInModel.cube(), settings));
             newGame(_store).addModel(BuiltInModel.cube());
-            var fits:StoredResults = _store.read(BuiltInModel.cube(), settings);
-            assertTrue(fits.hasStructures && fits.hasHierarchy);
-            assertFalse(fits.hasSurface);
+            var entry:ByteArray = _store.read(BuiltInModel.cube(), settings);
             var other:FitStore = new FitStore(1e6, new MemoryStorage());
-            assertTrue(other.write(BuiltInModel.cube(), settings, fits));
-            assertNotNull(other.read(BuiltInModel.cube(), settings));
+            assertFalse("another model", other.write(BuiltInModel.sphere(), settings, entry));
+            assertFalse("no entry", other.write(BuiltInModel.cube(), settings, new ByteArray()));
+            assertTrue(other.write(BuiltInModel.cube(), settings, entry));
+            assertEquals(entry.length, other.read(BuiltInModel.cube(), settings).length);
+            var second:GreatLand = newGame(other);
+            second.addModel(BuiltInModel.cube());
+            assertEquals("nothing is fitted", 1, _fitter.count);
             assertNull("another model", other.read(BuiltInModel.sphere(), settings));
             other.clear();
             assertNull(other.read(BuiltInModel.cube(), settings));

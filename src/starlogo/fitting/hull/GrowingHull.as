@@ -36,6 +36,8 @@ package starlogo.fitting.hull
         // the number of faces that are not inside
         private var _presentCount:int = 0;
 
+        private var _lowest:LowestPointSearch = new LowestPointSearch();
+
         // the outline of the faces that a point sees: edges of these faces
         private var _outline:Vector.<int> = new Vector.<int>();
 
@@ -70,8 +72,8 @@ package starlogo.fitting.hull
             return _areas.length;
         }
 
-        /** The corners, x, y, z of each. */
-        public function get corners():Vector.<Number>
+        /** Lists the corners, x, y, z of each. */
+        public function listCorners():Vector.<Number>
         {
             var result:Vector.<Number> = new Vector.<Number>();
             var isTaken:Vector.<Boolean> = new Vector.<Boolean>(_points.length / 3);
@@ -184,7 +186,7 @@ package starlogo.fitting.hull
                 upY += area * _planes[int(4 * face + 1)];
                 upZ += area * _planes[int(4 * face + 2)];
             }
-            if (count > MOST_FACES || !findLowestPoint(_planes, out.faces, count, upX, upY, upZ, out))
+            if (count > MOST_FACES || !_lowest.find(_planes, out.faces, count, upX, upY, upZ, out))
             {
                 return false;
             }

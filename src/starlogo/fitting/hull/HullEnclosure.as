@@ -53,7 +53,7 @@ package starlogo.fitting.hull
         // Most hulls need to be scaled, so the first rounds are those with few vertices.
         private function start():void
         {
-            _hull = new Hull(_reduction.corners);
+            _hull = new Hull(_reduction.listCorners());
             _reduction = null;
             addRound(_session.hull.points);
         }

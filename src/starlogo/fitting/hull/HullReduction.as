@@ -53,14 +53,14 @@ package starlogo.fitting.hull
             call(start);
         }
 
-        /** The corners, x, y, z of each, when no step is left. */
-        public function get corners():Vector.<Number>
+        /** Lists the corners, x, y, z of each. Call it when no step is left. */
+        public function listCorners():Vector.<Number>
         {
             if (_solid == null)
             {
                 return _session.hull.points;
             }
-            return _space.toWorld(hasMoreThan(_most) ? UnitSpace.BOX : withoutTips(_solid.corners));
+            return _space.fromUnit(hasMoreThan(_most) ? UnitSpace.BOX : withoutTips(_solid.listCorners()));
         }
 
         private function start():void
@@ -71,7 +71,7 @@ package starlogo.fitting.hull
                 return;
             }
             _space = new UnitSpace(hull);
-            var points:Vector.<Number> = _space.fromWorld(hull.points);
+            var points:Vector.<Number> = _space.toUnit(hull.points);
             var triangles:Vector.<int> = hull.triangles;
             if (hull.dimension == 2)
             {

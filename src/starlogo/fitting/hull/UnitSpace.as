@@ -37,8 +37,8 @@ package starlogo.fitting.hull
             }
         }
 
-        /** Points in this space. */
-        public function fromWorld(points:Vector.<Number>):Vector.<Number>
+        /** Takes points of the hull's space to this one. */
+        public function toUnit(points:Vector.<Number>):Vector.<Number>
         {
             var result:Vector.<Number> = new Vector.<Number>();
             for (var i:int = 0; i < points.length; i += 3)
@@ -51,8 +51,8 @@ package starlogo.fitting.hull
             return result;
         }
 
-        /** Points of this space where the hull is. */
-        public function toWorld(points:Vector.<Number>):Vector.<Number>
+        /** Takes points of this space to the hull's. */
+        public function fromUnit(points:Vector.<Number>):Vector.<Number>
         {
             var result:Vector.<Number> = new Vector.<Number>(points.length);
             for (var i:int = 0; i < points.length; i++)

@@ -16,7 +16,7 @@ package starlogo.fitting.minimal
         public var z:Number;
 
         /** The square of the radius. */
-        public var square:Number;
+        public var squaredRadius:Number;
 
         /** The points, x, y, z of each. */
         public var points:Vector.<Number>;
@@ -64,16 +64,16 @@ package starlogo.fitting.minimal
             ball.x = points[0] + shiftX;
             ball.y = points[1] + shiftY;
             ball.z = points[2] + shiftZ;
-            ball.square = shiftX * shiftX + shiftY * shiftY + shiftZ * shiftZ;
+            ball.squaredRadius = shiftX * shiftX + shiftY * shiftY + shiftZ * shiftZ;
             return ball;
         }
 
         /** Whether the ball contains some points, x, y, z of each, except for rounding. */
-        public function holds(others:Vector.<Number>):Boolean
+        public function contains(others:Vector.<Number>):Boolean
         {
             for (var i:int = 0; i < others.length; i += 3)
             {
-                if (EnclosingStructures.squareTo(others, i, x, y, z) > square * (1 + Tolerances.BALL_SLACK))
+                if (EnclosingStructures.squareTo(others, i, x, y, z) > squaredRadius * (1 + Tolerances.BALL_SLACK))
                 {
                     return false;
                 }

@@ -54,7 +54,7 @@ package starlogo.fitting.minimal
         /** The radius. */
         public function get radius():Number
         {
-            return Math.sqrt(_ball.square);
+            return Math.sqrt(_ball.squaredRadius);
         }
 
         /**
@@ -69,21 +69,21 @@ package starlogo.fitting.minimal
             {
                 var i:int = EnclosingStructures.farthest(points, x, y, z);
                 var point:Vector.<Number> = new <Number>[points[i] - _originX, points[i + 1] - _originY, points[i + 2] - _originZ];
-                grows = isLarger(EnclosingStructures.squareTo(point, 0, _ball.x, _ball.y, _ball.z)) && hold(point);
+                grows = isLarger(EnclosingStructures.squareTo(point, 0, _ball.x, _ball.y, _ball.z)) && growTo(point);
             }
         }
 
         private function isLarger(square:Number):Boolean
         {
-            return square > _ball.square * (1 + Tolerances.BALL_GAIN);
+            return square > _ball.squaredRadius * (1 + Tolerances.BALL_GAIN);
         }
 
-        // Finds the smallest ball through this point and around the points held. Returns false if the ball does not grow any more.
-        private function hold(point:Vector.<Number>):Boolean
+        // Grows to the smallest ball through this point and around the points of the ball so far. Returns false if it does not grow any more.
+        private function growTo(point:Vector.<Number>):Boolean
         {
-            var held:Vector.<Number> = _ball.points;
-            var all:Vector.<Number> = held.concat(point);
-            var others:int = held.length / 3;
+            var earlier:Vector.<Number> = _ball.points;
+            var all:Vector.<Number> = earlier.concat(point);
+            var others:int = earlier.length / 3;
             var best:CircumscribedBall = null;
             for (var subset:int = 0; subset < 1 << others; subset++)
             {
@@ -92,16 +92,16 @@ package starlogo.fitting.minimal
                 {
                     if ((subset >> i & 1) == 1)
                     {
-                        chosen.push(held[3 * i], held[3 * i + 1], held[3 * i + 2]);
+                        chosen.push(earlier[3 * i], earlier[3 * i + 1], earlier[3 * i + 2]);
                     }
                 }
                 var ball:CircumscribedBall = chosen.length > 12 ? null : CircumscribedBall.through(chosen);
-                if (ball != null && (best == null || ball.square < best.square) && ball.holds(all))
+                if (ball != null && (best == null || ball.squaredRadius < best.squaredRadius) && ball.contains(all))
                 {
                     best = ball;
                 }
             }
-            if (best == null || !isLarger(best.square))
+            if (best == null || !isLarger(best.squaredRadius))
             {
                 return false;
             }

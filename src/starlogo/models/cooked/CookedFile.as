@@ -150,12 +150,6 @@ package starlogo.models.cooked
             return isWhole && settings.isNextOf(_bytes);
         }
 
-        /** Whether a section has bytes. */
-        public function has(index:int):Boolean
-        {
-            return isWhole && lengthOf(index) > 0;
-        }
-
         /**
          * The bytes of a section. Their position is 0.
          *
@@ -165,7 +159,8 @@ package starlogo.models.cooked
          */
         public function section(index:int, wanted:Fingerprint):ByteArray
         {
-            if (!has(index))
+            var length:int = isWhole ? lengthOf(index) : 0;
+            if (length == 0)
             {
                 return null;
             }
@@ -174,7 +169,6 @@ package starlogo.models.cooked
             {
                 start += lengthOf(i);
             }
-            var length:int = lengthOf(index);
             _bytes.position = TABLE + ENTRY_LENGTH * index;
             if (wanted != null && !wanted.isNextOf(_bytes))
             {

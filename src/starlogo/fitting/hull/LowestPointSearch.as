@@ -1,0 +1,164 @@
+package starlogo.fitting.hull
+{
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * Finds the lowest point that is on no inner side of some planes: a linear program of three variables. It is solved by the dual simplex
+     * method. At any time the point is where three planes meet, and it is the lowest point outside of these three. The plane that the point is
+     * farthest inside of replaces one of them, and the point moves up. The search begins with three planes far below.
+     */
+    internal final class LowestPointSearch
+    {
+        // The coordinates of points on the planes are about 1.
+        private static const FAR:Number = 100;
+        private static const NEAR:Number = 10;
+        private static const MOST_TURNS:int = 40;
+
+        // The three planes, four numbers each: the outward unit normal, and the offset along it.
+        private var _three:Vector.<Number> = new Vector.<Number>(12, true);
+
+        // For each of the three, the cross product of the normals of the other two. A vector v is the sum of (v . cross product) times normal,
+        // divided by the determinant of the normals.
+        private var _crosses:Vector.<Number> = new Vector.<Number>(9, true);
+
+        private var _up:Vector.<Number> = new Vector.<Number>(3, true);
+
+        /**
+         * Finds the point.
+         *
+         * @param planes four numbers for each face: the outward unit normal, and the offset along it
+         * @param faces the faces whose planes count
+         * @param count the number of these faces
+         * @param upX the direction that is up, of any length
+         * @param upY of the direction
+         * @param upZ of the direction
+         * @param out its coordinates are set
+         * @return whether there is a lowest point near the planes
+         */
+        public function find(planes:Vector.<Number>, faces:Vector.<int>, count:int, upX:Number, upY:Number, upZ:Number, out:OuterPoint):Boolean
+        {
+            begin(upX, upY, upZ);
+            for (var turn:int = 0; turn < MOST_TURNS; turn++)
+            {
+                var determinant:Number = findMeetingPoint(out);
+                if (!(Math.abs(determinant) > Tolerances.UNIT_ROUNDING))
+                {
+                    return false;
+                }
+                var entering:int = farthestInside(planes, faces, count, out);
+                if (entering < 0)
+                {
+                    return Math.abs(out.x) < NEAR && Math.abs(out.y) < NEAR && Math.abs(out.z) < NEAR;
+                }
+                var leaving:int = leavingFor(planes, entering, determinant);
+                if (leaving < 0)
+                {
+                    return false;
+                }
+                for (var i:int = 0; i < 4; i++)
+                {
+                    _three[int(4 * leaving + i)] = planes[int(entering + i)];
+                }
+            }
+            return false;
+        }
+
+        // Takes three planes far below, with normals along the axes.
+        private function begin(upX:Number, upY:Number, upZ:Number):void
+        {
+            _up[0] = upX;
+            _up[1] = upY;
+            _up[2] = upZ;
+            for (var i:int = 0; i < 12; i++)
+            {
+                _three[i] = i % 4 == 3 ? -FAR : 0;
+            }
+            _three[0] = upX < 0 ? -1 : 1;
+            _three[5] = upY < 0 ? -1 : 1;
+            _three[10] = upZ < 0 ? -1 : 1;
+        }
+
+        // Finds the point where the three planes meet. Returns the determinant of their normals; the point is right only if that is not 0.
+        private function findMeetingPoint(out:OuterPoint):Number
+        {
+            var three:Vector.<Number> = _three;
+            var crosses:Vector.<Number> = _crosses;
+            setCross(0, 4, 8);
+            setCross(3, 8, 0);
+            setCross(6, 0, 4);
+            var determinant:Number = three[0] * crosses[0] + three[1] * crosses[1] + three[2] * crosses[2];
+            var a:Number = three[3];
+            var b:Number = three[7];
+            var c:Number = three[11];
+            out.x = (a * crosses[0] + b * crosses[3] + c * crosses[6]) / determinant;
+            out.y = (a * crosses[1] + b * crosses[4] + c * crosses[7]) / determinant;
+            out.z = (a * crosses[2] + b * crosses[5] + c * crosses[8]) / determinant;
+            return determinant;
+        }
+
+        // Sets the cross product at a place to that of the normals at two places.
+        private function setCross(to:int, first:int, second:int):void
+        {
+            var three:Vector.<Number> = _three;
+            var aX:Number = three[first];
+            var aY:Number = three[int(first + 1)];
+            var aZ:Number = three[int(first + 2)];
+            var bX:Number = three[second];
+            var bY:Number = three[int(second + 1)];
+            var bZ:Number = three[int(second + 2)];
+            _crosses[to] = aY * bZ - aZ * bY;
+            _crosses[int(to + 1)] = aZ * bX - aX * bZ;
+            _crosses[int(to + 2)] = aX * bY - aY * bX;
+        }
+
+        // The first number of the plane that a point is farthest inside of; -1 if it is inside of none.
+        private static function farthestInside(planes:Vector.<Number>, faces:Vector.<int>, count:int, point:OuterPoint):int
+        {
+            var x:Number = point.x;
+            var y:Number = point.y;
+            var z:Number = point.z;
+            var found:int = -1;
+            var most:Number = Tolerances.UNIT_ROUNDING;
+            for (var i:int = 0; i < count; i++)
+            {
+                var at:int = 4 * faces[i];
+                var depth:Number = planes[int(at + 3)] - planes[at] * x - planes[int(at + 1)] * y - planes[int(at + 2)] * z;
+                if (depth > most)
+                {
+                    most = depth;
+                    found = at;
+                }
+            }
+            return found;
+        }
+
+        // Which of the three planes leaves for the entering one: the one whose share of the upward direction is used up first by its share of
+        // the entering normal. -1 if no point is outside of the four planes.
+        private function leavingFor(planes:Vector.<Number>, entering:int, determinant:Number):int
+        {
+            var normalX:Number = planes[entering];
+            var normalY:Number = planes[int(entering + 1)];
+            var normalZ:Number = planes[int(entering + 2)];
+            var upX:Number = _up[0];
+            var upY:Number = _up[1];
+            var upZ:Number = _up[2];
+            var crosses:Vector.<Number> = _crosses;
+            var leaving:int = -1;
+            var least:Number = Infinity;
+            for (var i:int = 0; i < 3; i++)
+            {
+                var x:Number = crosses[int(3 * i)];
+                var y:Number = crosses[int(3 * i + 1)];
+                var z:Number = crosses[int(3 * i + 2)];
+                var share:Number = (normalX * x + normalY * y + normalZ * z) / determinant;
+                var lasts:Number = share > Tolerances.UNIT_ROUNDING ? (upX * x + upY * y + upZ * z) / determinant / share : Infinity;
+                if (lasts < least)
+                {
+                    least = lasts;
+                    leaving = i;
+                }
+            }
+            return leaving;
+        }
+    }
+}

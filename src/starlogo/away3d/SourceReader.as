@@ -192,7 +192,7 @@ package starlogo.away3d
                 {
                     point[i] = _data[at + i];
                 }
-                _places[_part].place(point, 0, 1, point, 0);
+                _places[_part].transformPoints(point, 0, 1, point, 0);
                 _pointOf[vertex] = _points.indexOf(point[0], point[1], point[2]);
             }
             return _pointOf[vertex];

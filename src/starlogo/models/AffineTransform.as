@@ -5,7 +5,7 @@ package starlogo.models
     import starlogo.steps.Steps;
 
     /**
-     * An affine transform of points: a node's place in a scene. x' = m00 x + m01 y + m02 z + m03, and the next two rows give y' and z'.
+     * An affine transform of points, for example from a node's space to the scene's. x' = m00 x + m01 y + m02 z + m03, and the next two rows give y' and z'.
      * All numbers are doubles on every player.
      *
      * @private
@@ -57,11 +57,11 @@ package starlogo.models
         }
 
         /** The steps that transform all of the points in place. */
-        public function placing(points:Vector.<Number>):Steps
+        public function transformingPoints(points:Vector.<Number>):Steps
         {
             return new Slices(points.length / 3, POINTS_PER_STEP, function(first:int, end:int):void
                 {
-                    place(points, first, end, points, first);
+                    transformPoints(points, first, end, points, first);
                 });
         }
 
@@ -75,7 +75,7 @@ package starlogo.models
          * @param to the index in out for the first point
          * @return whether all new coordinates are finite
          */
-        public function place(points:Vector.<Number>, first:int, end:int, out:Vector.<Number>, to:int):Boolean
+        public function transformPoints(points:Vector.<Number>, first:int, end:int, out:Vector.<Number>, to:int):Boolean
         {
             var m:Vector.<Number> = rows;
             var m00:Number = m[0];

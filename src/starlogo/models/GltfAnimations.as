@@ -98,7 +98,7 @@ package starlogo.models
             {
                 throw new RangeError("the time must be a finite number, not " + time);
             }
-            _file.beginAgain();
+            _file.renewBudget();
             var reader:GltfReader = new GltfReader(_name, _file, _upAxis, chosen.valuesAt(time));
             finish(reader);
             return reader.data.vertices;

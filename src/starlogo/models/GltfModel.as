@@ -63,7 +63,7 @@ package starlogo.models
         {
             var file:GltfFile = new GltfFile(name, bytes, null);
             finish(file);
-            for each (var uri:String in file.missing)
+            for each (var uri:String in file.otherFiles)
             {
                 file.setBuffer(uri, buffers != null && uri in buffers ? buffers[uri] as ByteArray : null, "\"" + TextTokens.shorten(uri) +
                         "\" is another file and was not given: a ModelLoader's load() fetches it");

@@ -209,7 +209,7 @@ package starlogo.models
                         + (vertices == null ? "null" : vertices.length + " numbers"));
             }
             _posed ||= new Vector.<Number>(own.length, true);
-            source.place(vertices, _posed);
+            source.toModel(vertices, _posed);
             var bounds:VertexBounds = VertexBounds.of(_posed);
             if (!bounds.areFinite)
             {

@@ -80,7 +80,7 @@ package starlogo.models
         public function fetchBuffers(gltf:GltfFile):void
         {
             _all.length = 0;
-            for each (var uri:String in gltf == null ? null : gltf.missing)
+            for each (var uri:String in gltf == null ? null : gltf.otherFiles)
             {
                 if (!hasFolder)
                 {
@@ -93,9 +93,9 @@ package starlogo.models
         /** Gives the files that have come to the glTF file that names them, if there is one. */
         public function giveBuffers(gltf:GltfFile):void
         {
-            for (var i:int = 0; gltf != null && i < gltf.missing.length; i++)
+            for (var i:int = 0; gltf != null && i < gltf.otherFiles.length; i++)
             {
-                gltf.setBuffer(gltf.missing[i], _all[i].bytes, _all[i].problem);
+                gltf.setBuffer(gltf.otherFiles[i], _all[i].bytes, _all[i].problem);
             }
         }
 

@@ -82,7 +82,7 @@ package starlogo.models
         /** The steps that turn the vertices to z up. */
         protected final function turningUp():Steps
         {
-            return _upAxis == "z" ? null : turnUp.placing(data.vertices);
+            return _upAxis == "z" ? null : turnUp.transformingPoints(data.vertices);
         }
 
         /** The turn to z up, from the axis that the caller has named. */

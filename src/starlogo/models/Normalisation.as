@@ -109,7 +109,7 @@ package starlogo.models
             call(function():void
                 {
                     _frame.turn(turn, factor);
-                }).add(turn.placing(_data.vertices));
+                }).add(turn.transformingPoints(_data.vertices));
             return measureAll();
         }
 

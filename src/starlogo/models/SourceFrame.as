@@ -53,7 +53,7 @@ package starlogo.models
          *
          * @private
          */
-        engine function pointsOf(points:Vector.<Number>):Vector.<Number>
+        engine function toSource(points:Vector.<Number>):Vector.<Number>
         {
             var back:Vector.<Number> = new Vector.<Number>();
             for (var k:int = 0; k < 3; k++)
@@ -65,7 +65,7 @@ package starlogo.models
                 back.push(_numbers[9 + k]);
             }
             var all:Vector.<Number> = new Vector.<Number>(points.length);
-            new AffineTransform(back).place(points, 0, points.length / 3, all, 0);
+            new AffineTransform(back).transformPoints(points, 0, points.length / 3, all, 0);
             return all;
         }
 
@@ -77,7 +77,7 @@ package starlogo.models
          *
          * @private
          */
-        engine function place(points:Vector.<Number>, out:Vector.<Number>):void
+        engine function toModel(points:Vector.<Number>, out:Vector.<Number>):void
         {
             var n:Vector.<Number> = _numbers;
             for (var i:int = 0; i < points.length; i += 3)
@@ -86,7 +86,7 @@ package starlogo.models
                 out[int(i + 1)] = points[int(i + 1)] - n[10];
                 out[int(i + 2)] = points[int(i + 2)] - n[11];
             }
-            new AffineTransform(new <Number>[n[0], n[3], n[6], 0, n[1], n[4], n[7], 0, n[2], n[5], n[8], 0]).place(out, 0, points.length / 3, out, 0);
+            new AffineTransform(new <Number>[n[0], n[3], n[6], 0, n[1], n[4], n[7], 0, n[2], n[5], n[8], 0]).transformPoints(out, 0, points.length / 3, out, 0);
         }
 
         /**
@@ -164,7 +164,7 @@ package starlogo.models
          */
         internal function turn(by:AffineTransform, factor:Number):void
         {
-            by.place(_numbers, 0, 3, _numbers, 0);
+            by.transformPoints(_numbers, 0, 3, _numbers, 0);
             _numbers[12] /= factor;
         }
 

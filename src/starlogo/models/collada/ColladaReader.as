@@ -94,7 +94,7 @@ package starlogo.models.collada
             }
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
-                    var areFinite:Boolean = instance.transform.place(mesh.vertices, first, end, out, firstVertex + first);
+                    var areFinite:Boolean = instance.transform.transformPoints(mesh.vertices, first, end, out, firstVertex + first);
                     refuseIf(!areFinite, name, "its transformed coordinates are too large: they are not finite numbers", instance.element);
                 }).slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
                 {

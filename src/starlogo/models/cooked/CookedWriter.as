@@ -28,7 +28,7 @@ package starlogo.models.cooked
         /** The bytes of a model's section. */
         public static function of(model:Model):ByteArray
         {
-            var source:Vector.<Number> = model.source.pointsOf(model.vertices);
+            var source:Vector.<Number> = model.source.toSource(model.vertices);
             for (var form:int = 0; form <= SINGLE; form++)
             {
                 var points:Vector.<Number> = form < SINGLE ? multiples(source, divisorOf(form)) : singles(source);

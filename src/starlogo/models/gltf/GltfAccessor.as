@@ -36,7 +36,7 @@ package starlogo.models.gltf
         public var place:String;
 
         private var _width:int;
-        private var _kind:int;
+        private var _componentType:int;
 
         // integers are divided by this; 0 for no division
         private var _divisor:Number = 0;
@@ -45,17 +45,17 @@ package starlogo.models.gltf
          * @param file the file; all its steps must be done
          * @param place its place in the file, for errors
          * @param data says where its numbers are
-         * @param form says how many and of which kind; the same object as data, but for the parts of a sparse accessor
+         * @param layout says how many and of which kind; the same object as data, but for the parts of a sparse accessor
          */
-        public function GltfAccessor(file:GltfFile, place:String, data:Object, form:Object)
+        public function GltfAccessor(file:GltfFile, place:String, data:Object, layout:Object)
         {
             var json:GltfJson = file.json;
             this.place = place;
-            count = json.whole(form, "count", place, int.MAX_VALUE, -1);
-            _width = WIDTHS[form.type];
-            _kind = json.whole(form, "componentType", place, int.MAX_VALUE, -1);
-            json.refuseIf(!SIZES.hasOwnProperty(_kind), "expected 5120 to 5123, 5125 or 5126, but found " + _kind, place + ".componentType");
-            _divisor = form.normalized === true && LARGEST[_kind] > 0 ? LARGEST[_kind] : 0;
+            count = json.whole(layout, "count", place, int.MAX_VALUE, -1);
+            _width = WIDTHS[layout.type];
+            _componentType = json.whole(layout, "componentType", place, int.MAX_VALUE, -1);
+            json.refuseIf(!SIZES.hasOwnProperty(_componentType), "expected 5120 to 5123, 5125 or 5126, but found " + _componentType, place + ".componentType");
+            _divisor = layout.normalized === true && LARGEST[_componentType] > 0 ? LARGEST[_componentType] : 0;
             var view:int = json.reference(data, "bufferView", place, "bufferViews");
             var offset:int = json.whole(data, "byteOffset", place, int.MAX_VALUE, 0);
             if (view >= 0)
@@ -64,23 +64,23 @@ package starlogo.models.gltf
             }
             file.budget.take(view < 0 ? ModelBudget.ZEROS : ModelBudget.NUMBERS, Number(count) * _width, place);
             numbers = new Vector.<Number>(count * _width);
-            var sparse:Object = data == form ? json.objectIn(data, "sparse", place) : null;
+            var sparse:Object = data == layout ? json.objectIn(data, "sparse", place) : null;
             if (sparse != null)
             {
-                addSparse(file, form, sparse);
+                addSparse(file, layout, sparse);
             }
         }
 
         /** Whether its numbers are unsigned integers, as a list of indices requires. */
         public function get areIndices():Boolean
         {
-            return _divisor == 0 && (_kind == UNSIGNED_BYTE || _kind == UNSIGNED_SHORT || _kind == UNSIGNED_INT);
+            return _divisor == 0 && (_componentType == UNSIGNED_BYTE || _componentType == UNSIGNED_SHORT || _componentType == UNSIGNED_INT);
         }
 
         // Adds the steps that read the rows: from an offset in a bufferView on, at the view's distance from one another.
         private function addRows(file:GltfFile, view:int, offset:int):void
         {
-            var size:int = SIZES[_kind] * _width;
+            var size:int = SIZES[_componentType] * _width;
             var viewPlace:String = "bufferViews[" + view + "]";
             var stride:int = file.json.whole(file.json.entry("bufferViews", view), "byteStride", viewPlace, 252, size);
             file.json.refuseIf(stride < size, "expected at least " + size + ", but found " + stride, viewPlace + ".byteStride");
@@ -105,7 +105,7 @@ package starlogo.models.gltf
             while (at < last)
             {
                 bytes.position = start;
-                readRow(bytes, _kind, numbers, at, at + rowLength);
+                readRow(bytes, _componentType, numbers, at, at + rowLength);
                 at += rowLength;
                 start += stride;
             }
@@ -150,26 +150,26 @@ package starlogo.models.gltf
             }
         }
 
-        private static function readRow(bytes:ByteArray, kind:int, out:Vector.<Number>, at:int, last:int):void
+        private static function readRow(bytes:ByteArray, componentType:int, out:Vector.<Number>, at:int, last:int):void
         {
-            // the sign bit; 0 for a kind without negative numbers
-            var sign:int = kind == SHORT ? 0x8000 : (kind == BYTE ? 0x80 : 0);
+            // the sign bit; 0 for a type without negative numbers
+            var sign:int = componentType == SHORT ? 0x8000 : (componentType == BYTE ? 0x80 : 0);
             var number:int;
-            if (kind == FLOAT)
+            if (componentType == FLOAT)
             {
                 while (at < last)
                 {
                     out[at++] = bytes.readFloat();
                 }
             }
-            else if (kind == UNSIGNED_INT)
+            else if (componentType == UNSIGNED_INT)
             {
                 while (at < last)
                 {
                     out[at++] = bytes.readUnsignedInt();
                 }
             }
-            else if (SIZES[kind] == 2)
+            else if (SIZES[componentType] == 2)
             {
                 while (at < last)
                 {

@@ -35,7 +35,7 @@ package starlogo.models.gltf
             "save the model without compression (gltfpack without -c, or \"gltf-transform copy\")";
 
         /** The addresses of the buffers in other files, as the JSON has them, when no step is left. */
-        public var missing:Vector.<String> = new Vector.<String>();
+        public var otherFiles:Vector.<String> = new Vector.<String>();
 
         /** The JSON, when no step is left. */
         internal var json:GltfJson = null;
@@ -50,7 +50,7 @@ package starlogo.models.gltf
         private var _chunk:ByteArray = null;
 
         // the buffers that each address is for, and the accessors so far, with "#" before the address or index
-        private var _places:Object = {};
+        private var _buffersAt:Object = {};
         private var _accessors:Object = {};
 
         /**
@@ -90,7 +90,7 @@ package starlogo.models.gltf
         }
 
         /** Lets the meshes be read once more. What that may cost is counted anew. */
-        public function beginAgain():void
+        public function renewBudget():void
         {
             budget = budget.anew();
         }
@@ -104,9 +104,9 @@ package starlogo.models.gltf
          */
         public function setBuffer(uri:String, bytes:ByteArray, problem:String):void
         {
-            json.refuseIf(bytes == null, problem, "buffers[" + _places["#" + uri][0] + "].uri");
+            json.refuseIf(bytes == null, problem, "buffers[" + _buffersAt["#" + uri][0] + "].uri");
             budget.addBytes(bytes.length);
-            for each (var index:int in _places["#" + uri])
+            for each (var index:int in _buffersAt["#" + uri])
             {
                 keep(index, bytes);
             }
@@ -159,19 +159,19 @@ package starlogo.models.gltf
             refuseIf(version != 2, name, "expected binary glTF of version 2, but found " + version, "byte 4");
             var end:uint = wordAt(bytes, 8);
             refuseIf(end > length, name, "the file is cut off: it should have " + end + " bytes, but has " + length, "byte 8");
-            for (var place:int = HEADER_LENGTH; place + CHUNK_HEADER_LENGTH <= end; place += CHUNK_HEADER_LENGTH + chunkLength)
+            for (var at:int = HEADER_LENGTH; at + CHUNK_HEADER_LENGTH <= end; at += CHUNK_HEADER_LENGTH + chunkLength)
             {
-                var chunkLength:uint = wordAt(bytes, place);
-                var kind:uint = wordAt(bytes, place + 4);
-                var start:int = place + CHUNK_HEADER_LENGTH;
-                refuseIf(chunkLength > end - start, name, "a chunk should have " + chunkLength + " bytes, but " + (end - start) + " are left", "byte " + place);
-                refuseIf((text == null) != (kind == JSON_CHUNK), name, "the first chunk, and no other, must be JSON", "byte " + place);
+                var chunkLength:uint = wordAt(bytes, at);
+                var type:uint = wordAt(bytes, at + 4);
+                var start:int = at + CHUNK_HEADER_LENGTH;
+                refuseIf(chunkLength > end - start, name, "a chunk should have " + chunkLength + " bytes, but " + (end - start) + " are left", "byte " + at);
+                refuseIf((text == null) != (type == JSON_CHUNK), name, "the first chunk, and no other, must be JSON", "byte " + at);
                 if (text == null)
                 {
                     bytes.position = start;
                     text = bytes.readUTFBytes(chunkLength);
                 }
-                else if (kind == BINARY_CHUNK && _chunk == null)
+                else if (type == BINARY_CHUNK && _chunk == null)
                 {
                     _chunk = new ByteArray();
                     if (chunkLength > 0)
@@ -184,9 +184,9 @@ package starlogo.models.gltf
             return text;
         }
 
-        private static function wordAt(bytes:ByteArray, place:int):uint
+        private static function wordAt(bytes:ByteArray, at:int):uint
         {
-            bytes.position = place;
+            bytes.position = at;
             return bytes.readUnsignedInt();
         }
 
@@ -264,13 +264,13 @@ package starlogo.models.gltf
             }
             json.refuseIf(!ModelAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found \"" +
                     TextTokens.shorten(uri) + "\"", place + ".uri");
-            if (!_places.hasOwnProperty("#" + uri))
+            if (!_buffersAt.hasOwnProperty("#" + uri))
             {
                 budget.take(ModelBudget.FILES, 1, place + ".uri");
-                missing.push(uri);
-                _places["#" + uri] = [];
+                otherFiles.push(uri);
+                _buffersAt["#" + uri] = [];
             }
-            _places["#" + uri].push(index);
+            _buffersAt["#" + uri].push(index);
         }
 
         private function keep(index:int, bytes:ByteArray):void

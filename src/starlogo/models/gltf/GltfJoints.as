@@ -40,8 +40,8 @@ package starlogo.models.gltf
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        var world:AffineTransform = scene.worldOf(json.checkedIndex(joints[i], place + "[" + i + "]", "nodes"));
-                        transforms.push(matrices == null ? world : world.after(GltfScene.ofColumns(matrices.numbers, 16 * i)));
+                        var transform:AffineTransform = scene.globalTransformOf(json.checkedIndex(joints[i], place + "[" + i + "]", "nodes"));
+                        transforms.push(matrices == null ? transform : transform.after(GltfScene.ofColumns(matrices.numbers, 16 * i)));
                     }
                 });
         }

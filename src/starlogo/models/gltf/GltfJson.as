@@ -49,16 +49,16 @@ package starlogo.models.gltf
             return found === undefined ? null : found;
         }
 
-        /** The number of things of a kind, for example "nodes". */
-        public function count(kind:String):int
+        /** The length of a list of the file, for example "nodes". */
+        public function count(list:String):int
         {
-            return listIn(root, kind, "").length;
+            return listIn(root, list, "").length;
         }
 
-        /** A thing, by its kind, for example "nodes", and its index. */
-        public function entry(kind:String, index:int):Object
+        /** An entry of a list of the file, for example "nodes". */
+        public function entry(list:String, index:int):Object
         {
-            return elementOf(listIn(root, kind, ""), index, kind);
+            return elementOf(listIn(root, list, ""), index, list);
         }
 
         /** An element of a list of objects. */
@@ -69,18 +69,18 @@ package starlogo.models.gltf
             return found;
         }
 
-        /** The index of a thing to which an object refers; -1 if it refers to none. */
-        public function reference(owner:Object, key:String, place:String, kind:String):int
+        /** The index of the entry of a list to which an object refers; -1 if it refers to none. */
+        public function reference(owner:Object, key:String, place:String, list:String):int
         {
-            return owner[key] === undefined ? -1 : checkedIndex(owner[key], placeIn(place, key), kind);
+            return owner[key] === undefined ? -1 : checkedIndex(owner[key], placeIn(place, key), list);
         }
 
-        /** Checks an index of a thing and returns it. */
-        public function checkedIndex(value:*, place:String, kind:String):int
+        /** Checks an index of an entry of a list, and returns it. */
+        public function checkedIndex(value:*, place:String, list:String):int
         {
-            var most:int = count(kind);
+            var most:int = count(list);
             value = JsonMeter.restored(value);
-            refuseIf(!isWhole(value, most - 1), "expected the number of one of " + most + " " + kind + ", but found " + shown(value), place);
+            refuseIf(!isWhole(value, most - 1), "expected the number of one of " + most + " " + list + ", but found " + shown(value), place);
             return value;
         }
 

@@ -14,11 +14,7 @@ package starlogo.models.gltf
     public final class GltfReader extends ModelReader
     {
         private var _file:GltfFile;
-        private var _scene:GltfScene = null;
         private var _animated:Object;
-
-        // the index of the node whose mesh is next
-        private var _node:int = 0;
 
         /**
          * @param name the model's name
@@ -31,36 +27,40 @@ package starlogo.models.gltf
             super(name, upAxis == null ? "y" : upAxis);
             _file = file;
             _animated = animated;
-            begin(walking).beginEach(readingNext).begin(droppingUnused);
+            begin(readingScene).begin(droppingUnused);
         }
 
-        private function walking():Steps
+        private function readingScene():Steps
         {
-            _scene = new GltfScene(_file.json, turnUp, _animated);
-            for (var i:int = 0; i < _file.json.count("materials"); i++)
-            {
-                data.materials.names.push(textOf(_file.json.entry("materials", i).name));
-            }
-            return _scene;
-        }
-
-        // The work on the next node's mesh. Null if there are no more.
-        private function readingNext():Steps
-        {
-            if (_node == _scene.nodes.length)
-            {
-                return null;
-            }
             var json:GltfJson = _file.json;
-            var nodeIndex:int = _scene.nodes[_node];
+            for (var i:int = 0; i < json.count("materials"); i++)
+            {
+                data.materials.names.push(textOf(json.entry("materials", i).name));
+            }
+            var scene:GltfScene = new GltfScene(json, turnUp, _animated);
+            var next:int = 0;
+            return new StepSequence().add(scene).beginEach(function():Steps
+                {
+                    if (next == scene.nodes.length)
+                    {
+                        return null;
+                    }
+                    progress = 0.9 * next / scene.nodes.length;
+                    return readingNode(scene, scene.nodes[next++]);
+                });
+        }
+
+        // The work on the mesh of a node.
+        private function readingNode(scene:GltfScene, nodeIndex:int):Steps
+        {
+            var json:GltfJson = _file.json;
             var node:Object = json.entry("nodes", nodeIndex);
             var index:int = json.reference(node, "mesh", "nodes[" + nodeIndex + "]", "meshes");
             var mesh:Object = json.entry("meshes", index);
             var place:String = "meshes[" + index + "]";
             var primitives:Array = json.listIn(mesh, "primitives", place);
-            var posed:Vector.<Number> = GltfAnimation.valueIn(_animated, nodeIndex, "weights");
-            var weights:Vector.<Number> = posed || json.numbers(node, "weights", "nodes[" + nodeIndex + "]", -1)
-                || json.numbers(mesh, "weights", place, -1, new Vector.<Number>());
+            var weights:Vector.<Number> = GltfAnimation.valueIn(_animated, nodeIndex, "weights")
+                || json.numbers(node, "weights", "nodes[" + nodeIndex + "]", -1) || json.numbers(mesh, "weights", place, -1, new Vector.<Number>());
             // The vertices of this node so far. The key is everything that they depend on.
             var placed:Object = {};
             var next:int = 0;
@@ -69,17 +69,15 @@ package starlogo.models.gltf
                     _file.budget.take(ModelBudget.THINGS, 1 + weights.length, place);
                     if (next == primitives.length)
                     {
-                        _node++;
-                        progress = 0.9 * _node / _scene.nodes.length;
                         return null;
                     }
                     var primitive:Object = json.elementOf(primitives, next, place + ".primitives");
-                    return readingPrimitive(nodeIndex, primitive, place + ".primitives[" + next+++"]", weights, placed);
+                    return readingPrimitive(scene, nodeIndex, primitive, place + ".primitives[" + next+++"]", weights, placed);
                 });
         }
 
         // The work on a primitive: its vertices, the vertices at the node's place, the triangles. Nothing if it has no vertices.
-        private function readingPrimitive(node:int, primitive:Object, place:String, weights:Vector.<Number>, placed:Object):Steps
+        private function readingPrimitive(scene:GltfScene, node:int, primitive:Object, place:String, weights:Vector.<Number>, placed:Object):Steps
         {
             var json:GltfJson = _file.json;
             var work:StepSequence = new StepSequence();
@@ -95,7 +93,7 @@ package starlogo.models.gltf
             // primitives may share their vertices and have different triangles
             var isPlain:Boolean = json.listIn(primitive, "targets", place).length == 0 && attributes.JOINTS_0 === undefined;
             var key:String = "#" + position + hasSurface + (isPlain ? "" : "," + place);
-            var points:GltfVertices = placed[key] ||= new GltfVertices(_file, _scene, node, primitive, place, weights, source,
+            var points:GltfVertices = placed[key] ||= new GltfVertices(_file, scene, node, primitive, place, weights, source,
                     verticesFor(hasSurface));
             work.add(points);
             if (hasSurface)

@@ -7,7 +7,7 @@ package starlogo.models.gltf
     /** A property of a node over time: the keys of an animation's sampler, and what is between them. */
     internal final class GltfSampler extends StepSequence
     {
-        private static const KINDS:Array = ["LINEAR", "STEP", "CUBICSPLINE"];
+        private static const INTERPOLATIONS:Array = ["LINEAR", "STEP", "CUBICSPLINE"];
         private static const LINEAR:int = 0;
         private static const CUBIC:int = 2;
 
@@ -16,7 +16,7 @@ package starlogo.models.gltf
 
         private var _times:GltfAccessor;
         private var _values:GltfAccessor;
-        private var _kind:int;
+        private var _interpolation:int;
         private var _isRotation:Boolean;
 
         /**
@@ -31,12 +31,12 @@ package starlogo.models.gltf
             var input:int = json.reference(sampler, "input", place, "accessors");
             var output:int = json.reference(sampler, "output", place, "accessors");
             json.refuseIf(input < 0 || output < 0, "expected input and output", place);
-            _kind = sampler.interpolation === undefined ? LINEAR : KINDS.indexOf(sampler.interpolation);
-            json.refuseIf(_kind < 0, "expected LINEAR, STEP or CUBICSPLINE", place + ".interpolation");
+            _interpolation = sampler.interpolation === undefined ? LINEAR : INTERPOLATIONS.indexOf(sampler.interpolation);
+            json.refuseIf(_interpolation < 0, "expected LINEAR, STEP or CUBICSPLINE", place + ".interpolation");
             _isRotation = path == "rotation";
             _times = file.accessor(input, "SCALAR");
             _values = file.accessor(output, path == "weights" ? "SCALAR" : (_isRotation ? "VEC4" : "VEC3"));
-            var perKey:int = _kind == CUBIC ? 3 : 1;
+            var perKey:int = _interpolation == CUBIC ? 3 : 1;
             var wanted:Number = Number(_times.count) * perKey;
             refuseIf(_times.count == 0 || _values.count < wanted || _values.count % wanted != 0 || path != "weights" && _values.count != wanted, json.name,
                     "it has " + _values.count + " elements for " + _times.count + " keys", _values.place);
@@ -72,7 +72,7 @@ package starlogo.models.gltf
             var next:int = low < last ? low + 1 : last;
             var length:Number = times[next] - times[low];
             var share:Number = time > times[low] && length > 0 ? (time - times[low]) / length : 0;
-            var value:Vector.<Number> = _kind == CUBIC ? cubic(low, next, share, length) : (_kind == LINEAR ? linear(low, next, share) : keyOf(low, 0));
+            var value:Vector.<Number> = _interpolation == CUBIC ? cubic(low, next, share, length) : (_interpolation == LINEAR ? linear(low, next, share) : keyOf(low, 0));
             return _isRotation ? normalised(value) : value;
         }
 
@@ -80,7 +80,7 @@ package starlogo.models.gltf
         private function keyOf(key:int, part:int):Vector.<Number>
         {
             var width:int = _values.numbers.length / _times.count;
-            var length:int = _kind == CUBIC ? width / 3 : width;
+            var length:int = _interpolation == CUBIC ? width / 3 : width;
             var from:int = key * width + part * length;
             return _values.numbers.slice(from, from + length);
         }

@@ -16,7 +16,7 @@ package starlogo.models.gltf
         private var _root:AffineTransform;
         private var _animated:Object;
         private var _parents:Vector.<int>;
-        private var _worlds:Vector.<AffineTransform>;
+        private var _globalTransforms:Vector.<AffineTransform>;
         private var _pending:Vector.<int> = new Vector.<int>();
         private var _isVisited:Vector.<Boolean>;
         private var _joints:Object = {}; // of each skin, by "#" and its index
@@ -33,7 +33,7 @@ package starlogo.models.gltf
             _animated = animated;
             var count:int = json.count("nodes");
             _parents = new Vector.<int>(count);
-            _worlds = new Vector.<AffineTransform>(count);
+            _globalTransforms = new Vector.<AffineTransform>(count);
             _isVisited = new Vector.<Boolean>(count);
             for (var i:int = 0; i < count; i++)
             {
@@ -47,22 +47,22 @@ package starlogo.models.gltf
          *
          * @throws ModelError if a transform is wrong, or the node contains itself
          */
-        public function worldOf(node:int):AffineTransform
+        public function globalTransformOf(node:int):AffineTransform
         {
             var chain:Vector.<int> = new Vector.<int>();
-            for (var i:int = node; i >= 0 && _worlds[i] == null; i = _parents[i])
+            for (var i:int = node; i >= 0 && _globalTransforms[i] == null; i = _parents[i])
             {
-                _json.refuseIf(chain.length > _worlds.length, "it contains itself", "nodes[" + node + "]");
+                _json.refuseIf(chain.length > _globalTransforms.length, "it contains itself", "nodes[" + node + "]");
                 chain.push(i);
             }
-            var world:AffineTransform = i < 0 ? _root : _worlds[i];
+            var transform:AffineTransform = i < 0 ? _root : _globalTransforms[i];
             while (chain.length > 0)
             {
                 i = chain.pop();
-                world = world.after(localOf(i));
-                _worlds[i] = world;
+                transform = transform.after(localTransformOf(i));
+                _globalTransforms[i] = transform;
             }
-            return world;
+            return transform;
         }
 
         /** The joints of a skin. Its steps may still be running. */
@@ -138,7 +138,7 @@ package starlogo.models.gltf
             return _pending.length > 0;
         }
 
-        private function localOf(index:int):AffineTransform
+        private function localTransformOf(index:int):AffineTransform
         {
             var node:Object = _json.entry("nodes", index);
             var where:String = "nodes[" + index + "]";

@@ -18,23 +18,23 @@ package starlogo.models.gltf
         private var _indices:GltfAccessor = null;
         private var _mode:int;
         private var _place:String;
-        private var _points:GltfVertices;
+        private var _vertices:GltfVertices;
         private var _firstCorner:int;
 
         /**
          * @param file the file
          * @param primitive the primitive
          * @param place its place in the file, for errors
-         * @param points its vertices; their steps come before this one's
+         * @param vertices its vertices; their steps come before this one's
          * @param triangles takes its triangles
          */
-        public function GltfTriangles(file:GltfFile, primitive:Object, place:String, points:GltfVertices, triangles:Vector.<uint>)
+        public function GltfTriangles(file:GltfFile, primitive:Object, place:String, vertices:GltfVertices, triangles:Vector.<uint>)
         {
             _json = file.json;
             _triangles = triangles;
             _place = place;
             _mode = modeOf(_json, primitive, place);
-            _points = points;
+            _vertices = vertices;
             _firstCorner = triangles.length;
             var index:int = _json.reference(primitive, "indices", place, "accessors");
             if (index >= 0)
@@ -43,7 +43,7 @@ package starlogo.models.gltf
                 _json.refuseIf(!_indices.areIndices, "indices must be 5121, 5123 or 5125, and not normalized", _indices.place + ".componentType");
                 add(_indices);
             }
-            var cornerCount:int = _indices == null ? _points.count : _indices.count;
+            var cornerCount:int = _indices == null ? _vertices.count : _indices.count;
             var triangleCount:int = _mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
             file.budget.require(ModelBudget.TRIANGLES, _firstCorner / 3 + triangleCount, place);
             slices(triangleCount, TRIANGLES_PER_STEP, addTriangles);
@@ -61,7 +61,7 @@ package starlogo.models.gltf
         {
             var to:Vector.<uint> = _triangles;
             var at:int = _firstCorner + 3 * first;
-            var isMirror:Boolean = _points.isMirror;
+            var isMirror:Boolean = _vertices.isMirror;
             for (var i:int = first; i < end; i++)
             {
                 var a:int = _mode == TRIANGLES ? 3 * i : (_mode == FAN ? i + 1 : i);
@@ -79,14 +79,14 @@ package starlogo.models.gltf
         {
             if (_indices == null)
             {
-                return _points.firstVertex + corner;
+                return _vertices.firstVertex + corner;
             }
             var index:Number = _indices.numbers[corner];
-            if (index >= _points.count)
+            if (index >= _vertices.count)
             {
-                throw new ModelError(_json.name, _indices.place, "element " + corner + " names vertex " + index + ": " + _place + " has " + _points.count);
+                throw new ModelError(_json.name, _indices.place, "element " + corner + " names vertex " + index + ": " + _place + " has " + _vertices.count);
             }
-            return _points.firstVertex + int(index);
+            return _vertices.firstVertex + int(index);
         }
     }
 }

@@ -22,11 +22,11 @@ package starlogo.models.gltf
         private var _source:GltfAccessor;
         private var _vertices:Vector.<Number>;
         // the points before the node places them
-        private var _numbers:Vector.<Number>;
+        private var _points:Vector.<Number>;
         // of a skinned mesh: the joints; pairs of accessors with the joints' indices and their weights
         private var _joints:GltfJoints = null;
         private var _sets:Vector.<GltfAccessor> = new Vector.<GltfAccessor>();
-        private var _world:AffineTransform;
+        private var _transform:AffineTransform;
 
         /**
          * @param file the file
@@ -46,7 +46,7 @@ package starlogo.models.gltf
             _node = "nodes[" + node + "]";
             _source = source;
             _vertices = vertices;
-            _numbers = source.numbers;
+            _points = source.numbers;
             firstVertex = vertices.length / 3;
             count = source.count;
             file.budget.require(ModelBudget.VERTICES, firstVertex + Number(count), place);
@@ -56,17 +56,17 @@ package starlogo.models.gltf
             if (skin >= 0 && primitive.attributes.JOINTS_0 !== undefined)
             {
                 _joints = scene.jointsOf(file, skin);
-                call(copyNumbers).add(_joints);
+                call(copyPoints).add(_joints);
                 addSkin(file, primitive.attributes, place + ".attributes");
             }
-            _world = _joints == null ? scene.worldOf(node) : new AffineTransform();
+            _transform = _joints == null ? scene.globalTransformOf(node) : new AffineTransform();
             slices(count, VERTICES_PER_STEP, placeVertices);
         }
 
         /** Whether the node mirrors, or the first joint of its skin. Read it when no step is left. */
         public function get isMirror():Boolean
         {
-            return (_joints == null ? _world : _joints.transforms[0]).isMirror;
+            return (_joints == null ? _transform : _joints.transforms[0]).isMirror;
         }
 
         private function addTargets(file:GltfFile, targets:Array, place:String, weights:Vector.<Number>):void
@@ -86,19 +86,19 @@ package starlogo.models.gltf
         private function addTarget(target:GltfAccessor, weight:Number):void
         {
             counted(target);
-            call(copyNumbers).slices(3 * count, 3 * VERTICES_PER_STEP, function(first:int, end:int):void
+            call(copyPoints).slices(3 * count, 3 * VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        _numbers[i] += weight * target.numbers[i];
+                        _points[i] += weight * target.numbers[i];
                     }
                 });
         }
 
         // copied, because other nodes may have the same mesh
-        private function copyNumbers():void
+        private function copyPoints():void
         {
-            _numbers = _numbers == _source.numbers ? _numbers.slice() : _numbers;
+            _points = _points == _source.numbers ? _points.slice() : _points;
         }
 
         // The weights of a point are divided by their sum. A point without weights moves with the first joint.
@@ -114,7 +114,7 @@ package starlogo.models.gltf
                 }
             }
             file.budget.take(ModelBudget.NUMBERS, 2 * count * Number(_sets.length), place);
-            slices(count, SKINNED_PER_STEP, move);
+            slices(count, SKINNED_PER_STEP, moveByJoints);
         }
 
         // Adds the steps of an accessor that has an element for each vertex.
@@ -125,10 +125,10 @@ package starlogo.models.gltf
             return accessor;
         }
 
-        private function move(first:int, end:int):void
+        private function moveByJoints(first:int, end:int):void
         {
-            var points:Vector.<Number> = _numbers;
-            var moved:Vector.<Number> = new Vector.<Number>(3);
+            var points:Vector.<Number> = _points;
+            var result:Vector.<Number> = new Vector.<Number>(3);
             for (var i:int = first; i < end; i++)
             {
                 var at:int = 3 * i;
@@ -143,17 +143,17 @@ package starlogo.models.gltf
                         var weight:Number = _sets[k + 1].numbers[j];
                         if (weight != 0)
                         {
-                            jointAt(_sets[k], j).place(points, i, i + 1, moved, 0);
+                            jointAt(_sets[k], j).transformPoints(points, i, i + 1, result, 0);
                             sum += weight;
-                            x += weight * moved[0];
-                            y += weight * moved[1];
-                            z += weight * moved[2];
+                            x += weight * result[0];
+                            y += weight * result[1];
+                            z += weight * result[2];
                         }
                     }
                 }
                 if (sum == 0)
                 {
-                    _joints.transforms[0].place(points, i, i + 1, points, i);
+                    _joints.transforms[0].transformPoints(points, i, i + 1, points, i);
                     continue;
                 }
                 points[at] = x / sum;
@@ -174,7 +174,7 @@ package starlogo.models.gltf
 
         private function placeVertices(first:int, end:int):void
         {
-            if (!_world.place(_numbers, first, end, _vertices, firstVertex + first))
+            if (!_transform.transformPoints(_points, first, end, _vertices, firstVertex + first))
             {
                 throw new ModelError(_json.name, _node, "its vertices are not finite numbers, or are too large at the node's place (" + _source.place + ")");
             }

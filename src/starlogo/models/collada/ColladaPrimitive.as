@@ -177,14 +177,14 @@ package starlogo.models.collada
             var next:int = 0;
             _document.checkCount(_element, lists.length, what);
             repeat(_triangulator.cuttingBetween(function():Boolean
-                {
-                    var count:int = 0;
-                    while (count < CORNERS_PER_STEP && next < lists.length && !_triangulator.isCutting)
                     {
-                        count += CORNERS_PER_LIST + read(lists[next++]);
-                    }
-                    return next < lists.length;
-                }));
+                        var count:int = 0;
+                        while (count < CORNERS_PER_STEP && next < lists.length && !_triangulator.isCutting)
+                        {
+                            count += CORNERS_PER_LIST + read(lists[next++]);
+                        }
+                        return next < lists.length;
+                    }));
         }
 
         // Reads a polygon (p), or one with holes (ph).

@@ -235,13 +235,14 @@ package starlogo.bounding
         }
 
         /**
-         * Writes what the convex core tests. Every structure of the kind HULL implements it. The lists are the structure's own.
+         * Writes the hull and the radius that the package convex tests. Every structure of the kind HULL implements it. The lists are the
+         * structure's own.
          *
          * @private
          */
-        engine function coreInto(out:ConvexCore):void
+        engine function roundedHullInto(out:RoundedHull):void
         {
-            throw missing("coreInto");
+            throw missing("roundedHullInto");
         }
 
         /**

@@ -329,7 +329,7 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function coreInto(out:ConvexCore):void
+        override engine function roundedHullInto(out:RoundedHull):void
         {
             out.center = center;
             out.points = points;

@@ -4,7 +4,7 @@ package starlogo.convex
 
     /**
      * Finds the point of a contact whose normal and depth are known: the middle of what the two shapes have in common where they touch. That is
-     * the common part of a corner, an edge or a face of each, seen along the normal.
+     * the common part of a corner, an edge or a face of each, seen along the normal. The middle of a polygon is the mean of its corners.
      */
     internal final class CommonPoint
     {
@@ -17,7 +17,7 @@ package starlogo.convex
         /** Writes the point halfway between the two surfaces, relative to b's origin. */
         public function find(cores:CorePair, out:ContactPoint):void
         {
-            // how far the middle between the surfaces is from the common part, along the normal
+            // how far the place halfway between the surfaces is from the common part, along the normal
             var by:Number;
             if (cores.a.end == 3)
             {
@@ -58,19 +58,19 @@ package starlogo.convex
             }
             if (_a.end == 3)
             {
-                writeMiddle(_a.points, 3, out);
+                writeMean(_a.points, 3, out);
             }
             else if (_b.end == 3)
             {
-                writeMiddle(_b.points, 3, out);
+                writeMean(_b.points, 3, out);
             }
             else if (_b.end > 6)
             {
-                writeMiddleWithin(_a, _b, out);
+                writeMeanWithin(_a, _b, out);
             }
             else if (_a.end > 6)
             {
-                writeMiddleWithin(_b, _a, out);
+                writeMeanWithin(_b, _a, out);
             }
             else
             {
@@ -78,21 +78,22 @@ package starlogo.convex
             }
         }
 
-        // Writes the middle of a segment or polygon after clipping it to a polygon. If the two do not overlap, it is the polygon's middle.
-        private function writeMiddleWithin(inner:ContactFeature, outer:ContactFeature, out:ContactPoint):void
+        // Writes the mean of the corners that are left of a segment or polygon after clipping it to a polygon. If none is left, it is the mean of the
+        // polygon's corners.
+        private function writeMeanWithin(inner:ContactFeature, outer:ContactFeature, out:ContactPoint):void
         {
             _clip.clip(inner, outer, out);
             if (_clip.end > 0)
             {
-                writeMiddle(_clip.points, _clip.end, out);
+                writeMean(_clip.points, _clip.end, out);
             }
             else
             {
-                writeMiddle(outer.points, outer.end, out);
+                writeMean(outer.points, outer.end, out);
             }
         }
 
-        private static function writeMiddle(points:Vector.<Number>, end:int, out:ContactPoint):void
+        private static function writeMean(points:Vector.<Number>, end:int, out:ContactPoint):void
         {
             var x:Number = 0;
             var y:Number = 0;

@@ -4,7 +4,7 @@ package starlogo.convex
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
-    import starlogo.bounding.ConvexCore;
+    import starlogo.bounding.RoundedHull;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
@@ -75,7 +75,7 @@ package starlogo.convex
             return isBox || edges === SEGMENT_EDGES;
         }
 
-        private var _core:ConvexCore = new ConvexCore();
+        private var _rounded:RoundedHull = new RoundedHull();
 
         // The list of points for all shapes but hulls.
         private var _own:Vector.<Number> = new Vector.<Number>(24, true);
@@ -98,9 +98,9 @@ package starlogo.convex
             }
             else if (structure.kind == BoundingStructure.HULL)
             {
-                structure.coreInto(_core);
-                setHull(_core.center, _core.points, _core.faces, _core.edges);
-                radius = _core.radius;
+                structure.roundedHullInto(_rounded);
+                setHull(_rounded.center, _rounded.points, _rounded.faces, _rounded.edges);
+                radius = _rounded.radius;
             }
             else
             {
@@ -227,6 +227,40 @@ package starlogo.convex
                 }
             }
             return best;
+        }
+
+        /** Finds how far the core extends along a direction of any length, relative to the origin and as a multiple of that length. */
+        public function project(along:Vector3D, out:Interval):void
+        {
+            var p:Vector.<Number> = points;
+            var alongX:Number = along.x;
+            var alongY:Number = along.y;
+            var alongZ:Number = along.z;
+            var low:Number = alongX * p[0] + alongY * p[1] + alongZ * p[2];
+            var high:Number = low;
+            if (isBox)
+            {
+                // its origin is its middle, and each corner is opposite to one of these four
+                var place:Number = Math.abs(alongX * p[3] + alongY * p[4] + alongZ * p[5]);
+                high = Math.abs(low);
+                high = place > high ? place : high;
+                place = Math.abs(alongX * p[6] + alongY * p[7] + alongZ * p[8]);
+                high = place > high ? place : high;
+                place = Math.abs(alongX * p[12] + alongY * p[13] + alongZ * p[14]);
+                high = place > high ? place : high;
+                low = -high;
+            }
+            else
+            {
+                for (var i:int = 3; i < end; i += 3)
+                {
+                    place = alongX * p[i] + alongY * p[int(i + 1)] + alongZ * p[int(i + 2)];
+                    low = place < low ? place : low;
+                    high = place > high ? place : high;
+                }
+            }
+            out.least = low;
+            out.greatest = high;
         }
 
         private function setOrigin(at:Vector3D):void

@@ -79,7 +79,7 @@ package starlogo.convex
                     return;
                 }
                 // If rounding hides which part of the simplex is nearest, no step can come nearer.
-                if (_simplex.squared == Infinity)
+                if (_simplex.squaredDistance == Infinity)
                 {
                     return;
                 }
@@ -141,9 +141,9 @@ package starlogo.convex
             _along.x = simplex.alongX;
             _along.y = simplex.alongY;
             _along.z = simplex.alongZ;
-            if (simplex.squared < _least)
+            if (simplex.squaredDistance < _least)
             {
-                _least = simplex.squared;
+                _least = simplex.squaredDistance;
                 out.distance = Math.sqrt(_least);
                 var squared:Number = _along.x * _along.x + _along.y * _along.y + _along.z * _along.z;
                 // of a vector as short as rounding nothing may be left across an edge

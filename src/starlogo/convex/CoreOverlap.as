@@ -20,12 +20,11 @@ package starlogo.convex
         private var _edge:Vector.<Number> = new Vector.<Number>(PER_EDGE, true);
         private var _edges:Vector.<Number> = new Vector.<Number>();
 
-        // The direction to try, of any length. How far a core extends along it. How long the displacements along it and against it are.
+        // The direction to try, of any length. How far each core extends along it, and the set of all differences of a point of a and a point of b.
         private var _along:Vector3D = new Vector3D();
-        private var _low:Number = 0;
-        private var _high:Number = 0;
-        private var _forth:Number = 0;
-        private var _back:Number = 0;
+        private var _ofA:Interval = new Interval();
+        private var _ofB:Interval = new Interval();
+        private var _differences:Interval = new Interval();
 
         /** Finds the displacement of a. Its length is less than 0 if the cores are apart. Only normal and depth are written. */
         public function find(cores:CorePair, out:ContactPoint):void
@@ -245,8 +244,12 @@ package starlogo.convex
             _along.x = up * out.normalX;
             _along.y = up * out.normalY;
             _along.z = up * out.normalZ;
-            measure(cores);
-            keep(_back < _forth - Tolerances.ROUNDING * (cores.a.size + cores.b.size) ? -1 : 1, cores, out);
+            measure(cores, _differences);
+            // rounding hides on which side they are
+            var isDown:Boolean = _differences.greatest < -_differences.least - Tolerances.ROUNDING * (cores.a.size + cores.b.size);
+            out.depth = isDown ? _differences.greatest : -_differences.least;
+            up = isDown ? -1 : 1;
+            out.setNormal(up * _along.x, up * _along.y, up * _along.z);
         }
 
         // Sets the normal to the vector from the first point of a core to the farthest other one, unless all are in one place.
@@ -271,10 +274,13 @@ package starlogo.convex
         // Tries a displacement along the direction, and the one against it. The direction gets a length of 1 unless both are too long.
         private function tryDirection(cores:CorePair, out:ContactPoint):void
         {
-            measure(cores);
             var along:Vector3D = _along;
+            measure(cores, _differences);
+            // how long the two displacements are, times the direction's length
+            var forth:Number = -_differences.least;
+            var back:Number = _differences.greatest;
             var squared:Number = along.x * along.x + along.y * along.y + along.z * along.z;
-            var least:Number = _back < _forth ? _back : _forth;
+            var least:Number = back < forth ? back : forth;
             if (least > 0 && least * least >= out.depth * out.depth * squared)
             {
                 return;
@@ -283,76 +289,33 @@ package starlogo.convex
             along.x /= length;
             along.y /= length;
             along.z /= length;
-            _back /= length;
-            _forth /= length;
+            back /= length;
+            forth /= length;
             var rounding:Number = Tolerances.ROUNDING * (cores.a.size + cores.b.size);
-            var side:int = _back < _forth ? -1 : 1;
-            if (_back - _forth <= rounding && _forth - _back <= rounding)
+            var side:int = back < forth ? -1 : 1;
+            if (back - forth <= rounding && forth - back <= rounding)
             {
                 // rounding hides on which side they are, but not where a comes from
                 var speed:Number = along.x * cores.motionX + along.y * cores.motionY + along.z * cores.motionZ;
                 side = speed > 0 ? -1 : speed < 0 ? 1 : side;
             }
-            keep(side, cores, out);
-        }
-
-        // Keeps the displacement along the direction, or against it if the side is -1, if it is the shortest so far.
-        private function keep(side:int, cores:CorePair, out:ContactPoint):void
-        {
-            var depth:Number = side < 0 ? _back : _forth;
-            if (depth < out.depth - Tolerances.ROUNDING * (cores.a.size + cores.b.size))
+            var depth:Number = side < 0 ? back : forth;
+            if (depth < out.depth - rounding)
             {
                 out.depth = depth;
-                out.normalX = side * _along.x;
-                out.normalY = side * _along.y;
-                out.normalZ = side * _along.z;
+                out.setNormal(side * along.x, side * along.y, side * along.z);
             }
         }
 
-        // Finds how long the displacements along the direction and against it are, times the direction's length.
-        private function measure(cores:CorePair):void
+        // Finds how far the differences of the cores' points extend along the direction. The cores are apart if 0 is not between.
+        private function measure(cores:CorePair, out:Interval):void
         {
-            project(cores.a);
-            var lowA:Number = _low;
-            var highA:Number = _high;
-            project(cores.b);
-            var from:Number = _along.x * cores.x + _along.y * cores.y + _along.z * cores.z;
-            _forth = _high - lowA - from;
-            _back = highA - _low + from;
-        }
-
-        // Finds how far a core extends along the direction.
-        private function project(shape:ConvexShape):void
-        {
-            var p:Vector.<Number> = shape.points;
-            var x:Number = _along.x;
-            var y:Number = _along.y;
-            var z:Number = _along.z;
-            var low:Number = x * p[0] + y * p[1] + z * p[2];
-            var high:Number = low;
-            if (shape.isBox)
-            {
-                // its origin is its middle, and each corner is opposite to one of these four
-                var along:Number = Math.abs(x * p[3] + y * p[4] + z * p[5]);
-                high = Math.abs(low);
-                high = along > high ? along : high;
-                along = Math.abs(x * p[6] + y * p[7] + z * p[8]);
-                high = along > high ? along : high;
-                along = Math.abs(x * p[12] + y * p[13] + z * p[14]);
-                high = along > high ? along : high;
-                low = -high;
-            }
-            else
-            {
-                for (var i:int = 3; i < shape.end; i += 3)
-                {
-                    var place:Number = x * p[i] + y * p[int(i + 1)] + z * p[int(i + 2)];
-                    low = place < low ? place : low;
-                    high = place > high ? place : high;
-                }
-            }
-            _low = low;
-            _high = high;
+            var along:Vector3D = _along;
+            cores.a.project(along, _ofA);
+            cores.b.project(along, _ofB);
+            var from:Number = along.x * cores.x + along.y * cores.y + along.z * cores.z;
+            out.least = _ofA.least - _ofB.greatest + from;
+            out.greatest = _ofA.greatest - _ofB.least + from;
         }
     }
 }

@@ -1,7 +1,9 @@
 package starlogo.convex
 {
+    import starlogo.geometry.Tolerances;
+
     /**
-     * A question about the cores of two shapes: a record that ConvexPair fills and the other classes of this room read.
+     * The cores of two shapes, where they are, and what a search has to find out about them.
      *
      * <p>The first shape is the one that comes first by its place, not the one that was asked about first. So rounding does not depend on the order
      * of the arguments.</p>
@@ -36,5 +38,83 @@ package starlogo.convex
          * for the distance.
          */
         public var timeLeft:Number = Infinity;
+
+        // The vector from b's origin to a's at time 0.
+        private var _startX:Number = 0;
+        private var _startY:Number = 0;
+        private var _startZ:Number = 0;
+
+        /** Sets two shapes, where they are stored. The distance at which they touch includes no margin of a motion. */
+        public function setShapes(asked:ConvexShape, other:ConvexShape):void
+        {
+            isSwapped = isAfter(asked, other);
+            var first:ConvexShape = isSwapped ? other : asked;
+            var second:ConvexShape = isSwapped ? asked : other;
+            // Writing an object to a field costs Adobe's VM more than comparing it first.
+            if (a !== first)
+            {
+                a = first;
+            }
+            if (b !== second)
+            {
+                b = second;
+            }
+            x = first.x - second.x;
+            y = first.y - second.y;
+            z = first.z - second.z;
+            maxDistance = timeLeft = Infinity;
+            touchingDistance = (first.radius + second.radius) * Tolerances.TOUCHING + (first.margin + second.margin) + Tolerances.CORES * (first.size + second.size);
+        }
+
+        /** Sets the motion of the shape that was asked about first. Call moveTo next. */
+        public function setMotion(motion:RelativeMotion):void
+        {
+            // If the shapes are swapped, the first one moves in the opposite direction as seen from the second.
+            var side:int = isSwapped ? -1 : 1;
+            _startX = x + side * motion.startX;
+            _startY = y + side * motion.startY;
+            _startZ = z + side * motion.startZ;
+            motionX = side * motion.x;
+            motionY = side * motion.y;
+            motionZ = side * motion.z;
+        }
+
+        /** Moves a to where it is at the motion's time. */
+        public function moveTo(motion:RelativeMotion):void
+        {
+            var time:Number = motion.time;
+            x = _startX + time * motionX;
+            y = _startY + time * motionY;
+            z = _startZ + time * motionZ;
+        }
+
+        // Whether a shape comes after another one: by their places, or at the same place by the numbers that they are made of.
+        private static function isAfter(a:ConvexShape, b:ConvexShape):Boolean
+        {
+            if (a.x != b.x)
+            {
+                return a.x > b.x;
+            }
+            if (a.y != b.y)
+            {
+                return a.y > b.y;
+            }
+            if (a.z != b.z)
+            {
+                return a.z > b.z;
+            }
+            if (a.radius != b.radius || a.end != b.end)
+            {
+                return a.radius > b.radius || a.radius == b.radius && a.end > b.end;
+            }
+            for (var i:int = 0; i < a.end; i++)
+            {
+                if (a.points[i] != b.points[i])
+                {
+                    return a.points[i] > b.points[i];
+                }
+            }
+            return false;
+        }
     }
 }

@@ -18,10 +18,10 @@ package starlogo.convex
         public var offset:Number = 0;
 
         /** Twice the triangle's area. If it is 0, the normal means nothing. */
-        public var length:Number = 0;
+        public var doubleArea:Number = 0;
 
         // The sum of the squares of the two edges at the first corner.
-        private var _squared:Number = 0;
+        private var _edgesSquared:Number = 0;
 
         /** Sets it to a triangle: nine numbers of a list, from an index on. */
         public function setTriangle(p:Vector.<Number>, at:int):void
@@ -32,21 +32,21 @@ package starlogo.convex
             var vx:Number = p[int(at + 6)] - p[at];
             var vy:Number = p[int(at + 7)] - p[int(at + 1)];
             var vz:Number = p[int(at + 8)] - p[int(at + 2)];
-            _squared = ux * ux + uy * uy + uz * uz + vx * vx + vy * vy + vz * vz;
+            _edgesSquared = ux * ux + uy * uy + uz * uz + vx * vx + vy * vy + vz * vz;
             x = uy * vz - uz * vy;
             y = uz * vx - ux * vz;
             z = ux * vy - uy * vx;
-            length = Math.sqrt(x * x + y * y + z * z);
-            x /= length;
-            y /= length;
-            z /= length;
+            doubleArea = Math.sqrt(x * x + y * y + z * z);
+            x /= doubleArea;
+            y /= doubleArea;
+            z /= doubleArea;
             offset = x * p[at] + y * p[int(at + 1)] + z * p[int(at + 2)];
         }
 
         /** Whether the triangle counts as a segment, so that its normal is a rounding error. */
         public function get isFlat():Boolean
         {
-            return !(length * length > Tolerances.FLAT_TRIANGLE * _squared * _squared);
+            return !(doubleArea * doubleArea > Tolerances.FLAT_TRIANGLE * _edgesSquared * _edgesSquared);
         }
 
         /** Sets the normal and the plane to no number, so that all comparisons with them are false. */

@@ -13,7 +13,8 @@ package starlogo.convex
         // The corners before a cut.
         private var _before:Vector.<Number> = new Vector.<Number>();
 
-        private var _middle:Vector3D = new Vector3D();
+        // The mean of the other polygon's corners, which is inside of it.
+        private var _mean:Vector3D = new Vector3D();
 
         // How far outside of the other polygon a corner still counts as inside.
         private var _slack:Number = 0;
@@ -28,9 +29,9 @@ package starlogo.convex
         public function clip(inner:ContactFeature, outer:ContactFeature, contact:ContactPoint):void
         {
             var p:Vector.<Number> = outer.points;
-            setMiddle(outer);
-            _slack = Tolerances.DIRECTION * (Math.abs(p[0] - _middle.x) + Math.abs(p[1] - _middle.y) + Math.abs(p[2] - _middle.z)
-                    + Math.abs(p[3] - _middle.x) + Math.abs(p[4] - _middle.y) + Math.abs(p[5] - _middle.z));
+            setMean(outer);
+            _slack = Tolerances.DIRECTION * (Math.abs(p[0] - _mean.x) + Math.abs(p[1] - _mean.y) + Math.abs(p[2] - _mean.z)
+                    + Math.abs(p[3] - _mean.x) + Math.abs(p[4] - _mean.y) + Math.abs(p[5] - _mean.z));
             for (end = 0; end < inner.end; end++)
             {
                 points[end] = inner.points[end];
@@ -43,17 +44,17 @@ package starlogo.convex
             }
         }
 
-        private function setMiddle(outer:ContactFeature):void
+        private function setMean(outer:ContactFeature):void
         {
             var p:Vector.<Number> = outer.points;
-            _middle.setTo(0, 0, 0);
+            _mean.setTo(0, 0, 0);
             for (var at:int = 0; at < outer.end; at += 3)
             {
-                _middle.x += p[at];
-                _middle.y += p[int(at + 1)];
-                _middle.z += p[int(at + 2)];
+                _mean.x += p[at];
+                _mean.y += p[int(at + 1)];
+                _mean.z += p[int(at + 2)];
             }
-            _middle.scaleBy(3 / outer.end);
+            _mean.scaleBy(3 / outer.end);
         }
 
         // Keeps the part on the inner side of an edge of the other polygon.
@@ -67,7 +68,7 @@ package starlogo.convex
             var inY:Number = edgeZ * contact.normalX - edgeX * contact.normalZ;
             var inZ:Number = edgeX * contact.normalY - edgeY * contact.normalX;
             var from:Number = inX * edges[edgeTo] + inY * edges[int(edgeTo + 1)] + inZ * edges[int(edgeTo + 2)];
-            if (inX * _middle.x + inY * _middle.y + inZ * _middle.z < from)
+            if (inX * _mean.x + inY * _mean.y + inZ * _mean.z < from)
             {
                 inX = -inX;
                 inY = -inY;

@@ -13,7 +13,7 @@ package starlogo.convex
         /** The time of impact of shapes that do not touch. */
         public static const NEVER:Number = Infinity;
 
-        /** The motion of a shape that stands still, at time 0. Nothing writes to it. */
+        /** The motion of a shape that stands still, at time 0. All its numbers stay 0. */
         public static const NONE:RelativeMotion = new RelativeMotion(0);
 
         /** The vector from the shape's stored place to its place at time 0. */

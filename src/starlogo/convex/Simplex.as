@@ -24,7 +24,7 @@ package starlogo.convex
         public var x:Number = 0;
         public var y:Number = 0;
         public var z:Number = 0;
-        public var squared:Number = 0;
+        public var squaredDistance:Number = 0;
 
         /** The direction from the origin to that place, of any length. It may be more precise than the place itself. */
         public var alongX:Number = 0;
@@ -89,7 +89,7 @@ package starlogo.convex
          */
         public function reduce(isApart:Boolean):Boolean
         {
-            squared = Infinity;
+            squaredDistance = Infinity;
             if (count == 1)
             {
                 tryCorner(0);
@@ -106,7 +106,7 @@ package starlogo.convex
             {
                 return true;
             }
-            if (squared == Infinity)
+            if (squaredDistance == Infinity)
             {
                 // rounding hides which part is nearest
                 count--;
@@ -186,7 +186,7 @@ package starlogo.convex
             var isBeyondNone:Boolean = !isBeyond01 && !isBeyond12 && !isBeyond20;
             if (isBeyondNone && !isApart && _shares[3] >= 0)
             {
-                squared = x = y = z = 0;
+                squaredDistance = x = y = z = 0;
                 return true;
             }
             if (isBeyond01 || isBeyondNone)
@@ -263,10 +263,10 @@ package starlogo.convex
             var toX:Number = corners[at];
             var toY:Number = corners[int(at + 1)];
             var toZ:Number = corners[int(at + 2)];
-            var length:Number = toX * toX + toY * toY + toZ * toZ;
-            if (length < squared)
+            var squared:Number = toX * toX + toY * toY + toZ * toZ;
+            if (squared < squaredDistance)
             {
-                squared = length;
+                squaredDistance = squared;
                 clearShares();
                 _shares[i] = 1;
                 x = alongX = toX;
@@ -301,10 +301,10 @@ package starlogo.convex
             toX += share * ux;
             toY += share * uy;
             toZ += share * uz;
-            var length:Number = toX * toX + toY * toY + toZ * toZ;
-            if (length < squared)
+            var squared:Number = toX * toX + toY * toY + toZ * toZ;
+            if (squared < squaredDistance)
             {
-                squared = length;
+                squaredDistance = squared;
                 clearShares();
                 _shares[i] = 1 - share;
                 _shares[j] = share;
@@ -373,10 +373,10 @@ package starlogo.convex
             toX += up * hx;
             toY += up * hy;
             toZ += up * hz;
-            var length:Number = toX * toX + toY * toY + toZ * toZ;
-            if (length < squared)
+            var squared:Number = toX * toX + toY * toY + toZ * toZ;
+            if (squared < squaredDistance)
             {
-                squared = length;
+                squaredDistance = squared;
                 clearShares();
                 _shares[i] = 1 - up - low;
                 _shares[j] = low;
@@ -384,7 +384,7 @@ package starlogo.convex
                 x = toX;
                 y = toY;
                 z = toZ;
-                if (length < hh)
+                if (squared < hh)
                 {
                     // the triangle's normal is more precise than the vector
                     alongX = uy * hz - uz * hy;

@@ -4,7 +4,7 @@ package starlogo.debug
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
-    import starlogo.bounding.ConvexCore;
+    import starlogo.bounding.RoundedHull;
     import starlogo.bounding.Cylinder;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
@@ -169,11 +169,11 @@ package starlogo.debug
         // Draws the edges of a convex structure, without the radius around them.
         private static function drawCore(pen:LinePen, structure:BoundingStructure):void
         {
-            var core:ConvexCore = new ConvexCore();
-            structure.coreInto(core);
-            for (var i:int = 0; i < core.edges.length; i += 4)
+            var hull:RoundedHull = new RoundedHull();
+            structure.roundedHullInto(hull);
+            for (var i:int = 0; i < hull.edges.length; i += 4)
             {
-                pen.drawLine(core.center.add(vertexAt(core.points, core.edges[i] / 3)), core.center.add(vertexAt(core.points, core.edges[i + 1] / 3)));
+                pen.drawLine(hull.center.add(vertexAt(hull.points, hull.edges[i] / 3)), hull.center.add(vertexAt(hull.points, hull.edges[i + 1] / 3)));
             }
         }
 

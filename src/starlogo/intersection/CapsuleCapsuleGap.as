@@ -51,7 +51,7 @@ package starlogo.intersection
             var startA:Vector3D = (a as Capsule).start;
             var startB:Vector3D = (b as Capsule).start;
             // Capsules with the same start touch, so their order does not matter.
-            return startA.x > startB.x || (startA.x == startB.x && isAfter(startA, startB));
+            return isAfter(startA, startB);
         }
 
         /** @inheritDoc */

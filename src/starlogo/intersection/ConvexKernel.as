@@ -11,7 +11,7 @@ package starlogo.intersection
     use namespace engine;
 
     /**
-     * The kernel of any two convex structures, in any order: the convex core decides. It answers for hulls, and for the other kernels what they do not
+     * The kernel of any two convex structures, in any order: ConvexPair decides. It answers for hulls, and for the other kernels what they do not
      * answer themselves.
      *
      * @private

@@ -51,7 +51,7 @@ package starlogo.intersection
             var center:Vector3D = (a as Sphere).center;
             var other:Vector3D = (b as Sphere).center;
             // one order for both, so that rounding is the same
-            var areSwapped:Boolean = center.x > other.x || (center.x == other.x && isAfter(center, other));
+            var areSwapped:Boolean = isAfter(center, other);
             if (areSwapped)
             {
                 setGap(b as Sphere, a as Sphere, RelativeMotion.NONE);

@@ -23,19 +23,17 @@ package starlogo.intersection
     {
         var centerA:Vector3D = a.center;
         var centerB:Vector3D = b.center;
-        var toX:Number = centerB.x - centerA.x;
         // Boxes with the same centre touch, so their order does not matter.
-        if (toX < 0 || (toX == 0 && isAfter(centerA, centerB)))
+        if (isAfter(centerA, centerB))
         {
             var first:Box = b;
             b = a;
             a = first;
             centerA = a.center;
             centerB = b.center;
-            toX = -toX;
         }
         var touching:Number = Tolerances.TOUCHING;
-        toX /= touching;
+        var toX:Number = (centerB.x - centerA.x) / touching;
         var toY:Number = (centerB.y - centerA.y) / touching;
         var toZ:Number = (centerB.z - centerA.z) / touching;
 

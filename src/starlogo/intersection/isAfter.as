@@ -3,15 +3,15 @@ package starlogo.intersection
     import flash.geom.Vector3D;
 
     /**
-     * Whether a comes after b by y, or by z if their y is equal. It settles the order of two structures with the same x. A test that always
-     * takes its structures in one order gives the same answer for (a, b) and (b, a), rounding included.
+     * Whether a place comes after another one: by x, then by y, then by z. A symmetric test puts its arguments in this order, so that it gives the same
+     * answer for (a, b) and (b, a), rounding included.
      *
      * @private
      */
     public function isAfter(a:Vector3D, b:Vector3D):Boolean
     {
-        var aY:Number = a.y;
-        var bY:Number = b.y;
-        return aY > bY || (aY == bY && a.z > b.z);
+        var aX:Number = a.x;
+        var bX:Number = b.x;
+        return aX > bX || aX == bX && (a.y > b.y || a.y == b.y && a.z > b.z);
     }
 }

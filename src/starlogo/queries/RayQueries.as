@@ -90,7 +90,7 @@ package starlogo.queries
             findMiddle(a, _middleA);
             findMiddle(b, _middleB);
             // the ray always starts at the same place of the two, because rounding may let a ray that grazes something pass in one direction only
-            var isSwapped:Boolean = _middleA.x > _middleB.x || (_middleA.x == _middleB.x && isAfter(_middleA, _middleB));
+            var isSwapped:Boolean = isAfter(_middleA, _middleB);
             var from:Vector3D = isSwapped ? _middleB : _middleA;
             var towards:Vector3D = isSwapped ? _middleA : _middleB;
             towards.decrementBy(from);

@@ -83,10 +83,10 @@ package starlogo.solid
                 _corners[shell] ||= 9 * i + 1;
                 _extremes.add(shell, i);
                 _face.setTriangle(corners, 9 * i);
-                if (_face.length > 0)
+                if (_face.doubleArea > 0)
                 {
                     var from:int = _corners[shell] - 1;
-                    var volume:Number = _face.length * (_face.x * (corners[9 * i] - corners[from])
+                    var volume:Number = _face.doubleArea * (_face.x * (corners[9 * i] - corners[from])
                             + _face.y * (corners[9 * i + 1] - corners[from + 1]) + _face.z * (corners[9 * i + 2] - corners[from + 2]));
                     _volumes[shell] += _interior.sideOf(i) > 0 ? volume : -volume;
                 }

@@ -124,7 +124,7 @@ package starlogo.solid
         {
             ray.faceBack();
             _face.setTriangle(mesh.corners, 9 * index);
-            if (_face.length > 0)
+            if (_face.doubleArea > 0)
             {
                 ray.setNormal(_face.x, _face.y, _face.z);
             }

@@ -108,7 +108,7 @@ package starlogo.solid
                 into[to] = into[to + 1] = into[to + 2] = 0;
                 into[to + 3] = NaN;
                 _face.setTriangle(corners, at);
-                if (_face.length > 0)
+                if (_face.doubleArea > 0)
                 {
                     into[to] = _face.x;
                     into[to + 1] = _face.y;

@@ -47,7 +47,7 @@ export class Kernels {
 	}
 }
 
-/** The convex core: all kinds. */
+/** The package convex: all kinds. */
 export class Core {
 	name = "core";
 	kinds = KINDS;

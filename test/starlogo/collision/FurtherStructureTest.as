@@ -6,7 +6,7 @@ package starlogo.collision
     import starlogo.engine;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ObjModel;
-    import support.CoreCapsule;
+    import support.FurtherCapsule;
     import support.Fixtures;
     import support.SameAnswers;
 
@@ -30,7 +30,7 @@ package starlogo.collision
             sLand.addModel(BuiltInModel.cylinder());
             sLand.addModel(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
             var capsule:Capsule = sLand.boundingStructures.capsule("cylinder");
-            sLand.boundingStructures.models.of("cylinder").structures.hull = new CoreCapsule(capsule);
+            sLand.boundingStructures.models.of("cylinder").structures.hull = new FurtherCapsule(capsule);
         }
 
         [Test]

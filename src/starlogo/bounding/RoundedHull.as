@@ -3,11 +3,11 @@ package starlogo.bounding
     import flash.geom.Vector3D;
 
     /**
-     * A convex structure as the convex core takes it, as a record: the convex hull of points, with a radius around it.
+     * A convex structure as the package convex takes it, as a record: the convex hull of points, with a radius around it.
      *
      * @private
      */
-    public final class ConvexCore
+    public final class RoundedHull
     {
         /** A point inside of the structure. */
         public var center:Vector3D = null;

@@ -3,17 +3,17 @@ package support
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Capsule;
-    import starlogo.bounding.ConvexCore;
+    import starlogo.bounding.RoundedHull;
     import starlogo.engine;
     import starlogo.geometry.Placement;
 
     use namespace engine;
 
     /**
-     * A capsule as a further convex structure of the engine: one class that the engine does not know. All its answers come from the convex core, so
+     * A capsule as a further convex structure of the engine: one class that the engine does not know. All its answers come from the package convex, so
      * they are compared with those of the engine's Capsule.
      */
-    public final class CoreCapsule extends BoundingStructure
+    public final class FurtherCapsule extends BoundingStructure
     {
         private static const NONE:Vector.<int> = new Vector.<int>();
         private static const EDGES:Vector.<int> = new <int>[0, 3, 0, 0];
@@ -24,7 +24,7 @@ package support
         private var _center:Vector3D = new Vector3D();
         private var _points:Vector.<Number> = new Vector.<Number>(6, true);
 
-        public function CoreCapsule(capsule:Capsule)
+        public function FurtherCapsule(capsule:Capsule)
         {
             super(HULL);
             this.capsule = Capsule(capsule.clone());
@@ -37,10 +37,10 @@ package support
 
         override public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
         {
-            var placed:CoreCapsule = out as CoreCapsule;
+            var placed:FurtherCapsule = out as FurtherCapsule;
             if (placed == null)
             {
-                placed = newFor(out) as CoreCapsule;
+                placed = newFor(out) as FurtherCapsule;
             }
             capsule.place(placement, placed.capsule);
             return placed;
@@ -53,7 +53,7 @@ package support
 
         override public function clone():BoundingStructure
         {
-            return new CoreCapsule(capsule);
+            return new FurtherCapsule(capsule);
         }
 
         override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
@@ -76,7 +76,7 @@ package support
             capsule.rotatedExtentsInto(placement, out);
         }
 
-        override engine function coreInto(out:ConvexCore):void
+        override engine function roundedHullInto(out:RoundedHull):void
         {
             _center.setTo((capsule.start.x + capsule.end.x) / 2, (capsule.start.y + capsule.end.y) / 2, (capsule.start.z + capsule.end.z) / 2);
             for (var i:int = 0; i < 6; i += 3)

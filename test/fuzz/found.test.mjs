@@ -4,6 +4,11 @@ import test from "node:test";
 import { problemOf } from "./game.mjs";
 
 const FOUND = {
+	"a ray in the plane of the wall at the ground's border has the slope's place and normal, whether all surfaces are asked for or the first": [["ground",6,4,false,1,0,-1,"steps",866835],
+	["add",-0.361282117664814,-1,-0.5,1],
+	["add",0,0.009283303515985608,0.25,0.5],
+	["walk",10,-2,-1,-1,0.5,-0.5,-0.25,true],
+	["ask",1,50,0.9955628039315343,10.843742564320564]],
 	"a sphere in a corridor as wide as itself goes out past the edge at its end": [["add",1,-1.33717663702555,-0.8130505256121978,1],
 	["trait",57,"pitch",30],
 	["ground",5,4,true,1,-3,-3,"ravine",695736],

@@ -108,8 +108,8 @@ package starlogo.queries
             }
         }
 
-        // Joins a crossing to a kept one of the same surface. A kept triangle that the ray runs along takes the other's side. Returns whether there
-        // is one.
+        // Joins a crossing to a kept one of the same surface. Returns whether there is one. As in RayTriangleTest, a triangle that the ray runs along
+        // gives way to one that it crosses at the same place.
         private function joinKept(crossings:RayCrossings, index:int, side:int, mostSlack:Number):Boolean
         {
             var place:Number = crossings.places[index];
@@ -125,11 +125,32 @@ package starlogo.queries
                 var isSame:Boolean = side == _sides[k] || side == RayCrossings.EDGE_ON || _sides[k] == RayCrossings.EDGE_ON;
                 if (isSame && gap <= slack + crossings.slacks[other] && _sides[k] != RayCrossings.INSIDE)
                 {
-                    _sides[k] = _sides[k] == RayCrossings.EDGE_ON ? side : _sides[k];
+                    if (_sides[k] == RayCrossings.EDGE_ON && side != RayCrossings.EDGE_ON)
+                    {
+                        _sides[k] = side;
+                        if (gap <= crossings.slacks[other])
+                        {
+                            replaceKept(crossings, k, index);
+                        }
+                    }
                     return true;
                 }
             }
             return false;
+        }
+
+        // Replaces a kept crossing by one that is a little farther away.
+        private function replaceKept(crossings:RayCrossings, kept:int, index:int):void
+        {
+            var side:int = _sides[kept];
+            while (kept + 1 < count && crossings.places[indices[kept + 1]] < crossings.places[index])
+            {
+                indices[kept] = indices[kept + 1];
+                _sides[kept] = _sides[kept + 1];
+                kept++;
+            }
+            indices[kept] = index;
+            _sides[kept] = side;
         }
 
         // The crossings that are kept take the first places of the list.

@@ -415,6 +415,35 @@ package starlogo.queries
             assertEquals("9.5,10.5", textOf(queries.castAll(new Vector3D(-10, 0.1, 3), new Vector3D(1, 0, 0), Infinity, null, null, true)));
         }
 
+        /** A ray in the plane of the walls at the border falls on the edge that they share with the slopes. */
+        [Test]
+        public function atItsBorderTheGroundsFirstSurfaceIsItsHit():void
+        {
+            var terrain:Terrain = new Terrain(5, 5, 1, 0, 0);
+            var collision:Collision = new Collision(EachCollider.make("triangles", sGreatLand));
+            collision.terrain = terrain;
+            var queries:AgentQueries = new AgentQueries(collision);
+            var hits:int = 0;
+            for (var i:int = 0; i < 300; i++)
+            {
+                terrain.setHeight(i % 5, _random.integer(0, 4), _random.between(-1, 1));
+                queries.update(new Vector.<Agent>());
+                var from:Vector3D = new Vector3D(_random.pick([0, 4]), _random.between(-1, 5), _random.between(1.1, 3));
+                var way:Vector3D = new Vector3D(0, _random.between(0, 4) - from.y, -from.z);
+                var hit:RayHit = queries.cast(from, way);
+                var all:Vector.<RayHit> = queries.castAll(from, way, Infinity, null, null, true);
+                if (hit == null)
+                {
+                    assertEquals(0, all.length);
+                    continue;
+                }
+                hits++;
+                assertEquals("ray " + i, hit.distance, all[0].distance);
+                assertTrue("ray " + i + ": " + all[0].normal + ", not " + hit.normal, all[0].normal.equals(hit.normal));
+            }
+            assertTrue(hits + " hits", hits > 200);
+        }
+
         private function castOf(shape:String, x:Number, y:Number, z:Number, dx:Number, dy:Number, dz:Number, most:Number = Infinity, system:String = "triangles"):Vector.<RayHit>
         {
             _agents = new <Agent>[new Agent(shape)];

@@ -8,9 +8,9 @@ package growth
     import starlogo.models.GltfModel;
     import starlogo.models.Model;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelText;
     import starlogo.models.ObjModel;
     import starlogo.models.StlModel;
+    import starlogo.models.text.ModelText;
 
     /** Model files: they are read, and the default structures are computed of the models. The files are those of `./antw limits`. */
     public final class FileRows
@@ -77,7 +77,7 @@ package growth
                 case "OBJ":
                     return new ObjModel("a", text);
                 case "UTF-16":
-                    return new ObjModel("a", ModelText.text("a", bytes));
+                    return new ObjModel("a", ModelText.decode("a", bytes));
                 default:
                     return bytes == null ? new ColladaModel("a", text) : ColladaModel.fromBytes("a", bytes);
             }

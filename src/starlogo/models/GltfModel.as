@@ -4,6 +4,7 @@ package starlogo.models
     import starlogo.engine;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfReader;
+    import starlogo.models.text.TextTokens;
     import starlogo.steps.finish;
 
     use namespace engine;

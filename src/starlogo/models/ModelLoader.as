@@ -8,6 +8,8 @@ package starlogo.models
     import flash.net.URLLoader;
     import flash.utils.ByteArray;
     import flash.utils.getTimer;
+    import starlogo.models.loading.ModelLoad;
+    import starlogo.models.loading.ModelManifest;
 
     /** A model is loaded. From now on agents may have its shape. @eventType starlogo.models.ModelEvent.LOADED */
     [Event(name="modelLoaded", type="starlogo.models.ModelEvent")]

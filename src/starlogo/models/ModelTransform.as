@@ -3,6 +3,7 @@ package starlogo.models
     import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.models.text.Decimal;
 
     use namespace engine;
 

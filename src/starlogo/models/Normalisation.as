@@ -56,8 +56,8 @@ package starlogo.models
             }
             data.frame ||= _frame;
             var triangleCount:int = data.triangles.length / 3;
-            data.materials = data.materials.upTo(triangleCount);
-            data.meshes = data.meshes.upTo(triangleCount);
+            data.materials = data.materials.trimmed(triangleCount);
+            data.meshes = data.meshes.trimmed(triangleCount);
             check(VertexData.triangleProblem(data.triangles, vertices.length / 3, 0, 0));
             data.triangles = triangleCount == 0 ? null : data.triangles;
             if (triangleCount > 0)

@@ -50,7 +50,7 @@ package starlogo.models
         }
 
         /** Drops runs beyond the last triangle. Returns these labels; null if no triangle has a number. @param count the number of triangles */
-        public function upTo(count:int):TriangleLabels
+        public function trimmed(count:int):TriangleLabels
         {
             var isAny:Boolean = false;
             while (starts.length > 0 && starts[starts.length - 1] >= count)

@@ -10,6 +10,7 @@ package starlogo.models
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.async.Async;
     import starlogo.GreatLand;
+    import starlogo.models.loading.ModelManifest;
     import support.CountingFitter;
     import support.LibraryContents;
     import support.OfferingURLLoader;

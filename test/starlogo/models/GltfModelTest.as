@@ -5,6 +5,7 @@ package starlogo.models
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.models.text.Decimal;
     import support.Failures;
     import support.Gltf;
     import support.Surfaces;

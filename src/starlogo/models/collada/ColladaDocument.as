@@ -1,9 +1,9 @@
 package starlogo.models.collada
 {
-    import starlogo.models.Decimal;
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
-    import starlogo.models.TextTokens;
+    import starlogo.models.text.Decimal;
+    import starlogo.models.text.TextTokens;
 
     /** A COLLADA document. It finds elements by id, reads their numbers, and names their places in errors. */
     internal final class ColladaDocument

@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.AffineTransform;
-    import starlogo.models.TextTokens;
+    import starlogo.models.text.TextTokens;
 
     /** An element of a COLLADA document. Its name and its attributes' names have no namespace prefix. */
     internal final class ColladaElement

@@ -1,9 +1,9 @@
 package starlogo.models.collada
 {
-    import starlogo.models.Decimal;
     import starlogo.models.ModelError;
-    import starlogo.models.TextTokens;
     import starlogo.models.polygons.Triangulator;
+    import starlogo.models.text.Decimal;
+    import starlogo.models.text.TextTokens;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;

@@ -1,11 +1,11 @@
 package starlogo.models.collada
 {
-    import starlogo.models.Decimal;
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelReader;
-    import starlogo.models.TextTokens;
     import starlogo.models.TriangleLabels;
     import starlogo.models.refuseIf;
+    import starlogo.models.text.Decimal;
+    import starlogo.models.text.TextTokens;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

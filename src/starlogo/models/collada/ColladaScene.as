@@ -2,7 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.models.AffineTransform;
     import starlogo.models.ModelBudget;
-    import starlogo.models.TextTokens;
+    import starlogo.models.text.TextTokens;
     import starlogo.steps.StepSequence;
 
     /** Visits the nodes of a COLLADA scene and finds their geometries. If there is no scene, it takes all geometries of the library. */

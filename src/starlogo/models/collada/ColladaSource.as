@@ -1,8 +1,8 @@
 package starlogo.models.collada
 {
-    import starlogo.models.Decimal;
     import starlogo.models.ModelBudget;
     import starlogo.models.refuseIf;
+    import starlogo.models.text.Decimal;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;

@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
-    import starlogo.models.NextOfTwo;
-    import starlogo.models.TextTokens;
+    import starlogo.models.text.NextOfTwo;
+    import starlogo.models.text.TextTokens;
     import starlogo.steps.Steps;
 
     /** The words in the own texts of some elements, one after the other, in steps. */

@@ -2,7 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
-    import starlogo.models.NextOfTwo;
+    import starlogo.models.text.NextOfTwo;
     import starlogo.steps.Steps;
 
     /**

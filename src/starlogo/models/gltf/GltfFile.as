@@ -2,12 +2,12 @@ package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
     import flash.utils.Endian;
-    import starlogo.models.ModelAddress;
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelText;
-    import starlogo.models.TextTokens;
+    import starlogo.models.loading.ModelAddress;
     import starlogo.models.refuseIf;
+    import starlogo.models.text.ModelText;
+    import starlogo.models.text.TextTokens;
     import starlogo.steps.StepSequence;
 
     /**
@@ -63,9 +63,9 @@ package starlogo.models.gltf
         {
             if (text == null)
             {
-                text = bytes != null && isBinary(bytes) ? openChunks(name, bytes) : ModelText.text(name, bytes, "glTF");
+                text = bytes != null && isBinary(bytes) ? openChunks(name, bytes) : ModelText.decode(name, bytes, "glTF");
             }
-            text = TextTokens.unmarked(text);
+            text = TextTokens.withoutByteOrderMark(text);
             budget = new ModelBudget(name, text.length);
             _meter = new JsonMeter(text, budget);
             add(_meter).call(parse);

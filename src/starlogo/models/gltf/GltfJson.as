@@ -1,7 +1,7 @@
 package starlogo.models.gltf
 {
     import starlogo.models.ModelError;
-    import starlogo.models.TextTokens;
+    import starlogo.models.text.TextTokens;
 
     /** The JSON of a glTF file. Each value is checked when it is read. An error names the place in the JSON. */
     internal final class GltfJson

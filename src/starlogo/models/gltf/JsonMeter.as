@@ -1,8 +1,8 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.Decimal;
     import starlogo.models.ModelBudget;
     import starlogo.models.refuseIf;
+    import starlogo.models.text.Decimal;
     import starlogo.steps.StepSequence;
 
     /**

@@ -1,15 +1,15 @@
 package starlogo.models.obj
 {
-    import starlogo.models.Decimal;
-    import starlogo.models.LineReader;
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
     import starlogo.models.ModelReader;
-    import starlogo.models.TextTokens;
     import starlogo.models.TriangleLabels;
     import starlogo.models.VertexFilter;
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.refuseIf;
+    import starlogo.models.text.Decimal;
+    import starlogo.models.text.LineReader;
+    import starlogo.models.text.TextTokens;
     import starlogo.steps.Steps;
 
     /**

@@ -3,13 +3,13 @@ package starlogo.models.stl
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import starlogo.geometry.PointTable;
-    import starlogo.models.LineReader;
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelText;
     import starlogo.models.ModelReader;
-    import starlogo.models.TextTokens;
     import starlogo.models.refuseIf;
+    import starlogo.models.text.LineReader;
+    import starlogo.models.text.ModelText;
+    import starlogo.models.text.TextTokens;
 
     /**
      * Reads an STL file, binary or text. StlModel says which parts.
@@ -72,7 +72,7 @@ package starlogo.models.stl
         public static function of(name:String, bytes:ByteArray, upAxis:Object):StlReader
         {
             return bytes != null && isBinary(bytes) ? new StlReader(name, bytes, null, upAxis)
-                : new StlReader(name, null, ModelText.text(name, bytes, "STL"), upAxis);
+                : new StlReader(name, null, ModelText.decode(name, bytes, "STL"), upAxis);
         }
 
         /**

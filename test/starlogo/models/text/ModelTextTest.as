@@ -1,7 +1,9 @@
-package starlogo.models
+package starlogo.models.text
 {
     import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
+    import starlogo.models.ColladaModel;
+    import starlogo.models.ObjModel;
     import support.Collada;
     import support.Failures;
     import support.encoded;

@@ -1,4 +1,4 @@
-package starlogo.models
+package starlogo.models.text
 {
     /**
      * Splits text with native functions of the player, because a loop over characters is slow.
@@ -19,7 +19,7 @@ package starlogo.models
         }
 
         /** The text without a byte-order mark at its beginning. */
-        public static function unmarked(text:String):String
+        public static function withoutByteOrderMark(text:String):String
         {
             return text.charCodeAt(0) == 0xFEFF ? text.substr(1) : text;
         }

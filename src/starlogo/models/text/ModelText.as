@@ -1,6 +1,9 @@
-package starlogo.models
+package starlogo.models.text
 {
     import flash.utils.ByteArray;
+    import starlogo.models.ModelBudget;
+    import starlogo.models.ModelError;
+    import starlogo.models.refuseIf;
 
     /**
      * Decodes the bytes of a model's file into text. It detects the encoding.
@@ -18,12 +21,12 @@ package starlogo.models
          * @param format the format's name for the message, if the format has a binary form too; null otherwise
          * @throws ModelError if the bytes are no text, for example an image
          */
-        public static function text(name:String, bytes:ByteArray, format:String = null):String
+        public static function decode(name:String, bytes:ByteArray, format:String = null):String
         {
             refuseIf(bytes == null || bytes.length == 0, name, "the file is empty");
             checkSize(name, bytes);
             refuseIf(isArchive(bytes), name, "this is a zip archive (.zae is one too): unpack it, and load the model file that is in it");
-            return TextTokens.unmarked(decoded(name, bytes, format));
+            return TextTokens.withoutByteOrderMark(decoded(name, bytes, format));
         }
 
         /** Throws if a file has too many bytes. */

@@ -1,21 +1,31 @@
-package starlogo.models
+package starlogo.models.loading
 {
     import flash.utils.ByteArray;
+    import starlogo.models.Model;
+    import starlogo.models.ModelError;
+    import starlogo.models.ModelReader;
+    import starlogo.models.ModelReceiver;
+    import starlogo.models.ModelSource;
+    import starlogo.models.ModelTransform;
     import starlogo.models.collada.ColladaReader;
     import starlogo.models.cooked.CookedReader;
     import starlogo.models.cooked.argumentsFingerprint;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfReader;
     import starlogo.models.obj.ObjReader;
+    import starlogo.models.refuseIf;
     import starlogo.models.stl.StlReader;
+    import starlogo.models.text.ModelText;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
      * One model in a ModelLoader. It is fetched, read, normalised and given to the receiver. A step throws a ModelError if the file did not
      * arrive or is no model. The receiver's steps may throw other errors.
+     *
+     * @private
      */
-    internal final class ModelLoad extends StepSequence
+    public final class ModelLoad extends StepSequence
     {
         // the progress of a model when its file has arrived, and when it is read
         private static const FETCHED:Number = 0.2;
@@ -104,7 +114,7 @@ package starlogo.models
                 {
                     if (text == null && (bytes == null || ModelFormat.ofBytes(bytes) == null))
                     {
-                        text = ModelText.text(name, bytes);
+                        text = ModelText.decode(name, bytes);
                         bytes = null;
                     }
                 }).call(function():void

@@ -1,4 +1,4 @@
-package starlogo.models
+package starlogo.models.text
 {
     import flash.utils.ByteArray;
     import flash.utils.Endian;

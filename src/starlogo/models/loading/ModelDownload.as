@@ -1,4 +1,4 @@
-package starlogo.models
+package starlogo.models.loading
 {
     import flash.events.ErrorEvent;
     import flash.events.Event;
@@ -10,8 +10,12 @@ package starlogo.models
     import flash.net.URLRequest;
     import flash.utils.ByteArray;
 
-    /** The download of one file of a model. */
-    internal final class ModelDownload
+    /**
+     * The download of one file of a model.
+     *
+     * @private
+     */
+    public final class ModelDownload
     {
         private static const EVENTS:Array = [Event.COMPLETE, ProgressEvent.PROGRESS, IOErrorEvent.IO_ERROR, SecurityErrorEvent.SECURITY_ERROR];
 

@@ -1,9 +1,13 @@
-package starlogo.models
+package starlogo.models.loading
 {
     import flash.utils.ByteArray;
 
-    /** The list of the cooked files in a folder and below. It is fetched when it is first needed. */
-    internal final class ModelManifest
+    /**
+     * The list of the cooked files in a folder and below. It is fetched when it is first needed.
+     *
+     * @private
+     */
+    public final class ModelManifest
     {
         /** The list's address. */
         public var url:String;

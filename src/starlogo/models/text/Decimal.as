@@ -1,4 +1,4 @@
-package starlogo.models
+package starlogo.models.text
 {
     import starlogo.geometry.roundingOf;
 

@@ -1,4 +1,4 @@
-package starlogo.models
+package starlogo.models.loading
 {
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;

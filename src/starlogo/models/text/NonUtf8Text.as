@@ -1,9 +1,13 @@
-package starlogo.models
+package starlogo.models.text
 {
     import flash.utils.ByteArray;
 
-    /** Decodes bytes that are not UTF-8, with the same result in every player. Adobe's VM alone cannot read these encodings. */
-    internal final class NonUtf8Text
+    /**
+     * Decodes bytes that are not UTF-8, with the same result in every player. Adobe's VM alone cannot read these encodings.
+     *
+     * @private
+     */
+    public final class NonUtf8Text
     {
         private static const CHUNK:int = 4096;
 
@@ -16,7 +20,7 @@ package starlogo.models
                 0x0161, 0x203a, 0x0153, 0x9d, 0x017e, 0x0178];
 
         /** Decodes UTF-16. An odd last byte is ignored. */
-        internal static function utf16(bytes:ByteArray, isLowFirst:Boolean):String
+        public static function utf16(bytes:ByteArray, isLowFirst:Boolean):String
         {
             var units:Array = [];
             var low:int = isLowFirst ? 0 : 1;
@@ -28,7 +32,7 @@ package starlogo.models
         }
 
         /** Decodes one byte per character: windows-1252 or ISO 8859-1. */
-        internal static function latin(bytes:ByteArray, isWindows:Boolean):String
+        public static function latin(bytes:ByteArray, isWindows:Boolean):String
         {
             var units:Array = [];
             for (var i:int = 0; i < bytes.length; i++)

@@ -1,9 +1,13 @@
-package starlogo.models
+package starlogo.models.loading
 {
     import starlogo.models.gltf.GltfFile;
 
-    /** The downloads for one model: its file, and the files that belong to it. */
-    internal final class ModelDownloads
+    /**
+     * The downloads for one model: its file, and the files that belong to it.
+     *
+     * @private
+     */
+    public final class ModelDownloads
     {
         // The address of a file: its path, and what comes after. No file can be beside a "data:" or "blob:" address.
         private static const FILE:RegExp = /^(?!data:|blob:)([^?#]+)(.*)$/i;

@@ -1,5 +1,7 @@
-package starlogo.models
+package starlogo.models.text
 {
+    import starlogo.models.refuseIf;
+
     /**
      * Divides text that has one statement per line into words, some lines at a time. A format's reader gets the first word of each
      * statement, and loops over the other <code>words</code> itself, because this is fast.
@@ -48,7 +50,7 @@ package starlogo.models
         public function LineReader(name:String, source:String)
         {
             _name = name;
-            _source = TextTokens.unmarked(source);
+            _source = TextTokens.withoutByteOrderMark(source);
             _ends = new NextOfTwo(_source, "\n", "\r");
         }
 

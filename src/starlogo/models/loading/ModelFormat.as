@@ -1,18 +1,23 @@
-package starlogo.models
+package starlogo.models.loading
 {
     import flash.utils.ByteArray;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.stl.StlReader;
+    import starlogo.models.text.TextTokens;
 
-    /** Detects the format of a file from its content. If the content does not tell, the file's name does. */
-    internal final class ModelFormat
+    /**
+     * Detects the format of a file from its content. If the content does not tell, the file's name does.
+     *
+     * @private
+     */
+    public final class ModelFormat
     {
-        internal static const COOKED:String = "cooked";
-        internal static const OBJ:String = "obj";
-        internal static const COLLADA:String = "dae";
-        internal static const GLTF:String = "gltf";
-        internal static const STL:String = "stl";
+        public static const COOKED:String = "cooked";
+        public static const OBJ:String = "obj";
+        public static const COLLADA:String = "dae";
+        public static const GLTF:String = "gltf";
+        public static const STL:String = "stl";
 
         private static const HEAD_LENGTH:int = 10000;
         private static const TAG:RegExp = /^\s*</;
@@ -20,7 +25,7 @@ package starlogo.models
         private static const EXTENSION:RegExp = /^[^?#]*\.(obj|dae|gltf|stl)([?#]|$)/i;
 
         /** The format of a file in a binary form; null if the bytes are in none. */
-        internal static function ofBytes(bytes:ByteArray):String
+        public static function ofBytes(bytes:ByteArray):String
         {
             return CookedFile.isCookedFile(bytes) ? COOKED : (GltfFile.isBinary(bytes) ? GLTF : (StlReader.isBinary(bytes) ? STL : null));
         }
@@ -32,13 +37,13 @@ package starlogo.models
          * @param text the file's text
          * @param url the file's address; null if it has none
          */
-        internal static function of(bytes:ByteArray, text:String, url:String):String
+        public static function of(bytes:ByteArray, text:String, url:String):String
         {
             if (text == null)
             {
                 return ofBytes(bytes);
             }
-            text = TextTokens.unmarked(text);
+            text = TextTokens.withoutByteOrderMark(text);
             if (TAG.test(text.substr(0, 1000)))
             {
                 return COLLADA;

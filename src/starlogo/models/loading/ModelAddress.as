@@ -1,4 +1,4 @@
-package starlogo.models
+package starlogo.models.loading
 {
     /**
      * The rule for addresses in files: only files in the folder of the file that names them, or below it, are fetched. Browsers drop tabs

@@ -1,4 +1,4 @@
-package starlogo.models
+package starlogo.models.text
 {
     /**
      * Finds the next of two characters in a text, for a loop that only moves forward. It searches for each character again only after the

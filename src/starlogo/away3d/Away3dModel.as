@@ -1,3 +1,5 @@
+// This room joins the engine to Away3D, and is the only one that names it. Away3dModel makes models of what is drawn (SourceReader), and
+// Away3dAgentBinding keeps an agent and its object in the same place; Away3dWireframe and Away3dTerrain draw what collides. Read this file first.
 package starlogo.away3d
 {
     import flash.geom.Vector3D;

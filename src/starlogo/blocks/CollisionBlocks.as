@@ -1,3 +1,6 @@
+// This room has what the client's blocks call: a class for each drawer of blocks, and a method for each block. BlockSubject checks what a block
+// is given, and BlockError says what is wrong in words for students; the work is done by the rooms collision, queries and terrain. Read this
+// file first, then DetectionBlocks.
 package starlogo.blocks
 {
     import starlogo.GreatLand;

@@ -1,3 +1,5 @@
+// This room makes lines to draw. Wireframes has the lines of structures, trees, triangles and the ground, and CollisionLines those of what a
+// collision system tests for an agent. Read this file first.
 package starlogo.debug
 {
     import flash.geom.Vector3D;

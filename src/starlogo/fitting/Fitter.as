@@ -1,3 +1,6 @@
+// This room finds structures around the vertices of a model. Each algorithm is a Fitter; its work on one model is a Fit, and a FitSession
+// keeps what several of them share; minimal/ and hull/ are for single fitters. Read this file first, then NaiveSphereFitter and
+// EnclosingStructures, and OrientedBoxFitter with its RotationSearch.
 package starlogo.fitting
 {
     import flash.errors.IllegalOperationError;

@@ -1,3 +1,6 @@
+// This room has models, and what reads them from files. A reader for each format (ModelReader is their base) fills a ModelData, a
+// Normalisation brings that to its place and scale, and a Model keeps it; a ModelLoader does the same in steps while a game runs. Read this
+// file first, then ModelReader and obj/ObjReader, and ModelLoader with loading/ModelLoad for loading.
 package starlogo.models
 {
     import starlogo.engine;

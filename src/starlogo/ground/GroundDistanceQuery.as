@@ -22,16 +22,14 @@ package starlogo.ground
         /**
          * Finds how far the model and the ground are apart, and between which points.
          *
-         * @param grid the ground
-         * @param isTree whether the model is a tree; otherwise it is a structure
          * @param areTouching whether the two overlap. If so, a point of both is found
          * @param out receives the distance and the points, in the world
          */
-        public function find(grid:HeightGrid, isTree:Boolean, areTouching:Boolean, out:ClosestPoints):void
+        public function find(areTouching:Boolean, out:ClosestPoints):void
         {
             var box:GroundBox = _pieces.box;
-            findNearest(grid, out);
-            if (!isTree)
+            findNearest(out);
+            if (!_pieces.hasTree)
             {
                 _pieces.beginAt(_nearest);
                 measure(out);
@@ -44,7 +42,7 @@ package starlogo.ground
             if (areTouching)
             {
                 // either the model's point is in the ground, or the surface's point is in the model
-                var isUnder:Boolean = grid.heightAt(out.aX + box.origin.x, out.aY + box.origin.y) - box.origin.z >= out.aZ;
+                var isUnder:Boolean = _pieces.grid.heightAt(out.aX + box.origin.x, out.aY + box.origin.y) - box.origin.z >= out.aZ;
                 out.aX = out.bX = isUnder ? out.aX : out.bX;
                 out.aY = out.bY = isUnder ? out.aY : out.bY;
                 out.aZ = out.bZ = isUnder ? out.aZ : out.bZ;
@@ -55,17 +53,17 @@ package starlogo.ground
 
         // Finds the point of the grid that is nearest to the model's middle, seen from above. The model is at most as far as its farthest point is
         // from there, so the distance begins with that.
-        private function findNearest(grid:HeightGrid, out:ClosestPoints):void
+        private function findNearest(out:ClosestPoints):void
         {
             var box:GroundBox = _pieces.box;
             _pieces.placeBox();
             _nearest.x = box.x + box.origin.x;
             _nearest.y = box.y + box.origin.y;
-            grid.findNearest(_nearest);
+            _pieces.grid.findNearest(_nearest);
             var x:Number = Math.abs(_nearest.x - box.origin.x - box.x) + box.halfX;
             var y:Number = Math.abs(_nearest.y - box.origin.y - box.y) + box.halfY;
             var z:Number = Math.abs(_nearest.height - box.origin.z - box.z) + box.halfZ;
-            out.distance = Math.sqrt(x * x + y * y + z * z) * Tolerances.OUTER + Tolerances.SURFACES * grid.cellWidth;
+            out.distance = Math.sqrt(x * x + y * y + z * z) * Tolerances.OUTER + Tolerances.SURFACES * _pieces.grid.cellWidth;
         }
 
         // Measures the distances of the piece and the triangles near it, and keeps the closest points.

@@ -38,12 +38,11 @@ package starlogo.ground
         /** Begins with the ground as it is now. */
         public function begin(grid:HeightGrid):void
         {
-            // the last level is one square
-            var whole:int = grid.begins[grid.levels];
             _grid = grid;
-            _slope = grid.isBlocky ? Infinity : grid.bounds[int(whole + 2)] / grid.cellWidth;
-            _tolerance = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth + Math.abs(grid.bounds[whole])
-                    + Math.abs(grid.bounds[int(whole + 1)]));
+            grid.pyramid.findWhole(_around);
+            _slope = grid.isBlocky ? Infinity : _around.stepX / grid.cellWidth;
+            _tolerance = Tolerances.ROUNDING * (Math.abs(grid.x) + Math.abs(grid.y) + (grid.columns + grid.rows) * grid.cellWidth + Math.abs(_around.least)
+                    + Math.abs(_around.greatest));
         }
 
         /**

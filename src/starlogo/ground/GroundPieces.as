@@ -3,6 +3,7 @@ package starlogo.ground
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
+    import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -28,10 +29,14 @@ package starlogo.ground
         /** The box around the current piece. Its limits may be narrowed. Its origin is the model's place. */
         public var box:GroundBox = new GroundBox();
 
-        /** The last triangle. Read only. */
-        public var triangles:GroundTriangles = new GroundTriangles();
+        /** That triangle. Read only. */
+        public var triangle:GroundTriangle;
 
-        private var _grid:HeightGrid;
+        /** The ground. Read only. */
+        public var grid:HeightGrid;
+
+        private var _triangles:GroundTriangles = new GroundTriangles();
+
         private var _tree:ModelTree;
         private var _structure:BoundingStructure;
         private var _depth:int;
@@ -58,10 +63,15 @@ package starlogo.ground
         private var _node:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
+        public function GroundPieces()
+        {
+            triangle = _triangles.triangle;
+        }
+
         /** Sets the model and the ground, as <code>GroundQuery.setTo()</code> takes them. */
         public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
         {
-            _grid = grid;
+            this.grid = grid;
             _tree = tree;
             _structure = structure;
             _placed.copyFrom(placement);
@@ -74,9 +84,15 @@ package starlogo.ground
             _margin = 2 * Touching.marginOfPlace(placement.x, placement.y, placement.z);
             if (_isExact)
             {
-                _margin += Touching.marginOfSurface(tree.tree.radius * placement.size / 2);
+                _margin += Touching.marginOfSurface(tree.tree.radius * placement.size);
             }
             placeAt(RelativeMotion.NONE, 0);
+        }
+
+        /** Whether the model is a tree; otherwise it is a structure. */
+        public function get hasTree():Boolean
+        {
+            return _tree != null;
         }
 
         /** Moves the model to where the motion has brought it at a time. */
@@ -96,7 +112,7 @@ package starlogo.ground
         public function begin(motion:RelativeMotion, maxDistance:Number):void
         {
             beginWhole(motion, maxDistance);
-            if (_tree != null)
+            if (hasTree)
             {
                 _isWhole = false;
                 _corners = _isExact ? _tree.corners : null;
@@ -107,7 +123,7 @@ package starlogo.ground
         /** Begins with the structure around all pieces as the only one. */
         public function beginWhole(motion:RelativeMotion, maxDistance:Number):void
         {
-            triangles.stop();
+            _triangles.stop();
             _nodeCount = _triangle = _end = 0;
             _isWhole = true;
             box.motion = motion;
@@ -127,7 +143,7 @@ package starlogo.ground
             box.z = at.height - box.origin.z;
             box.halfX = box.halfY = box.halfZ = 0;
             box.structure = null;
-            triangles.begin(_grid, box);
+            _triangles.begin(grid, box);
         }
 
         /** Goes on to the next piece. Returns false if there is none. */
@@ -154,32 +170,40 @@ package starlogo.ground
             piece.setShapeToTriangle(_corners, 9 * _triangle, _placed);
             _triangle++;
             finishPiece();
-            triangles.begin(_grid, box);
+            _triangles.begin(grid, box);
             return true;
         }
 
         /** Goes on to the next triangle near the piece. Returns false if there is none. */
         public function nextTriangle():Boolean
         {
-            if (!triangles.next())
+            if (!_triangles.next())
             {
                 return false;
             }
-            piece.shape.margin = _pieceMargin + triangles.margin;
-            piece.setTriangle(triangles.corners, 0);
+            piece.shape.margin = _pieceMargin + triangle.margin;
+            piece.setTriangle(triangle.corners, 0);
             return true;
         }
 
         /** Whether a point of the piece is at least this deep under the ground. */
         public function isUnder(depth:Number):Boolean
         {
-            return _grid.heightAt(_point.x + box.origin.x, _point.y + box.origin.y) - depth >= _point.z + box.origin.z;
+            return grid.heightAt(_point.x + box.origin.x, _point.y + box.origin.y) - depth >= _point.z + box.origin.z;
         }
 
         /** Puts the box around the whole model. */
         public function placeBox():void
         {
             placeAround(_structure);
+        }
+
+        /** Moves a contact of the piece and the triangle into the world. */
+        public function moveToWorld(contact:ContactPoint):void
+        {
+            contact.x += box.origin.x;
+            contact.y += box.origin.y;
+            contact.z += box.origin.z;
         }
 
         private function addNode(node:int):void
@@ -207,13 +231,13 @@ package starlogo.ground
                 _end = tree.end[node];
                 return false;
             }
-            triangles.begin(_grid, box);
-            if (!triangles.next())
+            _triangles.begin(grid, box);
+            if (!_triangles.next())
             {
                 _point.setTo(box.x, box.y, box.z);
                 return true;
             }
-            triangles.stop();
+            _triangles.stop();
             addNode(tree.left[node] + 1);
             addNode(tree.left[node]);
             return false;
@@ -224,7 +248,7 @@ package starlogo.ground
             setPiece(structure);
             placeAround(structure);
             box.structure = piece.structure;
-            triangles.begin(_grid, box);
+            _triangles.begin(grid, box);
         }
 
         private function setPiece(structure:BoundingStructure):void

@@ -1,6 +1,5 @@
 package starlogo.ground
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
@@ -8,7 +7,6 @@ package starlogo.ground
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.Touching;
     import starlogo.intersection.TriangleKernel;
     import starlogo.solid.ModelTree;
 
@@ -28,41 +26,18 @@ package starlogo.ground
      */
     public final class GroundQuery
     {
-        // Two exits have nearly the same direction if the cosine of their angle is larger.
-        private static const SAME_EXIT:Number = 0.98;
-
-        // The triangle of a contact counts as behind a plane if it is in front of it by at most this many margins of the plane's triangle, which are rounding.
-        private static const IN_FRONT:Number = 10;
-
-        // The most exits that are found.
-        private static const MOST_EXITS:int = 12;
-
-        // A contact is taken at once if the least length of an exit is at least this fraction of its depth.
-        private static const NEEDED:Number = 0.8;
-
-        private var _grid:HeightGrid;
-        private var _hasTree:Boolean = false;
         private var _pieces:GroundPieces = new GroundPieces();
 
         // The parts of _pieces that are read all the time.
         private var _piece:TriangleKernel = _pieces.piece;
         private var _box:GroundBox = _pieces.box;
-        private var _triangles:GroundTriangles = _pieces.triangles;
 
-        // The contact with the last triangle that was tried.
-        private var _tried:ContactPoint = new ContactPoint();
+        private var _depths:GroundDepthQuery = new GroundDepthQuery(_pieces);
+        private var _distances:GroundDistanceQuery = new GroundDistanceQuery(_pieces);
 
-        // The triangle of the ground that the model was deepest in at the last contact, and whether there was one: a first touch may be at an edge of
-        // several. The triangle is relative to where the model stood, and the model has come from there by a vector.
-        private var _touched:Vector.<Number> = new Vector.<Number>(9, true);
-        private var _hasTouched:Boolean = false;
-        private var _touchedFrom:Vector3D = new Vector3D();
-        private var _come:Vector3D = new Vector3D();
-
-        // The motion of the search for the first touch; bounds of the ground's heights; and the search for the closest points.
+        // The motion of the search for the first touch, and bounds of the ground's heights.
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _range:HeightRange = new HeightRange();
-        private var _distance:GroundDistanceQuery = new GroundDistanceQuery(_pieces);
 
         /**
          * Sets the model and the ground.
@@ -76,33 +51,32 @@ package starlogo.ground
          */
         public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
         {
-            _grid = grid;
-            _hasTree = tree != null;
             _pieces.setTo(grid, tree, structure, placement, depth, exact);
         }
 
         /** Whether a piece of the model overlaps the surface by more than a depth, or a point of it is as deep under the ground. */
         public function isDeeper(depth:Number):Boolean
         {
+            return _depths.isDeeper(depth);
+        }
+
+        /** Whether the two overlap or touch where the motion has brought the model at a time. */
+        public function overlapsAt(motion:RelativeMotion, time:Number):Boolean
+        {
+            _pieces.placeAt(motion, time);
             _pieces.begin(RelativeMotion.NONE, 0);
             while (_pieces.nextPiece())
             {
-                var isApart:Boolean = true;
-                while (_pieces.nextTriangle())
-                {
-                    if (findOverlap())
-                    {
-                        if (_tried.depth > depth)
-                        {
-                            return true;
-                        }
-                        isApart = false;
-                    }
-                }
-                // the point of a flat piece of a tree may be on the surface
-                if ((isApart || !_hasTree) && _pieces.isUnder(depth))
+                if (_pieces.isUnder(0))
                 {
                     return true;
+                }
+                while (_pieces.nextTriangle())
+                {
+                    if (!_piece.staysBeside(RelativeMotion.NONE) && _piece.areTouching())
+                    {
+                        return true;
+                    }
                 }
             }
             return false;
@@ -143,7 +117,10 @@ package starlogo.ground
          */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            _hasTouched &&= out == null;
+            if (out != null)
+            {
+                _depths.forget();
+            }
             var first:Number = RelativeMotion.NEVER;
             _sweep.x = motion.x;
             _sweep.y = motion.y;
@@ -169,8 +146,9 @@ package starlogo.ground
             motion.time = first;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
-                setBounds(out, 0, false);
-                moveToWorld(out);
+                out.leastDepth = 0;
+                out.isDepthSure = false;
+                _pieces.moveToWorld(out);
             }
         }
 
@@ -184,7 +162,6 @@ package starlogo.ground
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
             var time:Number = motion.time;
-            _hasTouched = false;
             if (motion.x != 0 || motion.y != 0 || motion.z != 0)
             {
                 findImpact(motion, out);
@@ -196,19 +173,7 @@ package starlogo.ground
                 }
             }
             _pieces.placeAt(motion, time);
-            findDeepestPoint(out);
-            // a point of the model is that deep behind a triangle
-            var isSure:Boolean = _hasTouched;
-            if (!_hasTouched)
-            {
-                findDeepestOverlap(out);
-            }
-            if (_hasTouched)
-            {
-                setBounds(out, isSure || isNeeded(out) ? out.depth : 0, isSure);
-                moveToWorld(out);
-            }
-            else
+            if (!_depths.find(out))
             {
                 findOuterContact(out);
             }
@@ -225,37 +190,23 @@ package starlogo.ground
          */
         public function findExits(maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
-            var count:int = 0;
-            _pieces.beginWhole(RelativeMotion.NONE, maxDistance);
-            _pieces.nextPiece();
-            while (_pieces.nextTriangle())
-            {
-                _piece.findBehind(RelativeMotion.NONE, _tried);
-                if (_tried.depth >= -_triangles.margin && (!_hasTouched || isTouchedBehind()))
-                {
-                    count = addExit(exits, count);
-                }
-            }
-            for (var i:int = 0; i < count; i++)
-            {
-                moveToWorld(exits[i]);
-            }
-            return count;
+            return _depths.findExits(maxDistance, exits);
         }
 
         /** Finds the contact that lifts the model from its lowest place above all ground under it. */
         public function findOuterContact(out:ContactPoint):void
         {
-            setBounds(out, 0, false);
             _pieces.placeBox();
             var low:Number = _box.z - _box.halfZ;
-            _grid.findAround(_box.x + _box.origin.x, _box.y + _box.origin.y, _box.halfX, _box.halfY, _range);
+            _pieces.grid.findAround(_box.x + _box.origin.x, _box.y + _box.origin.y, _box.halfX, _box.halfY, _range);
             out.setNormal(0, 0, 1);
             out.depth = Math.max(0, _range.greatest - _box.origin.z - low);
             out.x = _box.x;
             out.y = _box.y;
             out.z = low + out.depth / 2;
-            moveToWorld(out);
+            out.leastDepth = 0;
+            out.isDepthSure = false;
+            _pieces.moveToWorld(out);
         }
 
         /**
@@ -265,60 +216,7 @@ package starlogo.ground
          */
         public function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
-            _distance.find(_grid, _hasTree, areTouching, out);
-        }
-
-        // Finds the contact with the triangle that the model is deepest behind, of those that the deepest point of a piece is behind. Only depths
-        // count that are known to be about as deep in the ground.
-        private function findDeepestPoint(out:ContactPoint):void
-        {
-            var deepest:Number = 0;
-            _pieces.begin(RelativeMotion.NONE, 0);
-            while (_pieces.nextPiece())
-            {
-                while (_pieces.nextTriangle())
-                {
-                    var isFootInside:Boolean = _piece.findBehind(RelativeMotion.NONE, _tried);
-                    if (isFootInside && isClearlyDeeper(deepest) && isNeeded(_tried) && isDeeperThan(deepest))
-                    {
-                        deepest = _box.above = _tried.depth;
-                        keep(_tried, out);
-                    }
-                }
-            }
-        }
-
-        // Finds the contact with the triangle that the model overlaps most.
-        private function findDeepestOverlap(out:ContactPoint):void
-        {
-            var deepest:Number = 0;
-            _pieces.begin(RelativeMotion.NONE, 0);
-            while (_pieces.nextPiece())
-            {
-                while (_pieces.nextTriangle())
-                {
-                    // no overlap is deeper than the piece is behind the plane
-                    _piece.findBehind(RelativeMotion.NONE, _tried);
-                    if (isClearlyDeeper(deepest) && findOverlap() && isDeeperThan(deepest))
-                    {
-                        deepest = _tried.depth;
-                        _piece.leadOutside(RelativeMotion.NONE, _tried);
-                        keep(_tried, out);
-                    }
-                }
-            }
-        }
-
-        // Whether the last contact is deeper than the deepest one so far by more than rounding. NaN counts as deeper.
-        private function isClearlyDeeper(deepest:Number):Boolean
-        {
-            return !(deepest > 0 && _tried.depth < deepest + _triangles.margin);
-        }
-
-        // Whether the last contact is deeper than the deepest one so far, or the first one.
-        private function isDeeperThan(deepest:Number):Boolean
-        {
-            return _tried.depth > deepest || _tried.depth == deepest && !_hasTouched;
+            _distances.find(areTouching, out);
         }
 
         // Finds when the moving piece touches the triangle, until the latest time.
@@ -330,110 +228,6 @@ package starlogo.ground
             {
                 _piece.findTime(_sweep);
             }
-        }
-
-        // Finds the contact of the piece and the triangle, along the shortest way apart. Returns false if they do not touch.
-        private function findOverlap():Boolean
-        {
-            if (!_piece.areTouching())
-            {
-                return false;
-            }
-            _piece.findContact(RelativeMotion.NONE, _tried);
-            return true;
-        }
-
-        // Writes a contact with the current triangle.
-        private function keep(contact:ContactPoint, out:ContactPoint):void
-        {
-            out.copyFrom(contact);
-            for (var i:int = 0; i < 9; i++)
-            {
-                _touched[i] = _triangles.corners[i];
-            }
-            _hasTouched = true;
-            _touchedFrom.setTo(_box.origin.x, _box.origin.y, _box.origin.z);
-        }
-
-        // Whether the triangle of the last contact is not in front of the plane of the last exit.
-        private function isTouchedBehind():Boolean
-        {
-            var origin:Placement = _box.origin;
-            _come.setTo(origin.x - _touchedFrom.x, origin.y - _touchedFrom.y, origin.z - _touchedFrom.z);
-            var rounding:Number = _come.lengthSquared > 0 ? 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z) : 0;
-            return _piece.isBehindPlane(_touched, IN_FRONT * _triangles.margin + rounding + _tried.along(_come));
-        }
-
-        // Adds the last contact to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.
-        private function addExit(exits:Vector.<ContactPoint>, count:int):int
-        {
-            var at:int = 0;
-            while (at < count && _tried.normalX * exits[at].normalX + _tried.normalY * exits[at].normalY + _tried.normalZ * exits[at].normalZ <= SAME_EXIT)
-            {
-                at++;
-            }
-            if (at == MOST_EXITS)
-            {
-                return count;
-            }
-            if (at == exits.length)
-            {
-                exits[at] = new ContactPoint();
-            }
-            if (at == count || _tried.depth < exits[at].depth)
-            {
-                exits[at].copyFrom(_tried);
-            }
-            return Math.max(count, at + 1);
-        }
-
-        // Whether each exit from the ground is at least about as long as a contact is deep, because the piece's deepest point has to get out.
-        private function isNeeded(contact:ContactPoint):Boolean
-        {
-            var depth:Number = contact.depth;
-            if (!(depth >= 0))
-            {
-                return false;
-            }
-            var x:Number = _box.origin.x + contact.x - depth / 2 * contact.normalX;
-            var y:Number = _box.origin.y + contact.y - depth / 2 * contact.normalY;
-            var z:Number = _box.origin.z + contact.z - depth / 2 * contact.normalZ;
-            return depth == 0 || _grid.leastExit(x, y, z, depth) >= NEEDED * depth;
-        }
-
-        /** Whether the two overlap or touch where the motion has brought the model at a time. */
-        public function overlapsAt(motion:RelativeMotion, time:Number):Boolean
-        {
-            _pieces.placeAt(motion, time);
-            _pieces.begin(RelativeMotion.NONE, 0);
-            while (_pieces.nextPiece())
-            {
-                if (_pieces.isUnder(0))
-                {
-                    return true;
-                }
-                while (_pieces.nextTriangle())
-                {
-                    if (!_piece.staysBeside(RelativeMotion.NONE) && _piece.areTouching())
-                    {
-                        return true;
-                    }
-                }
-            }
-            return false;
-        }
-
-        private static function setBounds(out:ContactPoint, leastDepth:Number, isDepthSure:Boolean):void
-        {
-            out.leastDepth = leastDepth;
-            out.isDepthSure = isDepthSure;
-        }
-
-        private function moveToWorld(out:ContactPoint):void
-        {
-            out.x += _box.origin.x;
-            out.y += _box.origin.y;
-            out.z += _box.origin.z;
         }
     }
 }

@@ -25,7 +25,8 @@ package starlogo.ground
         private var _test:RayTriangleTest = new RayTriangleTest();
         private var _outside:FaceNormal = new FaceNormal();
 
-        // A size that no triangle of the ground's own height has.
+        // Bounds of all heights, and a size that no triangle between them has.
+        private var _whole:HeightRange = new HeightRange();
         private var _largest:Number = 0;
 
         public function GroundRayQuery()
@@ -56,7 +57,7 @@ package starlogo.ground
                 {
                     isHit = true;
                     _box.latest = _test.least;
-                    _outside.setTriangle(_triangles.corners, 0);
+                    _outside.setTriangle(_triangles.triangle.corners, 0);
                 }
             }
             if (isHit)
@@ -87,7 +88,7 @@ package starlogo.ground
                 testTriangle();
                 if (out.count > before)
                 {
-                    _outside.setTriangle(_triangles.corners, 0);
+                    _outside.setTriangle(_triangles.triangle.corners, 0);
                     ray.setNormal(_outside.x, _outside.y, _outside.z);
                     out.setNormal(before, ray);
                     out.triangles[before] = -1;
@@ -99,7 +100,7 @@ package starlogo.ground
         // because the ray is.
         private function testTriangle():void
         {
-            _test.setRadius(Math.min(_triangles.size, _largest));
+            _test.setRadius(Math.min(_triangles.triangle.size, _largest));
             _test.testLeaf(0, 0, 1);
         }
 
@@ -121,10 +122,9 @@ package starlogo.ground
             _triangles.begin(grid, _box);
             // only now, so that the distance does not depend on where the ray ends
             _box.latest = Math.min(ray.to, FARTHEST);
-            // the last level is one square
-            var whole:int = grid.begins[grid.levels];
-            _largest = 3 * grid.cellWidth + grid.bounds[int(whole + 1)] - grid.bounds[whole];
-            _test.begin(ray, _triangles.corners, _largest, all);
+            grid.pyramid.findWhole(_whole);
+            _largest = 3 * grid.cellWidth + _whole.greatest - _whole.least;
+            _test.begin(ray, _triangles.triangle.corners, _largest, all);
         }
     }
 }

@@ -1,12 +1,12 @@
 package starlogo.ground
 {
     /**
-     * The heights of a terrain, with bounds for squares of cells: how high the ground is at a place, and between which heights it is around
-     * one.
+     * The heights of a terrain: how high the ground is at a place, and between which heights it is around one.
      *
-     * <p>The package ground says how shapes and rays meet such a grid. GroundTriangles finds its triangles near a box. GroundQuery tests a
-     * model's convex pieces, which GroundPieces goes through, with these triangles. GroundRayQuery tests rays. GroundEarlyOut decides about most
-     * agents before, from a few heights. Read this class first, then GroundTriangles, then GroundQuery.</p>
+     * <p>The package ground says how shapes and rays meet such a grid. GroundTriangles finds its triangles near a box: a GroundPath says which
+     * cells the box comes to, and a GroundCell has a cell's triangles. GroundQuery tests a model's convex pieces, which GroundPieces goes through,
+     * with these triangles; a GroundDepthQuery and a GroundDistanceQuery are parts of it. GroundRayQuery tests rays. GroundEarlyOut decides about
+     * most agents before, from a few heights. Read this class first, then GroundTriangles, then GroundQuery.</p>
      *
      * <p>Frequent questions write to records, because V8 allocates an object for each Number that is passed or returned.</p>
      *
@@ -14,12 +14,6 @@ package starlogo.ground
      */
     public final class HeightGrid
     {
-        /** How many squares of a level a square of the next level is wide, as a shift. */
-        public static const SHIFT:int = 3;
-
-        /** How many numbers <code>bounds</code> has for each square. */
-        public static const BOUNDS:int = 4;
-
         // A range is not read height by height if it is longer than this, along x or along y.
         private static const MOST_SQUARES:int = 16;
 
@@ -48,20 +42,10 @@ package starlogo.ground
          */
         public var holes:Vector.<int> = null;
 
-        /**
-         * Four numbers for each square of cells: the least height there, the greatest height, the greatest difference of two heights that are
-         * neighbours along x or y, and 1 if a cell there is a hole, or 0. A square of level 1 is 8 cells wide, and a square of each next level is 8 squares wide. The last level is
-         * one square. The heights and the holes around a square count too, because walls lead to them.
-         */
-        public var bounds:Vector.<Number>;
+        /** Bounds of the heights, for squares of cells. */
+        public var pyramid:HeightPyramid;
 
-        /** By level: where its squares begin in <code>bounds</code>. Level 0 is the heights, which have no bounds. */
-        public var begins:Vector.<int> = new <int>[0];
-
-        /** The number of the last level. */
-        public var levels:int = 0;
-
-        /** Whether a frame needs <code>heights</code> and <code>bounds</code> as they are. Then the next change makes new lists. */
+        /** Whether a frame needs the heights, the holes and the pyramid as they are. Then the next change makes new ones. */
         public var isHeld:Boolean = false;
 
         /** How often the surface has changed. */
@@ -77,20 +61,7 @@ package starlogo.ground
             this.cellWidth = cellWidth;
             this.x = x;
             this.y = y;
-            var size:int = 0;
-            while (countSquares(columns, levels) > 1 || countSquares(rows, levels) > 1)
-            {
-                levels++;
-                begins.push(size);
-                size += BOUNDS * countSquares(columns, levels) * countSquares(rows, levels);
-            }
             reset();
-        }
-
-        /** How many squares of a level there are along a row or a column with this many heights. */
-        public static function countSquares(heights:int, level:int):int
-        {
-            return ((heights - 1) >> (level * SHIFT)) + 1;
         }
 
         /** Makes all heights 0, without holes. */
@@ -98,9 +69,8 @@ package starlogo.ground
         {
             revision++;
             heights = new Vector.<Number>(columns * rows, true);
-            // the last level is one square
-            bounds = new Vector.<Number>(begins[levels] + BOUNDS, true);
             holes = null;
+            pyramid = new HeightPyramid(columns, rows);
         }
 
         /** Makes another grid the same ground, or makes a new one. The two share their lists. */
@@ -114,10 +84,8 @@ package starlogo.ground
             other.y = y;
             other.isBlocky = isBlocky;
             other.heights = heights;
-            other.bounds = bounds;
             other.holes = holes;
-            other.begins = begins;
-            other.levels = levels;
+            other.pyramid = pyramid;
             return other;
         }
 
@@ -127,8 +95,8 @@ package starlogo.ground
             if (isHeld)
             {
                 heights = heights.concat();
-                bounds = bounds.concat();
                 holes = holes == null ? null : holes.concat();
+                pyramid = pyramid.clone();
                 isHeld = false;
             }
         }
@@ -143,6 +111,30 @@ package starlogo.ground
         public function isHole(at:int):Boolean
         {
             return holes != null && (holes[at >> 5] >> (at & 31) & 1) == 1;
+        }
+
+        /** Whether one of the four cells beside the cell of a height is a hole. The cell is not at a border. */
+        public function isBesideHole(at:int):Boolean
+        {
+            return holes != null && (isHole(at - 1) || isHole(at + 1) || isHole(at - columns) || isHole(at + columns));
+        }
+
+        /** Whether there is a cell at a column and a row, and it is no hole. */
+        public function hasCell(column:int, row:int):Boolean
+        {
+            return column >= 0 && row >= 0 && column <= lastColumnAt(0) && row <= lastRowAt(0) && !isHole(row * columns + column);
+        }
+
+        /** The last column of a level's squares: see HeightPyramid. The squares of level 0 are the cells. */
+        public function lastColumnAt(level:int):int
+        {
+            return (isBlocky ? columns - 1 : columns - 2) >> level * HeightPyramid.SHIFT;
+        }
+
+        /** The last row of a level's squares. */
+        public function lastRowAt(level:int):int
+        {
+            return (isBlocky ? rows - 1 : rows - 2) >> level * HeightPyramid.SHIFT;
         }
 
         /** Makes the cell of a height a hole, or fills it. */
@@ -162,30 +154,38 @@ package starlogo.ground
             return _point.height;
         }
 
-        /** Finds the height at a point's x and y, and its triangle. */
+        /** Finds the height at a point's x and y, and on slopes its triangle. */
         public function findHeight(at:GroundPoint):void
         {
             // Slopes are between heights. Columns begin half a cell before their heights.
             if (!isWithin(at.x, at.y, isBlocky ? cellWidth / 2 : 0))
             {
                 at.height = NaN;
-                return;
             }
+            else if (isBlocky)
+            {
+                findTop(at);
+            }
+            else
+            {
+                findSlope(at);
+            }
+        }
+
+        // Finds the height of the highest column at a point. At most four columns meet there.
+        private function findTop(at:GroundPoint):void
+        {
+            // rounding can lead beyond the last column
+            var toX:Number = Math.min((at.x - x) / cellWidth + 0.5, columns);
+            var toY:Number = Math.min((at.y - y) / cellWidth + 0.5, rows);
+            at.height = highestOf(Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, columns - 1), Math.min(toY, rows - 1));
+        }
+
+        // Finds the height of the slope at a point, and its triangle.
+        private function findSlope(at:GroundPoint):void
+        {
             var toX:Number = (at.x - x) / cellWidth;
             var toY:Number = (at.y - y) / cellWidth;
-            if (isBlocky)
-            {
-                // rounding can lead beyond the last column
-                toX = Math.min(toX + 0.5, columns);
-                toY = Math.min(toY + 0.5, rows);
-                findRange(0, Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, columns - 1), Math.min(toY, rows - 1), _range);
-                at.height = _range.greatest;
-                if (_range.hasHole)
-                {
-                    at.height = highestOf(Math.max(0, Math.ceil(toX) - 1), Math.max(0, Math.ceil(toY) - 1), Math.min(toX, columns - 1), Math.min(toY, rows - 1));
-                }
-                return;
-            }
             // The conversion to int rounds down, because the numbers are not negative.
             var column:int = Math.min(toX, columns - 2);
             var row:int = Math.min(toY, rows - 2);
@@ -270,7 +270,7 @@ package starlogo.ground
                     var step:int = Math.abs(i - row) == around ? 1 : Math.max(1, 2 * around);
                     for (var k:int = column - around; k <= column + around; k += step)
                     {
-                        if (k >= 0 && k < columns && isOfGround(k, i))
+                        if (k >= 0 && k < columns && isOfCell(k, i))
                         {
                             at.x = x + k * cellWidth;
                             at.y = y + i * cellWidth;
@@ -281,26 +281,17 @@ package starlogo.ground
             }
         }
 
-        // Whether a height is one of a cell that is no hole.
-        private function isOfGround(column:int, row:int):Boolean
+        // Whether a height belongs to a cell that is no hole.
+        private function isOfCell(column:int, row:int):Boolean
         {
-            var at:int = row * columns + column;
-            if (isBlocky || holes == null)
-            {
-                return !isHole(at);
-            }
-            var hasNext:Boolean = column < columns - 1;
-            var hasUpper:Boolean = row < rows - 1;
-            return hasNext && hasUpper && !isHole(at) || column > 0 && hasUpper && !isHole(at - 1) || row > 0 && hasNext && !isHole(at - columns)
-                || column > 0 && row > 0 && !isHole(at - columns - 1);
+            return hasCell(column, row) || !isBlocky && (hasCell(column - 1, row) || hasCell(column, row - 1) || hasCell(column - 1, row - 1));
         }
 
-        /** A lower bound for the lengths of all exits from the ground at a place that are at most this long; 0 if none is known. */
+        /** A lower bound for the lengths of all exits from the ground at a place that are shorter than this; 0 if none is known. */
         public function leastExit(atX:Number, atY:Number, atZ:Number, maxLength:Number):Number
         {
             var high:Number = heightAt(atX, atY);
-            var border:Number = isBlocky ? cellWidth / 2 : 0;
-            if (!(high > atZ) || !isWithin(atX, atY, border - maxLength))
+            if (!(high > atZ && distanceToEnd(atX, atY) >= maxLength))
             {
                 return 0;
             }
@@ -319,41 +310,26 @@ package starlogo.ground
             return Math.max(least, (high - atZ) / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY));
         }
 
-        /** Computes the bounds of all squares to which a range of heights belongs. */
+        // How far a place of the ground is from where the ground ends, along x or y.
+        private function distanceToEnd(atX:Number, atY:Number):Number
+        {
+            var alongX:Number = Math.min(atX - x, x + (columns - 1) * cellWidth - atX);
+            var alongY:Number = Math.min(atY - y, y + (rows - 1) * cellWidth - atY);
+            var border:Number = isBlocky ? cellWidth / 2 : 0;
+            return Math.min(alongX, alongY) + border;
+        }
+
+        /** Computes the bounds of all squares to which a range of heights belongs. Call it after a change of these heights or holes. */
         public function updateBounds(first:int, firstRow:int, last:int, lastRow:int):void
         {
             revision++;
-            for (var level:int = 1; level <= levels; level++)
-            {
-                var around:int = level == 1 ? 1 : 0;
-                var stride:int = countSquares(columns, level - 1);
-                var lines:int = countSquares(rows, level - 1);
-                first = Math.max(0, first - around) >> SHIFT;
-                firstRow = Math.max(0, firstRow - around) >> SHIFT;
-                last = Math.min(stride - 1, last + around) >> SHIFT;
-                lastRow = Math.min(lines - 1, lastRow + around) >> SHIFT;
-                for (var row:int = firstRow; row <= lastRow; row++)
-                {
-                    for (var column:int = first; column <= last; column++)
-                    {
-                        // some rows and columns around count too
-                        findRange(level - 1, Math.max(0, (column << SHIFT) - around), Math.max(0, (row << SHIFT) - around),
-                                Math.min(stride, ((column + 1) << SHIFT) + around) - 1, Math.min(lines, ((row + 1) << SHIFT) + around) - 1, _range);
-                        var at:int = begins[level] + BOUNDS * (row * countSquares(columns, level) + column);
-                        bounds[at] = _range.least;
-                        bounds[int(at + 1)] = _range.greatest;
-                        bounds[int(at + 2)] = Math.max(_range.stepX, _range.stepY);
-                        bounds[int(at + 3)] = int(_range.hasHole);
-                    }
-                }
-            }
+            pyramid.update(this, first, firstRow, last, lastRow);
         }
 
-        /** Finds bounds of a range of heights or of a level's squares. */
-        public function findRange(level:int, first:int, firstRow:int, last:int, lastRow:int, out:HeightRange):void
+        /** Finds bounds of a range of heights. */
+        public function findRange(first:int, firstRow:int, last:int, lastRow:int, out:HeightRange):void
         {
             var all:Vector.<Number> = heights;
-            var stride:int = countSquares(columns, level);
             var low:Number = Infinity;
             var high:Number = -Infinity;
             var alongX:Number = 0;
@@ -363,29 +339,17 @@ package starlogo.ground
             {
                 for (var column:int = first; column <= last; column++)
                 {
-                    var at:int = row * stride + column;
-                    if (level == 0)
-                    {
-                        var here:Number = all[at];
-                        low = here < low ? here : low;
-                        high = here > high ? here : high;
-                        var step:Number = column == first ? 0 : here - all[int(at - 1)];
-                        alongX = step > alongX ? step : alongX;
-                        alongX = -step > alongX ? -step : alongX;
-                        step = row == firstRow ? 0 : here - all[int(at - columns)];
-                        alongY = step > alongY ? step : alongY;
-                        alongY = -step > alongY ? -step : alongY;
-                        if (holes != null && isHole(at))
-                        {
-                            out.hasHole = true;
-                        }
-                        continue;
-                    }
-                    at = begins[level] + BOUNDS * at;
-                    low = Math.min(low, bounds[at]);
-                    high = Math.max(high, bounds[int(at + 1)]);
-                    alongX = alongY = Math.max(alongX, bounds[int(at + 2)]);
-                    if (bounds[int(at + 3)] > 0)
+                    var at:int = row * columns + column;
+                    var here:Number = all[at];
+                    low = here < low ? here : low;
+                    high = here > high ? here : high;
+                    var step:Number = column == first ? 0 : here - all[int(at - 1)];
+                    alongX = step > alongX ? step : alongX;
+                    alongX = -step > alongX ? -step : alongX;
+                    step = row == firstRow ? 0 : here - all[int(at - columns)];
+                    alongY = step > alongY ? step : alongY;
+                    alongY = -step > alongY ? -step : alongY;
+                    if (holes != null && isHole(at))
                     {
                         out.hasHole = true;
                     }
@@ -403,23 +367,36 @@ package starlogo.ground
          */
         public function findAround(atX:Number, atY:Number, halfX:Number, halfY:Number, out:HeightRange):void
         {
-            var border:Number = isBlocky ? 0.5 : 0;
             var toX:Number = (atX - x) / cellWidth;
             var toY:Number = (atY - y) / cellWidth;
-            var first:int = Math.max(0, Math.floor(toX - halfX / cellWidth + border));
-            var firstRow:int = Math.max(0, Math.floor(toY - halfY / cellWidth + border));
-            var last:int = Math.min(columns - 1, Math.ceil(toX + halfX / cellWidth - border));
-            var lastRow:int = Math.min(rows - 1, Math.ceil(toY + halfY / cellWidth - border));
+            // Columns begin half a cell before their heights. A column that only touches the rectangle does not count.
+            var border:Number = isBlocky ? 0.5 : 0;
+            var minX:Number = Math.floor(toX - halfX / cellWidth + border);
+            var minY:Number = Math.floor(toY - halfY / cellWidth + border);
+            var maxX:Number = Math.ceil(toX + halfX / cellWidth - border);
+            var maxY:Number = Math.ceil(toY + halfY / cellWidth - border);
+            // Rounding can leave nothing of a small rectangle between two columns. Then the least is the greater one, and both count.
+            var first:int = Math.max(0, Math.min(minX, maxX));
+            var firstRow:int = Math.max(0, Math.min(minY, maxY));
+            var last:int = Math.min(columns - 1, Math.max(minX, maxX));
+            var lastRow:int = Math.min(rows - 1, Math.max(minY, maxY));
             var level:int = 0;
-            while (level < levels && (last - first > MOST_SQUARES || lastRow - firstRow > MOST_SQUARES))
+            while (level < pyramid.levels && (last - first > MOST_SQUARES || lastRow - firstRow > MOST_SQUARES))
             {
-                first >>= SHIFT;
-                firstRow >>= SHIFT;
-                last >>= SHIFT;
-                lastRow >>= SHIFT;
+                first >>= HeightPyramid.SHIFT;
+                firstRow >>= HeightPyramid.SHIFT;
+                last >>= HeightPyramid.SHIFT;
+                lastRow >>= HeightPyramid.SHIFT;
                 level++;
             }
-            findRange(level, first, firstRow, last, lastRow, out);
+            if (level == 0)
+            {
+                findRange(first, firstRow, last, lastRow, out);
+            }
+            else
+            {
+                pyramid.findRange(level, first, firstRow, last, lastRow, out);
+            }
         }
     }
 }

@@ -5,6 +5,7 @@ package starlogo.terrain
     import starlogo.ground.GroundBox;
     import starlogo.ground.GroundTriangles;
     import starlogo.ground.HeightGrid;
+    import starlogo.ground.HeightRange;
 
     use namespace engine;
 
@@ -28,6 +29,9 @@ package starlogo.terrain
         private var _revision:int = -1;
         private var _grid:HeightGrid;
         private var _source:GroundTriangles = new GroundTriangles();
+
+        // Bounds of all heights.
+        private var _whole:HeightRange = new HeightRange();
 
         // The box whose triangles are drawn.
         private var _box:GroundBox = new GroundBox();
@@ -78,12 +82,12 @@ package starlogo.terrain
             }
             _revision = _grid.revision;
             vertices.length = normals.length = triangles.length = 0;
-            // the last level is one square
-            _box.floor = _grid.bounds[_grid.begins[_grid.levels]];
+            _grid.pyramid.findWhole(_whole);
+            _box.floor = _whole.least;
             _source.begin(_grid, _box);
             while (_source.next())
             {
-                addTriangle(_source.corners);
+                addTriangle(_source.triangle.corners);
             }
             return true;
         }

@@ -1,6 +1,7 @@
 package starlogo.ground
 {
     import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import support.Complaints;
 
@@ -41,6 +42,26 @@ package starlogo.ground
             }
             _wrong.assertNone();
             assertTrue(known + " of " + count, known > count / 4 && known < count);
+        }
+
+        // At a border between columns the ground ends beside a point that is higher than the lower column, and at the border of the grid it ends too.
+        [Test]
+        public function atABorderOfColumnsThereIsAWayOutOfNoLength():void
+        {
+            var grid:HeightGrid = new HeightGrid(SIDE, SIDE, WIDTH, -2, -2);
+            grid.isBlocky = true;
+            for (var i:int = 0; i < SIDE * SIDE; i++)
+            {
+                grid.heights[i] = i % SIDE > 1 ? 0 : 1;
+            }
+            grid.updateBounds(0, 0, SIDE - 1, SIDE - 1);
+            var border:Number = -2 + 1.5 * WIDTH;
+            for each (var reach:Number in [1e-20, 1e-9, 0.01, 1])
+            {
+                assertEquals("between columns, " + reach, 0, grid.leastExit(border, 0, 0.5, reach));
+                assertEquals("at the end, " + reach, 0, grid.leastExit(-2 - WIDTH / 2, 0, 0.5, reach));
+                assertEquals("inside, " + reach, Math.min(0.5, reach < 0.1 ? 0.5 : 0), grid.leastExit(border - WIDTH / 3, 0, 0.5, reach));
+            }
         }
 
         private function randomGrid():HeightGrid

@@ -8,6 +8,7 @@ package starlogo.terrain
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.ground.HeightGrid;
+    import starlogo.ground.HeightPyramid;
     import starlogo.ground.HeightRange;
     import support.RandomGround;
     import support.assertThrows;
@@ -310,19 +311,21 @@ package starlogo.terrain
         private function checkBounds(terrain:Terrain):void
         {
             var grid:HeightGrid = terrain.grid;
-            for (var level:int = 1; level <= grid.levels; level++)
+            var levels:int = grid.pyramid.levels;
+            for (var level:int = 1; level <= levels; level++)
             {
-                var size:int = 1 << level * HeightGrid.SHIFT;
+                var size:int = 1 << level * HeightPyramid.SHIFT;
                 for (var row:int = 0; row * size < terrain.rows; row++)
                 {
                     for (var column:int = 0; column * size < terrain.columns; column++)
                     {
-                        var at:int = grid.begins[level] + HeightGrid.BOUNDS * (row * Math.ceil(terrain.columns / size) + column);
-                        checkSquare(terrain, column * size, row * size, size, grid.bounds.slice(at, at + HeightGrid.BOUNDS));
+                        var range:HeightRange = new HeightRange();
+                        grid.pyramid.findRange(level, column, row, column, row, range);
+                        checkSquare(terrain, column * size, row * size, size, range);
                     }
                 }
             }
-            assertEquals("the last level is one square", grid.bounds.length, at + HeightGrid.BOUNDS);
+            assertTrue("the last level is one square", terrain.columns <= 1 << levels * HeightPyramid.SHIFT && terrain.rows <= 1 << levels * HeightPyramid.SHIFT);
         }
 
         // The ground within a reach of a place is between the bounds that are found there.
@@ -341,7 +344,7 @@ package starlogo.terrain
             }
         }
 
-        private function checkSquare(terrain:Terrain, first:int, firstRow:int, size:int, bounds:Vector.<Number>):void
+        private function checkSquare(terrain:Terrain, first:int, firstRow:int, size:int, bounds:HeightRange):void
         {
             var least:Number = Infinity;
             var greatest:Number = -Infinity;
@@ -363,10 +366,10 @@ package starlogo.terrain
                     difference = Math.max(difference, row == firstRow ? 0 : Math.abs(height - terrain.getHeight(column, row - 1)));
                 }
             }
-            assertEquals(least, bounds[0]);
-            assertEquals(greatest, bounds[1]);
-            assertEquals(difference, bounds[2]);
-            assertEquals(hasHole ? 1 : 0, bounds[3]);
+            assertEquals(least, bounds.least);
+            assertEquals(greatest, bounds.greatest);
+            assertEquals(difference, bounds.stepX);
+            assertEquals(hasHole, bounds.hasHole);
         }
     }
 }

@@ -1,0 +1,178 @@
+package starlogo.ground
+{
+    import flash.geom.Vector3D;
+    import starlogo.geometry.Touching;
+
+    /**
+     * The triangles of a cell of the ground: two on top, and two on each side where a wall stands. A wall stands where a column is higher than its
+     * neighbour, at the terrain's borders and around holes. A hole has no triangles.
+     */
+    internal final class GroundCell
+    {
+        // Where the neighbour on each side of a cell is, counter-clockwise from the side with the least y on.
+        private static const TO_COLUMN:Vector.<int> = new <int>[0, 1, 0, -1];
+        private static const TO_ROW:Vector.<int> = new <int>[-1, 0, 1, 0];
+
+        private var _grid:HeightGrid;
+        private var _box:GroundBox;
+        private var _path:GroundPath;
+
+        // The cell, and the heights of its corners, counter-clockwise.
+        private var _column:int = 0;
+        private var _row:int = 0;
+        private var _tops:Vector.<Number> = new Vector.<Number>(4, true);
+
+        // The number of the next triangle, and the number after the last one.
+        private var _next:int = 0;
+        private var _end:int = 0;
+
+        // How the box passes over the cell. Tall walls are cut where it passes until the latest time at the beginning of the search, so no corner
+        // depends on what the latest time has become.
+        private var _passage:GroundPassage;
+        private var _wholePassage:GroundPassage = new GroundPassage();
+
+        /** @param path of the boxes over the ground */
+        public function GroundCell(path:GroundPath)
+        {
+            _path = path;
+        }
+
+        /** Begins a search without a cell. */
+        public function begin(grid:HeightGrid, box:GroundBox):void
+        {
+            _grid = grid;
+            _box = box;
+            leave();
+        }
+
+        /** Leaves the cell: it has no more triangles. */
+        public function leave():void
+        {
+            _next = _end = 0;
+        }
+
+        /**
+         * Goes on to a cell.
+         *
+         * @param isAtBorder whether it is at a border of the grid
+         * @param passage of the box over the cell; kept
+         */
+        public function enter(column:int, row:int, isAtBorder:Boolean, passage:GroundPassage):void
+        {
+            var at:int = row * _grid.columns + column;
+            leave();
+            if (_grid.isHole(at))
+            {
+                return;
+            }
+            var hasWalls:Boolean = isAtBorder || _grid.isBlocky || _grid.isBesideHole(at);
+            _column = column;
+            _row = row;
+            readTops(at);
+            var greatest:Number = Math.max(Math.max(_tops[0], _tops[1]), Math.max(_tops[2], _tops[3]));
+            var least:Number = Math.min(Math.min(_tops[0], _tops[1]), Math.min(_tops[2], _tops[3]));
+            if (passage.low <= greatest && (hasWalls || passage.high >= least))
+            {
+                _passage = passage;
+                _end = 2;
+                if (hasWalls)
+                {
+                    _wholePassage.to = _path.whole;
+                    _path.passOver(0, column, row, _wholePassage);
+                    _end = 10;
+                }
+            }
+        }
+
+        // Reads the heights of the corners. All corners of a column have one height.
+        private function readTops(at:int):void
+        {
+            var heights:Vector.<Number> = _grid.heights;
+            var next:int = _grid.isBlocky ? 0 : 1;
+            var far:int = next * _grid.columns;
+            var z:Number = _path.corner.z;
+            _tops[0] = heights[at] + z;
+            _tops[1] = heights[int(at + next)] + z;
+            _tops[2] = heights[int(at + next + far)] + z;
+            _tops[3] = heights[int(at + far)] + z;
+        }
+
+        /** Writes the next triangle near the box. Returns false if there is none. */
+        public function next(out:GroundTriangle):Boolean
+        {
+            while (_next < _end)
+            {
+                if (write(_next++, out))
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        // Writes the triangle with a number: two on top, then two on each side. Returns false if the cell has no such triangle, or if the
+        // box is above or below it.
+        private function write(face:int, out:GroundTriangle):Boolean
+        {
+            var corners:Vector.<Number> = out.corners;
+            if (face < 2)
+            {
+                put(0, corners, 0);
+                put(face + 1, corners, 3);
+                put(face + 2, corners, 6);
+            }
+            else if (!writeWall((face - 2) >> 1, (face & 1) == 1, corners))
+            {
+                return false;
+            }
+            var low:Number = Math.min(corners[2], Math.min(corners[5], corners[8]));
+            var high:Number = Math.max(corners[2], Math.max(corners[5], corners[8]));
+            out.size = _grid.cellWidth + high - low;
+            out.margin = Touching.marginOfSurface(out.size);
+            return _passage.low <= high && _passage.high >= low;
+        }
+
+        // Writes half of the wall on a side, from one corner to the next. The half with the upper edge comes second. Returns false if there is
+        // no wall near the box. If the box has no floor, walls are cut a cell's width above and below the box, because long triangles have
+        // larger rounding errors.
+        private function writeWall(side:int, isUpper:Boolean, corners:Vector.<Number>):Boolean
+        {
+            var end:int = (side + 1) & 3;
+            var column:int = _column + TO_COLUMN[side];
+            var row:int = _row + TO_ROW[side];
+            var top:Number = _tops[side];
+            var endTop:Number = _tops[end];
+            var low:Number = _box.floor;
+            if (_grid.hasCell(column, row))
+            {
+                low = _grid.isBlocky ? _grid.heights[row * _grid.columns + column] + _path.corner.z : Infinity;
+            }
+            if (low >= top && low >= endTop || low > _passage.high)
+            {
+                return false;
+            }
+            var width:Number = _grid.cellWidth;
+            low = _box.floor > -Infinity ? low : Math.min(_wholePassage.low, Math.min(top, endTop)) - width;
+            if (Math.min(top, endTop) > _wholePassage.high + width)
+            {
+                top = endTop = _wholePassage.high + width;
+            }
+            put(side, corners, 0);
+            put(end, corners, 3);
+            put(isUpper ? side : end, corners, 6);
+            corners[2] = low;
+            corners[5] = isUpper ? endTop : low;
+            corners[8] = isUpper ? top : endTop;
+            return true;
+        }
+
+        // Writes a corner of the cell's top.
+        private function put(corner:int, out:Vector.<Number>, to:int):void
+        {
+            var first:Vector3D = _path.corner;
+            out[to] = first.x + (_column + ((corner + 1) >> 1 & 1)) * _grid.cellWidth;
+            out[int(to + 1)] = first.y + (_row + (corner >> 1)) * _grid.cellWidth;
+            out[int(to + 2)] = _tops[corner];
+        }
+    }
+}

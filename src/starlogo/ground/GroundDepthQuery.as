@@ -1,0 +1,257 @@
+package starlogo.ground
+{
+    import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Touching;
+    import starlogo.intersection.TriangleKernel;
+
+    use namespace engine;
+
+    /** Finds how deep a standing model is in the ground, and the planes behind which it is. */
+    internal final class GroundDepthQuery
+    {
+        // Two exits have nearly the same direction if the cosine of their angle is larger.
+        private static const SAME_EXIT:Number = 0.98;
+
+        // The triangle of a contact counts as behind a plane if it is in front of it by at most this many margins of the plane's triangle, which are rounding.
+        private static const IN_FRONT:Number = 10;
+
+        // The most exits that are found.
+        private static const MOST_EXITS:int = 12;
+
+        // A contact is taken at once if the least length of an exit is at least this fraction of its depth.
+        private static const NEEDED:Number = 0.8;
+
+        private var _pieces:GroundPieces;
+
+        // The parts of _pieces that are read all the time.
+        private var _piece:TriangleKernel;
+        private var _box:GroundBox;
+        private var _triangle:GroundTriangle;
+
+        // The contact with the last triangle that was tried.
+        private var _tried:ContactPoint = new ContactPoint();
+
+        // The triangle of the ground that the model was deepest in at the last contact, and whether there was one. The triangle is relative to where
+        // the model stood, and the model has come from there by a vector.
+        private var _deepest:GroundTriangle = new GroundTriangle();
+        private var _hasDeepest:Boolean = false;
+        private var _stood:Vector3D = new Vector3D();
+        private var _come:Vector3D = new Vector3D();
+
+        /** @param pieces of the model, where it stands */
+        public function GroundDepthQuery(pieces:GroundPieces)
+        {
+            _pieces = pieces;
+            _piece = pieces.piece;
+            _box = pieces.box;
+            _triangle = pieces.triangle;
+        }
+
+        /** Forgets the triangle of the last contact: <code>findExits()</code> does not go by it. A first touch may be at an edge of several triangles. */
+        public function forget():void
+        {
+            _hasDeepest = false;
+        }
+
+        /**
+         * Finds the contact with the triangle that the model is deepest in.
+         *
+         * @param out receives the contact, in the world
+         * @return whether the model meets a triangle
+         */
+        public function find(out:ContactPoint):Boolean
+        {
+            forget();
+            findDeepestPoint(out);
+            // a point of the model is that deep behind a triangle
+            out.isDepthSure = _hasDeepest;
+            if (!_hasDeepest)
+            {
+                findDeepestOverlap(out);
+            }
+            if (_hasDeepest)
+            {
+                out.leastDepth = out.isDepthSure || isNeeded(out) ? out.depth : 0;
+                _pieces.moveToWorld(out);
+            }
+            return _hasDeepest;
+        }
+
+        /** Whether a piece of the model overlaps the surface by more than a depth, or a point of it is as deep under the ground. */
+        public function isDeeper(depth:Number):Boolean
+        {
+            _pieces.begin(RelativeMotion.NONE, 0);
+            while (_pieces.nextPiece())
+            {
+                var isApart:Boolean = true;
+                while (_pieces.nextTriangle())
+                {
+                    if (findOverlap())
+                    {
+                        if (_tried.depth > depth)
+                        {
+                            return true;
+                        }
+                        isApart = false;
+                    }
+                }
+                // the point of a flat piece of a tree may be on the surface
+                if ((isApart || !_pieces.hasTree) && _pieces.isUnder(depth))
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        /**
+         * Finds the planes of triangles that the standing structure around the model is behind, as <code>GroundQuery.findExits()</code> does.
+         *
+         * @param maxDistance how far away triangles may be
+         * @param exits receives the contacts that lead out of the planes
+         * @return their number
+         */
+        public function findExits(maxDistance:Number, exits:Vector.<ContactPoint>):int
+        {
+            var count:int = 0;
+            _pieces.beginWhole(RelativeMotion.NONE, maxDistance);
+            _pieces.nextPiece();
+            while (_pieces.nextTriangle())
+            {
+                _piece.findBehind(RelativeMotion.NONE, _tried);
+                if (_tried.depth >= -_triangle.margin && (!_hasDeepest || isDeepestBehind()))
+                {
+                    count = addExit(exits, count);
+                }
+            }
+            for (var i:int = 0; i < count; i++)
+            {
+                _pieces.moveToWorld(exits[i]);
+            }
+            return count;
+        }
+
+        // Finds the contact with the triangle that the model is deepest behind, of those that the deepest point of a piece is behind. Only depths
+        // count that are known to be about as deep in the ground.
+        private function findDeepestPoint(out:ContactPoint):void
+        {
+            var deepest:Number = 0;
+            _pieces.begin(RelativeMotion.NONE, 0);
+            while (_pieces.nextPiece())
+            {
+                while (_pieces.nextTriangle())
+                {
+                    var isFootInside:Boolean = _piece.findBehind(RelativeMotion.NONE, _tried);
+                    if (isFootInside && isClearlyDeeper(deepest) && isNeeded(_tried) && isDeeperThan(deepest))
+                    {
+                        deepest = _box.above = _tried.depth;
+                        keep(out);
+                    }
+                }
+            }
+        }
+
+        // Finds the contact with the triangle that the model overlaps most.
+        private function findDeepestOverlap(out:ContactPoint):void
+        {
+            var deepest:Number = 0;
+            _pieces.begin(RelativeMotion.NONE, 0);
+            while (_pieces.nextPiece())
+            {
+                while (_pieces.nextTriangle())
+                {
+                    // no overlap is deeper than the piece is behind the plane
+                    _piece.findBehind(RelativeMotion.NONE, _tried);
+                    if (isClearlyDeeper(deepest) && findOverlap() && isDeeperThan(deepest))
+                    {
+                        deepest = _tried.depth;
+                        _piece.leadOutside(RelativeMotion.NONE, _tried);
+                        keep(out);
+                    }
+                }
+            }
+        }
+
+        // Whether the last contact is deeper than the deepest one so far by more than rounding. NaN counts as deeper.
+        private function isClearlyDeeper(deepest:Number):Boolean
+        {
+            return !(deepest > 0 && _tried.depth < deepest + _triangle.margin);
+        }
+
+        // Whether the last contact is deeper than the deepest one so far, or the first one.
+        private function isDeeperThan(deepest:Number):Boolean
+        {
+            return _tried.depth > deepest || _tried.depth == deepest && !_hasDeepest;
+        }
+
+        // Finds the contact of the piece and the triangle, along the shortest way apart. Returns false if they do not touch.
+        private function findOverlap():Boolean
+        {
+            if (!_piece.areTouching())
+            {
+                return false;
+            }
+            _piece.findContact(RelativeMotion.NONE, _tried);
+            return true;
+        }
+
+        // Writes the last contact, and keeps its triangle.
+        private function keep(out:ContactPoint):void
+        {
+            out.copyFrom(_tried);
+            _deepest.copyFrom(_triangle);
+            _hasDeepest = true;
+            _stood.setTo(_box.origin.x, _box.origin.y, _box.origin.z);
+        }
+
+        // Whether each exit from the ground is at least about as long as a contact is deep, because the piece's deepest point has to get out.
+        private function isNeeded(contact:ContactPoint):Boolean
+        {
+            var depth:Number = contact.depth;
+            if (!(depth >= 0))
+            {
+                return false;
+            }
+            var x:Number = _box.origin.x + contact.x - depth / 2 * contact.normalX;
+            var y:Number = _box.origin.y + contact.y - depth / 2 * contact.normalY;
+            var z:Number = _box.origin.z + contact.z - depth / 2 * contact.normalZ;
+            return depth == 0 || _pieces.grid.leastExit(x, y, z, depth) >= NEEDED * depth;
+        }
+
+        // Whether the triangle of the last contact is not in front of the plane of the exit that was tried.
+        private function isDeepestBehind():Boolean
+        {
+            var origin:Placement = _box.origin;
+            _come.setTo(origin.x - _stood.x, origin.y - _stood.y, origin.z - _stood.z);
+            var rounding:Number = _come.lengthSquared > 0 ? 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z) : 0;
+            return _piece.isBehindPlane(_deepest.corners, IN_FRONT * _triangle.margin + rounding + _tried.along(_come));
+        }
+
+        // Adds the exit that was tried to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.
+        private function addExit(exits:Vector.<ContactPoint>, count:int):int
+        {
+            var at:int = 0;
+            while (at < count && _tried.normalX * exits[at].normalX + _tried.normalY * exits[at].normalY + _tried.normalZ * exits[at].normalZ <= SAME_EXIT)
+            {
+                at++;
+            }
+            if (at == MOST_EXITS)
+            {
+                return count;
+            }
+            if (at == exits.length)
+            {
+                exits[at] = new ContactPoint();
+            }
+            if (at == count || _tried.depth < exits[at].depth)
+            {
+                exits[at].copyFrom(_tried);
+            }
+            return Math.max(count, at + 1);
+        }
+    }
+}

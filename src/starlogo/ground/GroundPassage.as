@@ -1,0 +1,14 @@
+package starlogo.ground
+{
+    /** A part of the motion of a GroundBox, as a record: when the box is over a square of the ground, and between which heights. */
+    internal final class GroundPassage
+    {
+        /** When the part begins and ends, as multiples of the motion. There is no such part if it ends before it begins. */
+        public var from:Number = 0;
+        public var to:Number = 0;
+
+        /** The heights between which the box is then, or near enough to something. */
+        public var low:Number = 0;
+        public var high:Number = 0;
+    }
+}

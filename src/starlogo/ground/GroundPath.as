@@ -1,0 +1,155 @@
+package starlogo.ground
+{
+    import flash.geom.Vector3D;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+
+    use namespace engine;
+
+    /**
+     * Says over which squares of a HeightGrid a GroundBox passes in its motion: when, and between which heights. A square has a level, a column and a
+     * row. The squares of level 0 are the cells. A box also passes over a square if it comes as near as the box's <code>maxDistance</code>.
+     */
+    internal final class GroundPath
+    {
+        // How much farther than rounding errors a structure is from squares that are left out.
+        private static const FARTHER:Number = 4;
+
+        /** Where the first cell begins, and the height 0, relative to the box's origin. Read only. */
+        public var corner:Vector3D = new Vector3D();
+
+        /** How long the box passes along x or along y, with its own length. Read only. */
+        public var length:Number = 0;
+
+        /** The latest time at the beginning of the search. Read only. */
+        public var whole:Number = 0;
+
+        private var _grid:HeightGrid;
+        private var _box:GroundBox;
+
+        // Half the box's lengths, with a margin for rounding; and the distance that rounding errors may hide.
+        private var _half:Vector3D = new Vector3D();
+        private var _slack:Number = 0;
+
+        private var _separation:SquareSeparation = new SquareSeparation();
+        private var _least:Vector3D = new Vector3D();
+        private var _greatest:Vector3D = new Vector3D();
+
+        /** Begins with a grid and a box. Both are kept. */
+        public function begin(grid:HeightGrid, box:GroundBox):void
+        {
+            var motion:RelativeMotion = box.motion;
+            var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
+            _grid = grid;
+            _box = box;
+            whole = box.latest;
+            corner.setTo(grid.x - box.origin.x - border, grid.y - box.origin.y - border, -box.origin.z);
+            var pathX:Number = whole * Math.abs(motion.x);
+            var pathY:Number = whole * Math.abs(motion.y);
+            var rounding:Number = Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(corner.x) + Math.abs(box.y) + Math.abs(corner.y) + Math.abs(box.z)
+                    + Math.abs(corner.z) + grid.cellWidth + pathX + pathY + whole * Math.abs(motion.z));
+            _slack = FARTHER * rounding;
+            _half.setTo(box.halfX + rounding, box.halfY + rounding, box.halfZ + rounding);
+            length = Math.max(2 * _half.x + pathX, 2 * _half.y + pathY) + 2 * box.maxDistance;
+        }
+
+        /** Narrows a range of squares to those that the box may pass over in a passage. */
+        public function narrowRange(level:int, passage:GroundPassage, range:SquareRange):void
+        {
+            var width:Number = widthAt(level);
+            var motion:RelativeMotion = _box.motion;
+            var halfX:Number = _half.x + _box.maxDistance;
+            var start:Number = _box.x - corner.x + passage.from * motion.x;
+            var end:Number = _box.x - corner.x + passage.to * motion.x;
+            var last:int = range.last;
+            range.last = Math.max(range.first - 1, Math.min(last, Math.floor((Math.max(start, end) + halfX) / width)));
+            range.first = Math.max(range.first, Math.min(last + 1, Math.floor((Math.min(start, end) - halfX) / width)));
+            var halfY:Number = _half.y + _box.maxDistance;
+            start = _box.y - corner.y + passage.from * motion.y;
+            end = _box.y - corner.y + passage.to * motion.y;
+            last = range.lastRow;
+            range.lastRow = Math.max(range.firstRow - 1, Math.min(last, Math.floor((Math.max(start, end) + halfY) / width)));
+            range.firstRow = Math.max(range.firstRow, Math.min(last + 1, Math.floor((Math.min(start, end) - halfY) / width)));
+        }
+
+        /**
+         * Finds the part of the motion in which the box is over a square, and the heights between which it is then.
+         *
+         * @param passage its end is the latest time that counts; it receives the part and the heights
+         */
+        public function passOver(level:int, column:int, row:int, passage:GroundPassage):void
+        {
+            var width:Number = widthAt(level);
+            var motion:RelativeMotion = _box.motion;
+            var from:Number = 0;
+            var to:Number = passage.to;
+            // the square of how far above or below the box something is near enough
+            var squared:Number = _box.maxDistance * _box.maxDistance;
+            for (var axis:int = 0; axis < 2; axis++)
+            {
+                var isX:Boolean = axis == 0;
+                var square:int = isX ? column : row;
+                var at:Number = isX ? _box.x : _box.y;
+                var half:Number = isX ? _half.x : _half.y;
+                var speed:Number = isX ? motion.x : motion.y;
+                var begin:Number = isX ? corner.x : corner.y;
+                if (speed == 0)
+                {
+                    var off:Number = Math.max(0, Math.abs(at - begin - (square + 0.5) * width) - width / 2 - half);
+                    squared -= off * off;
+                    to = off > _box.maxDistance ? -1 : to;
+                }
+                else
+                {
+                    var low:Number = (begin + square * width - (at + half)) / speed;
+                    var high:Number = (begin + (square + 1) * width - (at - half)) / speed;
+                    from = Math.max(from, Math.min(low, high));
+                    to = Math.min(to, Math.max(low, high));
+                }
+            }
+            passage.from = from;
+            passage.to = to;
+            var start:Number = _box.z + from * motion.z;
+            var end:Number = _box.z + to * motion.z;
+            // a triangle beside the box must be nearer in height to be near enough
+            var up:Number = Math.sqrt(Math.max(0, squared));
+            var bottom:Number = Math.min(start, end) - _half.z;
+            passage.low = Math.max(bottom - up, bottom + _box.above + 2 * _slack);
+            passage.high = Math.max(start, end) + _half.z + up;
+        }
+
+        /** Narrows a passage over a square to the part in which the box is between the heights of the square. */
+        public function narrowPassage(heights:HeightRange, passage:GroundPassage):void
+        {
+            var speed:Number = _box.motion.z;
+            if (speed != 0)
+            {
+                var low:Number = (heights.least - (_box.z + _half.z)) / speed;
+                var high:Number = (heights.greatest - (_box.z - _half.z)) / speed;
+                passage.from = Math.max(passage.from, Math.min(low, high));
+                passage.to = Math.min(passage.to, Math.max(low, high));
+            }
+        }
+
+        /** Whether the structure in the box stays farther away from a square than a triangle may be. The square is between two heights. */
+        public function staysBeyond(level:int, column:int, row:int, heights:HeightRange):Boolean
+        {
+            if (_box.structure == null)
+            {
+                return false;
+            }
+            var width:Number = widthAt(level);
+            var x:Number = corner.x + column * width;
+            var y:Number = corner.y + row * width;
+            _least.setTo(x - _slack, y - _slack, heights.least - _slack);
+            _greatest.setTo(x + width + _slack, y + width + _slack, heights.greatest + _slack);
+            return _separation.isBeyond(_box, _least, _greatest);
+        }
+
+        private function widthAt(level:int):Number
+        {
+            return _grid.cellWidth * (1 << level * HeightPyramid.SHIFT);
+        }
+    }
+}

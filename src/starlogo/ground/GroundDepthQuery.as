@@ -6,7 +6,6 @@ package starlogo.ground
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Touching;
-    import starlogo.intersection.TriangleKernel;
 
     use namespace engine;
 
@@ -27,28 +26,19 @@ package starlogo.ground
 
         private var _pieces:GroundPieces;
 
-        // The parts of _pieces that are read all the time.
-        private var _piece:TriangleKernel;
-        private var _box:GroundBox;
-        private var _triangle:GroundTriangle;
-
         // The contact with the last triangle that was tried.
         private var _tried:ContactPoint = new ContactPoint();
 
-        // The triangle of the ground that the model was deepest in at the last contact, and whether there was one. The triangle is relative to where
-        // the model stood, and the model has come from there by a vector.
+        // The triangle of the ground that the model was deepest in at the last contact, whether there was one, and where the model stood then. The
+        // triangle is relative to that place.
         private var _deepest:GroundTriangle = new GroundTriangle();
         private var _hasDeepest:Boolean = false;
         private var _stood:Vector3D = new Vector3D();
-        private var _come:Vector3D = new Vector3D();
 
         /** @param pieces of the model, where it stands */
         public function GroundDepthQuery(pieces:GroundPieces)
         {
             _pieces = pieces;
-            _piece = pieces.piece;
-            _box = pieces.box;
-            _triangle = pieces.triangle;
         }
 
         /** Forgets the triangle of the last contact: <code>findExits()</code> does not go by it. A first touch may be at an edge of several triangles. */
@@ -122,8 +112,8 @@ package starlogo.ground
             _pieces.nextPiece();
             while (_pieces.nextTriangle())
             {
-                _piece.findBehind(RelativeMotion.NONE, _tried);
-                if (_tried.depth >= -_triangle.margin && (!_hasDeepest || isDeepestBehind()))
+                _pieces.piece.findBehind(RelativeMotion.NONE, _tried);
+                if (_tried.depth >= -_pieces.triangle.margin && (!_hasDeepest || isDeepestBehind()))
                 {
                     count = addExit(exits, count);
                 }
@@ -145,10 +135,10 @@ package starlogo.ground
             {
                 while (_pieces.nextTriangle())
                 {
-                    var isFootInside:Boolean = _piece.findBehind(RelativeMotion.NONE, _tried);
+                    var isFootInside:Boolean = _pieces.piece.findBehind(RelativeMotion.NONE, _tried);
                     if (isFootInside && isClearlyDeeper(deepest) && isNeeded(_tried) && isDeeperThan(deepest))
                     {
-                        deepest = _box.above = _tried.depth;
+                        deepest = _pieces.box.above = _tried.depth;
                         keep(out);
                     }
                 }
@@ -165,11 +155,11 @@ package starlogo.ground
                 while (_pieces.nextTriangle())
                 {
                     // no overlap is deeper than the piece is behind the plane
-                    _piece.findBehind(RelativeMotion.NONE, _tried);
+                    _pieces.piece.findBehind(RelativeMotion.NONE, _tried);
                     if (isClearlyDeeper(deepest) && findOverlap() && isDeeperThan(deepest))
                     {
                         deepest = _tried.depth;
-                        _piece.leadOutside(RelativeMotion.NONE, _tried);
+                        _pieces.piece.leadOutside(RelativeMotion.NONE, _tried);
                         keep(out);
                     }
                 }
@@ -179,7 +169,7 @@ package starlogo.ground
         // Whether the last contact is deeper than the deepest one so far by more than rounding. NaN counts as deeper.
         private function isClearlyDeeper(deepest:Number):Boolean
         {
-            return !(deepest > 0 && _tried.depth < deepest + _triangle.margin);
+            return !(deepest > 0 && _tried.depth < deepest + _pieces.triangle.margin);
         }
 
         // Whether the last contact is deeper than the deepest one so far, or the first one.
@@ -191,11 +181,11 @@ package starlogo.ground
         // Finds the contact of the piece and the triangle, along the shortest way apart. Returns false if they do not touch.
         private function findOverlap():Boolean
         {
-            if (!_piece.areTouching())
+            if (!_pieces.piece.areTouching())
             {
                 return false;
             }
-            _piece.findContact(RelativeMotion.NONE, _tried);
+            _pieces.piece.findContact(RelativeMotion.NONE, _tried);
             return true;
         }
 
@@ -203,9 +193,10 @@ package starlogo.ground
         private function keep(out:ContactPoint):void
         {
             out.copyFrom(_tried);
-            _deepest.copyFrom(_triangle);
+            _deepest.copyFrom(_pieces.triangle);
             _hasDeepest = true;
-            _stood.setTo(_box.origin.x, _box.origin.y, _box.origin.z);
+            var origin:Placement = _pieces.box.origin;
+            _stood.setTo(origin.x, origin.y, origin.z);
         }
 
         // Whether each exit from the ground is at least about as long as a contact is deep, because the piece's deepest point has to get out.
@@ -216,19 +207,26 @@ package starlogo.ground
             {
                 return false;
             }
-            var x:Number = _box.origin.x + contact.x - depth / 2 * contact.normalX;
-            var y:Number = _box.origin.y + contact.y - depth / 2 * contact.normalY;
-            var z:Number = _box.origin.z + contact.z - depth / 2 * contact.normalZ;
+            var origin:Placement = _pieces.box.origin;
+            var x:Number = origin.x + contact.x - depth / 2 * contact.normalX;
+            var y:Number = origin.y + contact.y - depth / 2 * contact.normalY;
+            var z:Number = origin.z + contact.z - depth / 2 * contact.normalZ;
             return depth == 0 || _pieces.grid.leastExit(x, y, z, depth) >= NEEDED * depth;
         }
 
         // Whether the triangle of the last contact is not in front of the plane of the exit that was tried.
         private function isDeepestBehind():Boolean
         {
-            var origin:Placement = _box.origin;
-            _come.setTo(origin.x - _stood.x, origin.y - _stood.y, origin.z - _stood.z);
-            var rounding:Number = _come.lengthSquared > 0 ? 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z) : 0;
-            return _piece.isBehindPlane(_deepest.corners, IN_FRONT * _triangle.margin + rounding + _tried.along(_come));
+            var origin:Placement = _pieces.box.origin;
+            var x:Number = origin.x - _stood.x;
+            var y:Number = origin.y - _stood.y;
+            var z:Number = origin.z - _stood.z;
+            var slack:Number = IN_FRONT * _pieces.triangle.margin + x * _tried.normalX + y * _tried.normalY + z * _tried.normalZ;
+            if (x != 0 || y != 0 || z != 0)
+            {
+                slack += 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
+            }
+            return _pieces.piece.isBehindPlane(_deepest.corners, slack);
         }
 
         // Adds the exit that was tried to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.

@@ -7,7 +7,6 @@ package starlogo.ground
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.TriangleKernel;
     import starlogo.solid.ModelTree;
 
     use namespace engine;
@@ -27,11 +26,6 @@ package starlogo.ground
     public final class GroundQuery
     {
         private var _pieces:GroundPieces = new GroundPieces();
-
-        // The parts of _pieces that are read all the time.
-        private var _piece:TriangleKernel = _pieces.piece;
-        private var _box:GroundBox = _pieces.box;
-
         private var _depths:GroundDepthQuery = new GroundDepthQuery(_pieces);
         private var _distances:GroundDistanceQuery = new GroundDistanceQuery(_pieces);
 
@@ -73,7 +67,7 @@ package starlogo.ground
                 }
                 while (_pieces.nextTriangle())
                 {
-                    if (!_piece.staysBeside(RelativeMotion.NONE) && _piece.areTouching())
+                    if (!_pieces.piece.staysBeside(RelativeMotion.NONE) && _pieces.piece.areTouching())
                     {
                         return true;
                     }
@@ -134,11 +128,11 @@ package starlogo.ground
                     findTime();
                     if (_sweep.time < first)
                     {
-                        first = _box.latest = _sweep.time;
+                        first = _pieces.box.latest = _sweep.time;
                         if (out != null)
                         {
-                            _piece.findContact(_sweep, out);
-                            _piece.leadOutside(_sweep, out);
+                            _pieces.piece.findContact(_sweep, out);
+                            _pieces.piece.leadOutside(_sweep, out);
                         }
                     }
                 }
@@ -196,13 +190,14 @@ package starlogo.ground
         /** Finds the contact that lifts the model from its lowest place above all ground under it. */
         public function findOuterContact(out:ContactPoint):void
         {
+            var box:GroundBox = _pieces.box;
             _pieces.placeBox();
-            var low:Number = _box.z - _box.halfZ;
-            _pieces.grid.findAround(_box.x + _box.origin.x, _box.y + _box.origin.y, _box.halfX, _box.halfY, _range);
+            var low:Number = box.z - box.halfZ;
+            _pieces.grid.findAround(box.x + box.origin.x, box.y + box.origin.y, box.halfX, box.halfY, _range);
             out.setNormal(0, 0, 1);
-            out.depth = Math.max(0, _range.greatest - _box.origin.z - low);
-            out.x = _box.x;
-            out.y = _box.y;
+            out.depth = Math.max(0, _range.greatest - box.origin.z - low);
+            out.x = box.x;
+            out.y = box.y;
             out.z = low + out.depth / 2;
             out.leastDepth = 0;
             out.isDepthSure = false;
@@ -222,11 +217,11 @@ package starlogo.ground
         // Finds when the moving piece touches the triangle, until the latest time.
         private function findTime():void
         {
-            _sweep.latest = _box.latest;
+            _sweep.latest = _pieces.box.latest;
             _sweep.time = RelativeMotion.NEVER;
-            if (!_piece.staysBeside(_sweep))
+            if (!_pieces.piece.staysBeside(_sweep))
             {
-                _piece.findTime(_sweep);
+                _pieces.piece.findTime(_sweep);
             }
         }
     }

@@ -2,12 +2,13 @@
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import * as engine from "../../bin/module/starlogo-collision.min.js";
+import { randomNumbers } from "./random.mjs";
 
 const { Agent, BinCollider, BuiltInModel, CombinationCollider, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
 
-export { engine };
+export { engine, randomNumbers };
 
 /** Half the width of SpaceLand, in patches. */
 export const HALF_WIDTH = 50;
@@ -26,12 +27,6 @@ export function makeGreatLand() {
 	const greatLand = new GreatLand();
 	for (const model of [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), new ObjModel("bear", asset("bear.obj"))]) greatLand.addModel(model);
 	return greatLand;
-}
-
-/** Numbers from 0 to 1, the same on every run. */
-export function randomNumbers(seed) {
-	let state = seed;
-	return () => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 4294967296;
 }
 
 /** Agents all over the ground, and functions that move all of them on by a frame. */

@@ -16,10 +16,13 @@ import { spawnSync } from "node:child_process";
 import { readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
-import { randomNumbers } from "../module/games.mjs";
+import { randomNumbers } from "../module/random.mjs";
 
 const PACKAGES = "collision,handlers,search,ground,terrain,hierarchy,solid,intersection,queries";
-const PATIENCE_MS = 600000;
+
+/** Seconds of a processor that tests may take, so that a busy machine ends none of them; all of them take about 100. And milliseconds for those that wait. */
+const PATIENCE_S = 600;
+const PATIENCE_MS = 3600000;
 
 /** Measures time: a busy machine fails it, whatever was changed. */
 const TIMED = "MeasurementTest";
@@ -67,10 +70,10 @@ function testsOf(name) {
 
 /** The first test that fails; null if none does. */
 function killerOf(file, name) {
-	const run = spawnSync(process.execPath, [path.join(root, "test/module/run.mjs"), file, "--first", `--order=${testsOf(name).join()}`,
+	const run = spawnSync("sh", ["-c", `ulimit -t ${PATIENCE_S}; exec "$@"`, "sh", process.execPath, path.join(root, "test/module/run.mjs"), file, "--first", `--order=${testsOf(name).join()}`,
 		"--mount=/assets=assets", "--mount=/fixtures=test/fixtures", "--mount=/models=bin/test-models", "--mount=/assimp=/usr/share/assimp/models"],
 	{ cwd: root, encoding: "utf8", timeout: PATIENCE_MS, maxBuffer: 1 << 26 });
-	return run.error ? "no end" : run.status === 0 ? null : /FAILED,? ([\w.]+)/.exec(run.stdout)?.[1] ?? "no start";
+	return run.error || run.signal ? "no end" : run.status === 0 ? null : /FAILED,? ([\w.]+)/.exec(run.stdout)?.[1] ?? "no start";
 }
 
 const file = path.join(path.dirname(path.resolve(tests)), `mutated-${process.pid}.mjs`);
@@ -80,7 +83,8 @@ for (let i = 1; i <= Number(count); i++) {
 	const { name, line, changed } = places[Math.floor(random() * places.length)];
 	writeFileSync(file, lines.map((each, at) => (at === line ? changed : each)).join("\n"));
 	const killer = killerOf(file, name);
-	console.log(`${i}. ${name}: ${killer ?? `SURVIVED\n\t${lines[line].trim()}\n\t${changed.trim()}`}`);
+	const change = `\n\t${lines[line].trim()}\n\t${changed.trim()}`;
+	console.log(`${i}. ${name}: ${killer ?? "SURVIVED"}${killer === null || killer === "no end" ? change : ""}`);
 	if (killer === null) survivors.push(name);
 }
 rmSync(file);

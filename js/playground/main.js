@@ -155,6 +155,8 @@ addEventListener("keydown", (event) => {
 });
 
 addEventListener("hashchange", () => {
+	// a dialog is about the view that it was opened in
+	for (const dialog of document.querySelectorAll("dialog[open]")) dialog.close();
 	delete main.dataset.ready;
 	show().then(() => main.focus({ preventScroll: true }));
 });

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { after, before, test } from 'node:test';
 import { createRequire } from 'node:module';
 import { serve } from '../headless/server.mjs';
@@ -16,7 +17,7 @@ before(async () => {
 });
 after(() => site.close());
 
-test('a program is downloaded as a page that three.js draws, and plays it by keys', async () => {
+test('a program is downloaded as a page that three.js draws, and plays it by keys; opened without what it needs, it says so', async () => {
 	const folder = mkdtempSync(path.join(os.tmpdir(), 'page-'));
 	const npm = path.join(root, 'js/playground/node_modules');
 	const server = await serve(null, { '/node_modules/starlogo-collision': path.join(root, 'bin/module'), '/node_modules/three': path.join(npm, 'three'), '': folder });
@@ -30,6 +31,12 @@ test('a program is downloaded as a page that three.js draws, and plays it by key
 			const [, hero] = /const HERO = "(\w+)"/.exec(html);
 			writeFileSync(path.join(folder, `${game}.html`), html);
 			await leave();
+			// by a double click it says what it needs
+			const clicked = await site.browser.newPage();
+			await clicked.goto(pathToFileURL(path.join(folder, `${game}.html`)).href);
+			await clicked.locator('.needs').waitFor();
+			assert.match(await clicked.locator('.needs').innerText(), new RegExp(`^This page needs [^]*npm install three@[^]*npx http-server[^]*http://localhost:8080/\\S+\\.html$`));
+			await clicked.close();
 			const context = await site.browser.newContext({ viewport: { width: 480, height: 320 }, deviceScaleFactor: 1 });
 			const drawn = await context.newPage();
 			const said = [];

@@ -269,8 +269,14 @@ test('if a pupil hands in twice, the newest work counts, and the earlier one is 
 	await leave();
 });
 
-test('who has handed in closes the dialog, and cancels nothing', { skip }, async () => {
+test('who has no work is told so and cannot hand it in; who has handed in closes the dialog, and cancels nothing', { skip }, async () => {
 	const { page, said, leave } = await open(site, 'play/maze', Desktop);
+	await press(page, 'Hand in…');
+	assert.match(await page.locator('.handing').textContent(), /You have nothing to hand in yet/);
+	assert.deepEqual(await page.locator('.handing button').allTextContents(), ['Close']);
+	await page.keyboard.press('Escape');
+	await page.locator('.handing').waitFor({ state: 'detached' });
+	await press(page, 'Save a copy');
 	await press(page, 'Hand in…');
 	await page.locator('.handing').getByRole('button', { name: 'Cancel' }).waitFor();
 	await page.locator('.handing').getByLabel('Name').fill('Ada');

@@ -131,7 +131,10 @@ const VIEWS = {
 		await openBlocks(page);
 		await page.locator('.tool-menu').click();
 	}],
-	'play-handin': ['play/maze', (page) => openMenu(page, 7)],
+	'play-handin': ['play/maze', async (page) => {
+		await openMenu(page, 1);
+		await openMenu(page, 7);
+	}],
 	inspect: ['inspect', (page) => page.waitForFunction(() => /\d/.test(document.querySelector('.status').textContent) && !document.querySelector('[aria-busy]'))],
 	'inspect-questions': ['inspect', async (page) => {
 		await page.locator('input[value=questions]').check();

@@ -503,7 +503,7 @@ test('refused storage, another tab, and dropped files are said in words', async 
 	await dropped('again.obj', 'v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n');
 	await told(page, /“cone” now.*This browser keeps it/);
 	await dropped('broken.obj', 'v 1 2 x\n');
-	await told(page, /^This model cannot be read: model "broken", line 1/);
+	await told(page, /^broken\.obj cannot be shown\. Line 1: expected/);
 	const other = await page.context().newPage();
 	await other.goto(page.url());
 	await ready(other, 'play');

@@ -75,6 +75,9 @@ test('“All of it” frames what is added, and a reload keeps the camera that w
 	const { page, said, leave } = await open(site, 'play/paintball', SIZES.laptop);
 	await press(page, 'New');
 	await titled(page, 'My program');
+	// a platform game has its breeds in the menus of an empty program
+	const breeds = await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].getField('BREED').getOptions(false).map(([, value]) => value));
+	for (const breed of ['platforms', 'coins', 'houses']) assert.ok(breeds.includes(breed), `${breeds}`);
 	const isSeen = () => page.evaluate(() => globalThis.playground.world.agents.map(({ x, y, z }) => {
 		const { x: across, y: up, z: deep } = globalThis.playground.stage.camera.position.clone().set(x, y, z).project(globalThis.playground.stage.camera);
 		return Math.abs(across) < 1 && Math.abs(up) < 1 && deep < 1;
@@ -97,6 +100,33 @@ test('“All of it” frames what is added, and a reload keeps the camera that w
 	await ready(page, 'play');
 	await titled(page, 'far');
 	assert.equal(await page.getByLabel('Camera').inputValue(), 'eyes');
+	assert.deepEqual(said, []);
+	await leave();
+});
+
+test('“All of it” follows the only agent that moves when it walks out of the picture, unless the user has turned the picture', async () => {
+	const { page, said, leave } = await open(site, 'play/paintball', SIZES.laptop);
+	const blocks = [{ type: 'starlogo_start', inputs: { DO: { block: { type: 'starlogo_create', fields: { BREED: 'bears', SHAPE: 'bear' }, inputs: { COUNT: { shadow: { type: 'math_number', fields: { NUM: 1 } } } } } } } },
+		{ type: 'starlogo_each', fields: { BREED: 'bears' }, inputs: { DO: { block: { type: 'starlogo_forward', inputs: { STEPS: { shadow: { type: 'math_number', fields: { NUM: 0.05 } } } } } } } }];
+	await page.setInputFiles('.program input[type=file]', { name: 'away.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify({ blocks: { languageVersion: 0, blocks } })) });
+	await titled(page, 'away');
+	const unseen = (frames) => page.evaluate((count) => {
+		const { world, stage, draw } = globalThis.playground;
+		let most = 0;
+		for (let i = 0, lost = 0; i < count; i++) {
+			world.step();
+			draw.call(globalThis.playground);
+			const [{ x, y, z }] = world.agents;
+			lost = stage.pixelOf(x, y, z).isSeen ? 0 : lost + 1;
+			most = Math.max(most, lost);
+		}
+		return most;
+	}, frames);
+	assert.ok(await unseen(900) <= 21, 'it is out of sight for a third of a second at most');
+	await press(page, 'Reset');
+	await page.locator('.world').focus();
+	await page.evaluate(() => globalThis.playground.stage.orbit(0.1, 0, 1));
+	assert.ok(await unseen(900) > 100, 'the picture stays where the user has turned it');
 	assert.deepEqual(said, []);
 	await leave();
 });

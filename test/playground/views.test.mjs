@@ -221,7 +221,7 @@ test('Inspect: models by their names and by dropped files, with their volumes', 
 	const before = await place();
 	await drop(page, ['broken.obj', Buffer.from('v 1 2 x\n')]);
 	await page.waitForSelector('.status.problem');
-	assert.match(await status(page), /^broken\.obj cannot be shown\. model "broken\.obj", line 1/);
+	assert.match(await status(page), /^broken\.obj cannot be shown\. Line 1: expected/);
 	assert.deepEqual(await place(), before, 'an error moves nothing');
 	await drop(page, ['broken.dae', Buffer.from('<COLLADA><')]);
 	await page.waitForFunction(() => /broken\.dae/.test(document.querySelector('.status.problem')?.textContent));
@@ -392,6 +392,19 @@ test('Compare: each pair of systems, with a line for each pair of agents', async
 	}
 	assert.ok(Object.values(only).filter(([wrong, missed]) => wrong + missed > 0).length > 12, 'they are not alike');
 	assert.deepEqual(said.splice(0), []);
+});
+
+test('a dialog closes when another view opens', async () => {
+	const { page, said, leave } = await open(site, 'play/maze', SIZES.laptop);
+	await press(page, 'This program as JavaScript');
+	await page.getByRole('dialog').waitFor();
+	await page.evaluate(() => {
+		location.hash = 'compare';
+	});
+	await ready(page, 'compare');
+	assert.equal(await page.locator('dialog').count(), 0);
+	assert.deepEqual(said, []);
+	await leave();
 });
 
 test('a view that comes late is not written over the one chosen since', async () => {

@@ -135,7 +135,7 @@ class InspectView {
 			this.upHint.hidden = !this.#files.has(name);
 			await this.#show();
 		} catch (error) {
-			if (asked === this.#asked) this.#say(`${words.broken(title, error.message)} ${hint}`, true);
+			if (asked === this.#asked) this.#say(`${texts.brokenModel(title, error.message)} ${hint}`, true);
 		}
 		this.models.value = this.#chosen;
 	}

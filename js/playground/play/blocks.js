@@ -10,10 +10,10 @@ const dropdown = (name, list) => ({ type: "field_dropdown", name, options: list 
 /** The first shape of a breed's agents. */
 export const SHAPE_OF = {
 	bears: "bear", turtles: "turtle", seagulls: "seagull", walls: "wall", paintballs: "sphere", people: "person", dragons: "dragon", firemen: "fireman", trees: "tree", kelp: "kelp",
-	fortresses: "fortress", spaceships: "spaceship", platforms: "platform", coins: "coin", houses: "house", rocks: "rock", lifts: "platform",
+	fortresses: "fortress", spaceships: "spaceship", platforms: "platform", coins: "coin", houses: "house", rocks: "rock", keys: "key", cars: "car", lifts: "platform",
 };
 /** The breeds in menus, also the user's own. Programs add theirs. */
-export const breeds = ["bears", "turtles", "seagulls", "walls", "paintballs"];
+export const breeds = ["bears", "turtles", "seagulls", "walls", "paintballs", "platforms", "coins", "rocks", "houses", "keys", "cars"];
 /** The shapes in menus. */
 export const shapes = [...SHAPES];
 /** The menu's entry that asks for the name of a new breed. */

@@ -276,7 +276,7 @@ export class Editor {
 		const { workspace } = this;
 		this.undoButton = tool("undo", () => this.undo());
 		this.redoButton = tool("redo", () => workspace.undo(true));
-		bar.replaceChildren(this.undoButton, this.redoButton, tool("smaller", () => workspace.zoomCenter(-1)), tool("larger", () => workspace.zoomCenter(1)));
+		bar.replaceChildren(this.undoButton, this.redoButton);
 		const bin = tool("bin", () => {
 			const block = Blockly.common.getSelected();
 			if (block?.isDeletable?.()) block.checkAndDelete();
@@ -284,7 +284,7 @@ export class Editor {
 		});
 		// the block stays selected
 		bin.addEventListener("pointerdown", (event) => event.preventDefault());
-		host.append(bin);
+		host.append(h("div.corner-tools", {}, tool("larger", () => workspace.zoomCenter(1)), tool("smaller", () => workspace.zoomCenter(-1)), bin));
 		workspace.getComponentManager().addComponent({ component: new Bin(bin), weight: 2, capabilities: [Blockly.ComponentManager.Capability.DELETE_AREA, Blockly.ComponentManager.Capability.DRAG_TARGET] });
 		this.#showTools();
 	}

@@ -19,8 +19,11 @@ function workOf({ shelf, lessons, view }, pupil) {
 	return { pupil, ...lessons.results, programs, solutions, models: view.own.in([programs, solutions]) };
 }
 
-/** The numbers of lessons that were done and of programs. */
-const countsOf = ({ shelf, lessons }) => [lessons.results.done.length, shelf.all.length];
+/** The numbers of lessons that were done, of programs, and of games that were won. */
+function countsOf({ shelf, lessons }) {
+	const { done, won } = lessons.results;
+	return [done.length, shelf.all.length, won.length];
+}
 
 const openSheet = (title, ...content) => openDialog("dialog.ask.handing", title, h("h2", {}, title), ...content);
 
@@ -30,6 +33,10 @@ const openSheet = (title, ...content) => openDialog("dialog.ask.handing", title,
  * @param {import("./programs.js").Programs} programs
  */
 export function handIn(programs) {
+	if (countsOf(programs).every((count) => count === 0)) {
+		const dialog = openSheet(words.title, h("p", {}, words.noWork), h("div.tools", {}, button(texts.gallery.close, () => dialog.close())));
+		return;
+	}
 	const said = h("p.note", { role: "status" });
 	const place = h("textarea", { readonly: true, rows: 4, hidden: true, "aria-label": words.code });
 	const name = h("input", { type: "text", maxlength: 60, value: recall(KEY) ?? "", autocomplete: "off", onchange: () => keepName(name.value.trim()) });

@@ -25,7 +25,7 @@ export class Hiding {
 	of({ agents, frame }, main, height, eye) {
 		this.#found.clear();
 		this.#still.length = 0;
-		for (const agent of agents) if (agent !== main && agent.size > main.size && isStill(agent, frame)) this.#still.push(agent);
+		for (const agent of agents) if (agent !== main && agent.size > main.size && !isMoving(agent, frame)) this.#still.push(agent);
 		if (this.#still.length === 0) return this.#found;
 		this.queries.update(this.#still);
 		this.#eye.setTo(eye.x, eye.y, eye.z);
@@ -38,5 +38,5 @@ export class Hiding {
 	}
 }
 
-/** Whether an agent has not moved in this frame. A new agent counts as not moved. */
-const isStill = (agent, frame) => agent.born === frame || (agent.before[0] === agent.x && agent.before[1] === agent.y);
+/** Whether an agent has moved in this frame. A new agent has not. */
+export const isMoving = (agent, frame) => agent.born !== frame && (agent.before[0] !== agent.x || agent.before[1] !== agent.y);

@@ -1,6 +1,7 @@
 /** Writes a program of blocks as a page that plays it and draws it with three.js: the program's module, and what draws its agents. */
 import { BUILT_IN } from "../shared/assets.js";
-import { INSTALL } from "../shared/names.js";
+import { texts } from "../shared/language.js";
+import { PACKAGE } from "../shared/names.js";
 import { javascriptOf, shapesOf } from "./javascript.js";
 
 const THREE = "0.180.0";
@@ -28,6 +29,7 @@ function geometryOf({ name, vertices, triangles }) {
 	return geometry;
 }
 
+document.querySelector(".needs").remove(); // all that it needs is there
 const renderer = new THREE.WebGLRenderer({ antialias: true });
 document.body.append(renderer.domElement);
 const scene = new THREE.Scene();
@@ -192,15 +194,10 @@ export function pageOf(program, title, models, file) {
 		`const HERO = ${text(heroOf(program))};`, "",
 		SHOW.replace("/*ground*/", () => GROUND[hasTerrain ? "terrain" : "flat"]).replace("/*mouse*/\n", () => (/^export const mouse/m.test(module) ? MOUSE : "")),
 	].join("\n").replaceAll(/<(?=\/script)/gi, "\\x3c").replaceAll("<!--", "\\x3c!--");
-	const install = INSTALL.slice(3).replace("npm install ", `npm install three@${THREE} `);
+	const needs = texts.play.javascript.needs(`npm install three@${THREE} ${PACKAGE}`, `http://localhost:8080/${encodeURIComponent(file)}.html`);
 	return `<!doctype html>
-<html>
-<!--
-“${marked(title.replaceAll(/\s+/g, " "))}”: a program of blocks as a page that three.js draws. Its models are in it.
-${install}
-Then serve this folder, for example with: npx http-server
-and open http://localhost:8080/${encodeURIComponent(file)}.html
--->
+<html lang="${texts.code}">
+<!-- “${marked(title.replaceAll(/\s+/g, " "))}”: a program of blocks as a page that three.js draws. Its models are in it. -->
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
@@ -210,6 +207,8 @@ html, body { height: 100%; margin: 0; overflow: hidden; }
 canvas { display: block; }
 p { position: fixed; top: 0; left: 0; margin: 8px; padding: 4px 12px; border-radius: 8px; background: #101824c7; color: #fff; font: 16px system-ui, sans-serif; white-space: pre-wrap; }
 p:empty { display: none; }
+p.needs { animation: appear 0s 1s both; }
+@keyframes appear { from { visibility: hidden; } }
 </style>
 <script type="importmap">
 { "imports": {
@@ -221,6 +220,7 @@ p:empty { display: none; }
 </script>
 </head>
 <body>
+<p class="needs">${marked(needs)}</p>
 <p role="status"></p>
 <script type="module">
 ${script}</script>

@@ -57,7 +57,7 @@ export class Models {
 				await this.#take(name, bytes);
 			}
 		} catch (error) {
-			this.view.say(words.brokenModel(error.message), true);
+			this.view.say(texts.brokenModel(file.name, error.message), true);
 			return;
 		}
 		await this.#keep(name, bytes);
@@ -90,7 +90,7 @@ export class Models {
 				await this.#keep(here, bytes);
 				names.set(name, here);
 			} catch (error) {
-				this.view.say(words.brokenModel(error.message), true);
+				this.view.say(texts.brokenModel(name, error.message), true);
 			}
 		}
 		return JSON.parse(JSON.stringify(program, (key, value) => (key === "SHAPE" ? names.get(value) ?? value : value)));

@@ -25,6 +25,9 @@ const OWN = /^own-[a-z\d]+-[a-z\d]+$/;
 /** A link with a program is longer. */
 const LONGEST_NAME = 60;
 
+/** The button that leads to the first screen. Where it has little room, it has only its sign. */
+const homeButton = (onclick) => h("button.homeward", { type: "button", "aria-label": texts.gallery.open, title: texts.gallery.open, onclick }, h("span.icon"), h("span", {}, texts.gallery.open));
+
 const library = () => learn("game").then(() => import("./library.js"));
 const lessonOf = (name) => (name.startsWith(LESSON) ? name.slice(LESSON.length) : null);
 /** Whether the page has a program with this name. */
@@ -61,7 +64,7 @@ export class Programs {
 			fileButton(words.open, ".json,.obj,.dae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)),
 			button(words.share, () => share(this)), button(words.javascript.title, () => showJavascript(this)), button(words.print, () => print(this)), button(texts.gallery.handIn, () => handIn(this)));
 		this.menuButton = menuButton(words.menu, this.menu);
-		this.element = h("div.naming", {}, button(texts.gallery.open, () => this.openHome(), { class: "homeward" }), this.title, this.kept, this.menuButton, this.menu);
+		this.element = h("div.naming", {}, homeButton(() => this.openHome()), this.title, this.kept, this.menuButton, this.menu);
 		this.close = this.shelf.watch(() => this.#hearOtherTab());
 	}
 
@@ -198,7 +201,7 @@ export class Programs {
 
 	#showTitle(title) {
 		this.#title = title;
-		this.title.value = title;
+		this.title.value = this.title.title = title;
 		const isOwn = this.shelf.find(this.#name) !== null;
 		this.kept.className = isOwn ? "keeping kept" : "keeping";
 		this.kept.textContent = !isOwn ? "" : this.shelf.isKept ? words.kept : words.keptNowhere;

@@ -6,7 +6,7 @@ import { button, h, short } from "../shared/dom.js";
 import { fixed, plain, texts } from "../shared/language.js";
 import { said as asSaid } from "./actions.js";
 import { Being } from "./being.js";
-import { Hiding } from "./hiding.js";
+import { Hiding, isMoving } from "./hiding.js";
 import { nameOf } from "./panel.js";
 import { breedsThatKeysTurn } from "./program.js";
 import { HALF_WIDTH } from "./world.js";
@@ -21,6 +21,8 @@ const [FLASH, MARK, BRIGHT] = [9, 45, 0.2];
 const MOST_SAID = 40;
 /** The last seconds of a game with a limit of time. */
 const LATE = 10;
+/** The frames for which all moving agents may be out of sight, and those of their way ahead that the camera shows then. */
+const [LOST, AHEAD] = [20, 120];
 /** The height of signs above heads. */
 const ABOVE = 0.35;
 /** The size of the shapes' pictures in menus. */
@@ -51,6 +53,8 @@ export class Scene {
 	#pictures = new Map();
 	#isPictured = false;
 	#framed = "";
+	/** The last frame in which the camera has seen an agent that moves, or in which none moved. */
+	#seen = 0;
 
 	/**
 	 * @param {import("../shared/stage.js").Stage} stage
@@ -75,6 +79,7 @@ export class Scene {
 	/** Called when a game begins. */
 	begin() {
 		this.chosen = null;
+		this.#seen = 0;
 	}
 
 	/**
@@ -100,6 +105,17 @@ export class Scene {
 		const part = this.#part;
 		if (this.isStill) this.#framed = String(part);
 		else if (this.camera === "all" && (isAsked || String(part) !== this.#framed)) this.#showAll(part);
+	}
+
+	/** Shows all agents and the way ahead of those that move, if the camera has lost sight of all of these. */
+	#findAgain() {
+		const { agents, frame } = this.world;
+		const moving = agents.filter((agent) => isMoving(agent, frame));
+		if (moving.length === 0 || moving.some(({ x, y, z }) => this.stage.pixelOf(x, y, z).isSeen)) this.#seen = frame;
+		if (frame - this.#seen < LOST) return;
+		this.#seen = frame;
+		const ahead = moving.map(({ shape, size, x, y, z, before }) => ({ shape, size, x: x + AHEAD * (x - before[0]), y: y + AHEAD * (y - before[1]), z }));
+		this.#showAll(this.#partOf([...agents, ...ahead]));
 	}
 
 	/** Shows the whole ground. */
@@ -146,6 +162,7 @@ export class Scene {
 		if (this.chosen && !this.chosen.isAlive) this.chosen = null;
 		const main = this.camera === "all" ? null : this.chosen ?? this.main;
 		if (main) stage.follow(main, this.#height(main), this.camera === "eyes");
+		else if (stage.renderer && !stage.isTouched && !this.isStill) this.#findAgain();
 		stage.setGround(world.ground);
 		stage.showTerrain(world.hills);
 		stage.showAgents(this.camera === "follow" ? this.#notHiding(main, world) : world.agents, this.models, ({ hit }) => Math.max(0, BRIGHT * (1 - (frame - hit) / FLASH)));

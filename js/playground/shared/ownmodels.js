@@ -23,7 +23,7 @@ export async function offerFile(view, element, file, files) {
 		view.offer([[file.name, await openModel(file, files)]]);
 		return true;
 	} catch (error) {
-		element.textContent = `${texts.inspect.broken(file.name, error.message)} ${texts.inspect.kinds}`;
+		element.textContent = `${texts.brokenModel(file.name, error.message)} ${texts.inspect.kinds}`;
 		return false;
 	}
 }

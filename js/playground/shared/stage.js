@@ -24,11 +24,12 @@ const THEMES = {
 const STEEPEST = (40 * Math.PI) / 180;
 
 export class Stage {
+	/** Whether the camera has been turned or moved since it has shown all. */
+	isTouched = false;
 	#wireframes = new Map();
 	#colours = new Map();
 	#wanted = 0;
 	#grid = null;
-	#isTouched = false;
 	#width = 1;
 	#height = 1;
 	#land = "meadow";
@@ -91,7 +92,7 @@ export class Stage {
 		controls.minDistance = 1.5;
 		controls.maxDistance = 3 * this.ground;
 		controls.addEventListener("start", () => {
-			this.#isTouched = true;
+			this.isTouched = true;
 		});
 		controls.addEventListener("change", () => {
 			const half = this.ground / 2;
@@ -147,7 +148,7 @@ export class Stage {
 		const { clientWidth: width, clientHeight: height } = this.host;
 		if (width === 0 || height === 0) return;
 		this.#resize(width, height);
-		if (this.land && !this.#isTouched) this.showAll();
+		if (this.land && !this.isTouched) this.showAll();
 		this.draw();
 	}
 
@@ -183,7 +184,7 @@ export class Stage {
 	 */
 	showAll(part = this.home?.part ?? null) {
 		if (!this.renderer) return;
-		this.#isTouched = false;
+		this.isTouched = false;
 		this.home.part = part;
 		const border = this.ground / 2;
 		const [x, y, z, endX, endY, endZ] = part ?? [-border, -border, 0, border, border, 1.5];
@@ -220,7 +221,7 @@ export class Stage {
 	/** Looks over an agent's shoulder, or through its eyes. */
 	follow(agent, height, isThroughEyes) {
 		if (!this.renderer) return;
-		this.#isTouched = true;
+		this.isTouched = true;
 		const angle = (agent.heading * Math.PI) / 180;
 		const ahead = new Vector3(Math.cos(angle), Math.sin(angle), 0);
 		const at = new Vector3(agent.x, agent.y, agent.z);
@@ -247,7 +248,7 @@ export class Stage {
 	/** Copies the camera of another stage. */
 	lookAs({ camera, controls }) {
 		if (!this.renderer || !camera) return;
-		this.#isTouched = true;
+		this.isTouched = true;
 		this.controls.target.copy(controls.target);
 		this.camera.position.copy(camera.position);
 		this.camera.quaternion.copy(camera.quaternion);
@@ -272,7 +273,7 @@ export class Stage {
 	/** Turns the camera about the target, or moves it: for keys. */
 	orbit(around, up, zoom) {
 		if (!this.renderer) return;
-		this.#isTouched = true;
+		this.isTouched = true;
 		const { target } = this.controls;
 		const from = this.camera.position.clone().sub(target).multiplyScalar(zoom);
 		const distance = from.length();
@@ -367,13 +368,13 @@ export class Stage {
 	picture(width, height, look) {
 		if (!this.renderer) return null;
 		const { camera, controls, home, renderer } = this;
-		const [position, target, isTouched, shown] = [camera.position.clone(), controls.target.clone(), this.#isTouched, home.part];
+		const [position, target, isTouched, shown] = [camera.position.clone(), controls.target.clone(), this.isTouched, home.part];
 		this.#resize(width, height, 1);
 		look();
 		this.draw();
 		const canvas = h("canvas", { width, height });
 		canvas.getContext("2d").drawImage(renderer.domElement, 0, 0);
-		this.#isTouched = isTouched;
+		this.isTouched = isTouched;
 		home.part = shown;
 		this.#resize(this.host.clientWidth, this.host.clientHeight);
 		this.#lookFrom(position.sub(target), target);

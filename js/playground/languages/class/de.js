@@ -40,7 +40,8 @@ export const texts = {
 	},
 	handing: {
 		title: "Gib deine Arbeit ab", name: "Name", needsName: "Schreib zuerst deinen Namen.",
-		what: (lessons, programs) => `So bekommt deine Lehrkraft alles von dir: ${count(lessons, "geschaffte Lektion", "geschaffte Lektionen")} und ${count(programs, "Programm", "Programme")}.`,
+		noWork: "Noch hast du nichts abzugeben. Löse eine Lektion, gewinne ein Spiel oder ändere ein Programm.",
+		what: (lessons, programs, games) => `So bekommt deine Lehrkraft alles von dir: ${games > 0 ? `${count(games, "gewonnenes Spiel", "gewonnene Spiele")}, ` : ""}${count(lessons, "geschaffte Lektion", "geschaffte Lektionen")} und ${count(programs, "Programm", "Programme")}.`,
 		save: "Datei speichern", copy: "Code kopieren", code: "Der Code", how: "Gib deiner Lehrkraft die Datei oder schick ihr den Code in einer Nachricht. Von selbst wird nichts verschickt.",
 		fileName: (pupil) => `${pupil} – StarLogo.json`, saved: (file) => `„${file}“ ist bei deinen Downloads. Gib die Datei deiner Lehrkraft.`,
 		copied: (letters) => `Der Code ist in der Zwischenablage (${letters} Zeichen). Füge ihn in eine Nachricht an deine Lehrkraft ein.`, notCopied: "Kopiere diesen Code von Hand und schick ihn deiner Lehrkraft.",

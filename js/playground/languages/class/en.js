@@ -42,7 +42,8 @@ export const texts = {
 	/** A pupil's work, which goes to the teacher, and the page of a class. */
 	handing: {
 		title: "Hand in your work", name: "Name", needsName: "Write your name first.",
-		what: (lessons, programs) => `This gives your teacher all of your work: ${count(lessons, "lesson", "lessons")} that you have done and ${count(programs, "program", "programs")}.`,
+		what: (lessons, programs, games) => `This gives your teacher all of your work: ${games > 0 ? `${count(games, "game", "games")} that you have won, ` : ""}${count(lessons, "lesson", "lessons")} that you have done and ${count(programs, "program", "programs")}.`,
+		noWork: "You have nothing to hand in yet. Do a lesson, win a game, or change a program.",
 		save: "Save a file", copy: "Copy a code", code: "The code", how: "Give the file to your teacher, or send the code in a message. Nothing is sent by itself.",
 		fileName: (pupil) => `${pupil} – StarLogo.json`, saved: (file) => `“${file}” is in your downloads. Give it to your teacher.`,
 		copied: (letters) => `The code is on the clipboard (${letters} letters). Paste it into a message to your teacher.`, notCopied: "Copy this code by hand, and send it to your teacher.",

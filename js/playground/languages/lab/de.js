@@ -37,7 +37,6 @@ export const texts = {
 		byMean: "Am Mittelwert teilen",
 		apply: "Neu vermessen",
 		wrongSetting: "Diese Zahl geht nicht: ",
-		broken: (name, problem) => `${name} kann nicht gezeigt werden. ${problem}`,
 		isProgram: (file) => `${file} ist ein Programm aus Blöcken, kein Modell.`, openInPlay: "In „Spielen“ öffnen",
 		kinds: "(Gezeigt werden OBJ-, DAE-, GLB-, glTF- und STL-Dateien.)",
 		fitters: {

@@ -38,7 +38,6 @@ export const texts = {
 		byMean: "Split by the mean",
 		apply: "Measure again",
 		wrongSetting: "That number is not possible: ",
-		broken: (name, problem) => `${name} cannot be shown. ${problem}`,
 		isProgram: (file) => `${file} is a program of blocks, not a model.`, openInPlay: "Open it in Play",
 		kinds: "(OBJ, DAE, GLB, glTF and STL files can be.)",
 		fitters: {

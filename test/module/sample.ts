@@ -102,7 +102,6 @@ import {
 	Tolerances,
 	TraitBlocks,
 	TreeCollider,
-	TurnedBoxFitter,
 	Vector3D,
 	Wireframes,
 	ZAlignedBoxFitter,
@@ -307,7 +306,7 @@ function passThrough(greatLand: GreatLand): void {
 
 /** Fits every kind of structure. */
 export function fitAll(vertices: Float64Array): number[] {
-	const boxFitter: TurnedBoxFitter = new OrientedBoxFitter(30);
+	const boxFitter: OrientedBoxFitter = new OrientedBoxFitter(30);
 	const alongIt: BoxAxisFitter = new CylinderFitter(boxFitter);
 	const fitters: Fitter[] = [
 		new NaiveSphereFitter(), new RitterSphereFitter(), new CentredRitterSphereFitter(), new MinimalSphereFitter(),

@@ -5,6 +5,8 @@ package starlogo.blocks
     /** Checks the subject of a block: an agent, or the name of a breed, which stands for all its agents. */
     internal final class BlockSubject
     {
+        private static const HINT:String = ". Remember: \"collidee\" is an agent only while a collision block runs.";
+
         /** Throws a BlockError if the subject is neither an agent nor a breed's name. */
         public static function check(block:String, subject:Object):void
         {
@@ -14,8 +16,7 @@ package starlogo.blocks
             }
             else if (!(subject is Agent))
             {
-                throw new BlockError(block, "needs an agent or a breed, but got " + nameOf(subject)
-                        + ". Remember: \"collidee\" is an agent only while a collision block runs.");
+                throw new BlockError(block, "needs an agent or a breed, but got " + nameOf(subject) + HINT);
             }
         }
 
@@ -24,7 +25,7 @@ package starlogo.blocks
         {
             if (agent == null)
             {
-                throw new BlockError(block, "needs an agent, but got nothing. Remember: \"collidee\" is an agent only while a collision block runs.");
+                throw new BlockError(block, "needs an agent, but got nothing" + HINT);
             }
         }
 

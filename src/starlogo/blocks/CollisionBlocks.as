@@ -11,6 +11,7 @@ package starlogo.blocks
     import starlogo.collision.CombinationCollider;
     import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
+    import starlogo.geometry.requireGiven;
 
     /**
      * The blocks that react to collisions and choose how they are found: "on collision with", "when touching starts", "when touching ends",
@@ -35,8 +36,8 @@ package starlogo.blocks
 
         private static const NAMES:Array = [UNIT_SPHERES, TIGHTEST_FITS, HIERARCHIES, COMBINATION, EXACT];
 
-        /** The number of times that scripts were removed. */
-        internal var runs:int = 0;
+        /** The number of times that all scripts were removed. */
+        internal var resetCount:int = 0;
 
         private var _greatLand:GreatLand;
         private var _agents:Vector.<Agent>;
@@ -53,10 +54,8 @@ package starlogo.blocks
          */
         public function CollisionBlocks(greatLand:GreatLand, agents:Vector.<Agent>)
         {
-            if (greatLand == null || agents == null)
-            {
-                throw new ArgumentError("a GreatLand and a list of agents are needed, not " + greatLand + " and " + agents);
-            }
+            requireGiven("greatLand", greatLand);
+            requireGiven("the list of agents", agents);
             _greatLand = greatLand;
             _agents = agents;
             var exact:HierarchicalCollider = new HierarchicalCollider(greatLand);
@@ -174,7 +173,7 @@ package starlogo.blocks
         public function forgetScripts():void
         {
             _collision.reset();
-            runs++;
+            resetCount++;
         }
 
         private static function check(block:String, breed:String, otherBreed:String, script:Function):void

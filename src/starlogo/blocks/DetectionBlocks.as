@@ -17,7 +17,9 @@ package starlogo.blocks
     {
         private var _collisions:CollisionBlocks;
         private var _queries:AgentQueries;
-        private var _updatedIn:int = -1;
+        
+        // the resetCount of the collision blocks at the last update
+        private var _updatedAt:int = -1;
         private var _ahead:ShapeHit = new ShapeHit();
 
         /**
@@ -36,7 +38,7 @@ package starlogo.blocks
         /** The AgentQueries that the blocks use. It sees the agents as they were at the last update. */
         public function get queries():AgentQueries
         {
-            if (_updatedIn != _collisions.runs)
+            if (_updatedAt != _collisions.resetCount)
             {
                 update();
             }
@@ -51,7 +53,7 @@ package starlogo.blocks
         public function update():void
         {
             _queries.update(_collisions.agents);
-            _updatedIn = _collisions.runs;
+            _updatedAt = _collisions.resetCount;
         }
 
         /**
@@ -218,7 +220,7 @@ package starlogo.blocks
             var filter:AgentFilter = breed == Collision.ANY_BREED ? new AgentFilter() : AgentFilter.ofBreeds(breed);
             if (breed == Collision.ANY_BREED)
             {
-                // ANY_BREED does not stand for the ground. It is the same in handlers
+                // ANY_BREED does not stand for the ground, as in handlers.
                 filter.exceptBreeds = new <String>[Collision.TERRAIN];
             }
             filter.accepts = accepts;

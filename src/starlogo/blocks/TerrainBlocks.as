@@ -4,6 +4,7 @@ package starlogo.blocks
     import starlogo.collision.Collision;
     import starlogo.collision.Contact;
     import starlogo.geometry.Trigonometry;
+    import starlogo.geometry.requireGiven;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
 
@@ -47,10 +48,8 @@ package starlogo.blocks
          */
         public function TerrainBlocks(collisions:CollisionBlocks, detection:DetectionBlocks)
         {
-            if (collisions == null || detection == null)
-            {
-                throw new ArgumentError("collision blocks and detection blocks are needed, not " + collisions + " and " + detection);
-            }
+            requireGiven("collisions", collisions);
+            requireGiven("detection", detection);
             _collisions = collisions;
             _detection = detection;
             _contacts = new BlockContacts(collisions);
@@ -182,8 +181,8 @@ package starlogo.blocks
         public function edgeTouched(agent:Agent):String
         {
             BlockSubject.checkAgent("edge I touch", agent);
-            var edges:WorldBounds = _collisions.collision.bounds;
-            var contact:Contact = edges == null ? null : _contacts.now(agent, edges.agent);
+            var bounds:WorldBounds = _collisions.collision.bounds;
+            var contact:Contact = bounds == null ? null : _contacts.now(agent, bounds.agent);
             if (contact == null)
             {
                 return null;
@@ -236,14 +235,14 @@ package starlogo.blocks
         public function wrapAtEdge(agent:Agent):void
         {
             BlockSubject.checkAgent("wrap at the edge", agent);
-            var edges:WorldBounds = _collisions.collision.bounds;
-            if (edges == null)
+            var bounds:WorldBounds = _collisions.collision.bounds;
+            if (bounds == null)
             {
                 return;
             }
-            var x:Number = wrapped(agent.x, edges.minX, edges.maxX);
-            var y:Number = wrapped(agent.y, edges.minY, edges.maxY);
-            var z:Number = wrapped(agent.z, edges.minZ, edges.maxZ);
+            var x:Number = wrapped(agent.x, bounds.minX, bounds.maxX);
+            var y:Number = wrapped(agent.y, bounds.minY, bounds.maxY);
+            var z:Number = wrapped(agent.z, bounds.minZ, bounds.maxZ);
             if (x != agent.x || y != agent.y || z != agent.z)
             {
                 agent.jumpTo(x, y, z);
@@ -264,8 +263,8 @@ package starlogo.blocks
         private function moveInside(block:String, agent:Agent):Contact
         {
             BlockSubject.checkAgent(block, agent);
-            var edges:WorldBounds = _collisions.collision.bounds;
-            return edges == null ? null : _contacts.pushOut(agent, edges.agent);
+            var bounds:WorldBounds = _collisions.collision.bounds;
+            return bounds == null ? null : _contacts.pushOut(agent, bounds.agent);
         }
 
         // Calls a function that raises the ground at an agent's place.

@@ -3,6 +3,7 @@ package starlogo.blocks
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
     import starlogo.geometry.Trigonometry;
+    import starlogo.geometry.requireGiven;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.Footing;
     import starlogo.queries.ShapeHit;
@@ -36,10 +37,7 @@ package starlogo.blocks
          */
         public function WalkBlocks(detection:DetectionBlocks)
         {
-            if (detection == null)
-            {
-                throw new ArgumentError("detection blocks are needed, not null");
-            }
+            requireGiven("detection", detection);
             _detection = detection;
             _options.filter = _obstacles;
         }

@@ -11,8 +11,10 @@ package starlogo.fitting
      * climbs over the hull from the extreme vertices of the rotation before. It tries the same boxes as the thesis, so the result is the
      * same. The hull of n vertices costs n log n. Each rotation costs one transformation of the hull and some steps.</p>
      */
-    public final class OrientedBoxFitter extends TurnedBoxFitter
+    public final class OrientedBoxFitter extends Fitter
     {
+        private var _degIncrement:Number;
+
         /**
          * Creates a fitter that tries all rotations by multiples of an increment.
          *
@@ -21,7 +23,35 @@ package starlogo.fitting
          */
         public function OrientedBoxFitter(degIncrement:Number = 10)
         {
-            super("oriented box", true, degIncrement);
+            this.degIncrement = degIncrement;
+        }
+
+        /**
+         * The increment in degrees, above 0.
+         *
+         * @throws ArgumentError if it is set to a value that is not a positive, finite number
+         */
+        public function get degIncrement():Number
+        {
+            return _degIncrement;
+        }
+
+        public function set degIncrement(value:Number):void
+        {
+            RotationSearch.requireIncrement(value);
+            _degIncrement = value;
+        }
+
+        /** @inheritDoc */
+        override public function get signature():String
+        {
+            return "oriented box " + _degIncrement;
+        }
+
+        /** @inheritDoc */
+        override public function begin(session:FitSession):Fit
+        {
+            return RotationSearch.newFit(session, _degIncrement, _degIncrement);
         }
     }
 }

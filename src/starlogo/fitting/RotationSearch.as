@@ -42,7 +42,7 @@ package starlogo.fitting
         private var _best:Placement = new Placement();
 
         /**
-         * @param session the vertices; their hull may not exist before the first step
+         * @param session the vertices
          * @param stepXY degrees between the rotations about x and about y
          * @param stepZ degrees between the rotations about z
          */
@@ -52,6 +52,28 @@ package starlogo.fitting
             _stepXY = stepXY;
             _stepZ = stepZ;
             call(prepare).repeat(tryNext);
+        }
+
+        /**
+         * The work that finds the smallest box.
+         *
+         * @param session the vertices; their hull may not exist before the first step
+         * @param stepXY degrees between the rotations about x and about y; 90 for rotations about z only
+         * @param stepZ degrees between the rotations about z
+         */
+        public static function newFit(session:FitSession, stepXY:Number, stepZ:Number):Fit
+        {
+            var search:RotationSearch = new RotationSearch(session, stepXY, stepZ);
+            return new Fit(session, search.smallestBox, search);
+        }
+
+        /** Throws an ArgumentError if degrees between rotations are not a positive, finite number. */
+        public static function requireIncrement(degrees:Number):void
+        {
+            if (!(degrees > 0 && degrees < Infinity))
+            {
+                throw new ArgumentError("the increment must be a positive number of degrees: " + degrees);
+            }
         }
 
         // Tries all rotations about z that follow the next one about x and y. Returns false if there are no more.

@@ -7,8 +7,10 @@ package starlogo.fitting
      * <p>The box is never larger than the axis-aligned box. With the default increment, the sides are at most 9 % longer than the sides
      * of the best box with an axis along z.</p>
      */
-    public final class ZAlignedBoxFitter extends TurnedBoxFitter
+    public final class ZAlignedBoxFitter extends Fitter
     {
+        private var _degIncrement:Number;
+
         /**
          * Creates a fitter that tries all rotations by multiples of an increment.
          *
@@ -17,7 +19,35 @@ package starlogo.fitting
          */
         public function ZAlignedBoxFitter(degIncrement:Number = 10)
         {
-            super("z-aligned box", false, degIncrement);
+            this.degIncrement = degIncrement;
+        }
+
+        /**
+         * The increment in degrees, above 0.
+         *
+         * @throws ArgumentError if it is set to a value that is not a positive, finite number
+         */
+        public function get degIncrement():Number
+        {
+            return _degIncrement;
+        }
+
+        public function set degIncrement(value:Number):void
+        {
+            RotationSearch.requireIncrement(value);
+            _degIncrement = value;
+        }
+
+        /** @inheritDoc */
+        override public function get signature():String
+        {
+            return "z-aligned box " + _degIncrement;
+        }
+
+        /** @inheritDoc */
+        override public function begin(session:FitSession):Fit
+        {
+            return RotationSearch.newFit(session, 90, _degIncrement);
         }
     }
 }

@@ -17,12 +17,8 @@ package starlogo.libraries
         /** Increase it whenever an algorithm of the engine gives other results for the same settings. */
         private static const REVISION:int = 11;
 
-        /**
-         * For each section of a cooked file, the settings of what is in it. Null if that is not wanted, or cannot be kept.
-         *
-         * @private
-         */
-        engine var sections:Vector.<Fingerprint> = new Vector.<Fingerprint>(CookedFile.SECTIONS, true);
+        // For each section of a cooked file, the settings of what is in it. Null if that is not wanted, or cannot be kept.
+        private var _sections:Vector.<Fingerprint> = new Vector.<Fingerprint>(CookedFile.SECTIONS, true);
 
         /**
          * Whether the surface for exact colliders is wanted.
@@ -42,14 +38,14 @@ package starlogo.libraries
             if (structures != null)
             {
                 var signatures:String = signaturesOf(structures.fitters);
-                sections[CookedFile.STRUCTURES] = signatures == null ? null : fingerprintOf("structures, " + signatures);
+                _sections[CookedFile.STRUCTURES] = signatures == null ? null : fingerprintOf("structures, " + signatures);
                 // The smallest sphere may take the hull's place.
-                sections[CookedFile.HULL] = signatures == null || !structures.keepHulls ? null
+                _sections[CookedFile.HULL] = signatures == null || !structures.keepHulls ? null
                     : fingerprintOf(structures.hullFitter.signature + ", " + signatures);
             }
             if (hierarchies != null)
             {
-                sections[CookedFile.HIERARCHY] = sections[CookedFile.SURFACE] = fingerprintOf(["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join());
+                _sections[CookedFile.HIERARCHY] = _sections[CookedFile.SURFACE] = fingerprintOf(["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join());
                 wantsSurface = hierarchies.prepareExact;
             }
         }
@@ -57,8 +53,8 @@ package starlogo.libraries
         /** All settings as sixteen hexadecimal digits. */
         public function toString():String
         {
-            var all:Array = [sections[CookedFile.STRUCTURES], sections[CookedFile.HIERARCHY], wantsSurface];
-            var hull:Fingerprint = sections[CookedFile.HULL];
+            var all:Array = [_sections[CookedFile.STRUCTURES], _sections[CookedFile.HIERARCHY], wantsSurface];
+            var hull:Fingerprint = _sections[CookedFile.HULL];
             return fingerprintOf((hull == null ? all : all.concat(hull)).join()).toString();
         }
 
@@ -69,7 +65,7 @@ package starlogo.libraries
          */
         engine function read(file:CookedFile, index:int):ByteArray
         {
-            return sections[index] == null ? null : file.section(index, sections[index]);
+            return _sections[index] == null ? null : file.section(index, _sections[index]);
         }
 
         /**
@@ -82,13 +78,14 @@ package starlogo.libraries
          */
         engine function write(model:Fingerprint, contents:Vector.<ByteArray>):ByteArray
         {
-            var all:Vector.<Fingerprint> = sections.concat();
-            all[CookedFile.MODEL] = model;
+            var settings:Vector.<Fingerprint> = _sections.concat();
+            var kept:Vector.<ByteArray> = contents.concat();
+            settings[CookedFile.MODEL] = model;
             for (var i:int = 0; i < CookedFile.SECTIONS; i++)
             {
-                contents[i] = all[i] == null ? null : contents[i];
+                kept[i] = settings[i] == null ? null : kept[i];
             }
-            return CookedFile.write(all, contents);
+            return CookedFile.write(settings, kept);
         }
 
         // null if a fitter has no signature

@@ -130,13 +130,12 @@ package starlogo.libraries
             {
                 throw ModelTable.missing("hierarchy", name, "loadHierarchies");
             }
-            return models.of(name).hierarchy;
+            return models.of(name).builtHierarchy();
         }
 
         /**
          * The work that builds the hierarchy of a shape. None of its steps is done yet. The vertices and triangles are neither checked nor
-         * copied, because a Model checks them, and tells its GreatLand when it
-         * changes.
+         * copied, because a Model checks them, and tells its GreatLand when it changes.
          *
          * @private
          */

@@ -46,8 +46,8 @@ package starlogo.libraries
             return _builder != null || _hierarchy != null;
         }
 
-        /** The hierarchy; null if there is none. If it is not built yet, it is built now. */
-        public function get hierarchy():ModelTree
+        /** The hierarchy; null if there is none. If it is not built yet, builds it. */
+        public function builtHierarchy():ModelTree
         {
             if (_builder != null)
             {

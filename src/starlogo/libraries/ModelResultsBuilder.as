@@ -35,9 +35,8 @@ package starlogo.libraries
         private var _settings:FitSettings;
         private var _store:FitStore;
 
-        // Of the store: the fingerprint of the model, the file that it has for the model, and whether all results are taken from there.
+        // For the store: the fingerprint of the model's vertices and triangles, and whether all results are taken from there.
         private var _geometry:Fingerprint = new Fingerprint();
-        private var _stored:CookedFile;
         private var _isTaken:Boolean = false;
 
         /**
@@ -61,7 +60,7 @@ package starlogo.libraries
             _store = isComplete ? null : store;
             if (_store != null)
             {
-                add(_geometry.addingGeometry(model.vertices, model.triangles)).begin(readingStored).call(takeStored);
+                add(_geometry.addingGeometry(model.vertices, model.triangles)).begin(readingStored);
             }
             if (structuresBuilder != null)
             {
@@ -129,18 +128,15 @@ package starlogo.libraries
 
         private function readingStored():Steps
         {
-            _stored = _store.fileOf(_geometry, _settings);
-            return _stored;
-        }
-
-        private function takeStored():void
-        {
-            if (_stored.isFor(_geometry))
-            {
-                takeFrom(_stored);
-            }
-            _stored = null;
-            _isTaken = isComplete;
+            var stored:CookedFile = _store.fileOf(_geometry, _settings);
+            return new StepSequence().add(stored).call(function():void
+                {
+                    if (stored.isFor(_geometry))
+                    {
+                        takeFrom(stored);
+                    }
+                    _isTaken = isComplete;
+                });
         }
 
         // A hierarchy that was read is not built until it is needed, unless prepareExact is set.

@@ -32,7 +32,6 @@ package starlogo.libraries
         private var _fitters:Vector.<Fitter>;
         private var _fits:Vector.<Fit> = new Vector.<Fit>();
         private var _hullFit:Fit = null;
-        private var _found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
 
         /**
          * @param name the shape's name
@@ -113,7 +112,7 @@ package starlogo.libraries
             return false;
         }
 
-        // Checks one structure, and takes a larger copy of it.
+        // Throws an ArgumentError if a fitter has found a structure that cannot be used.
         private function check(index:int, end:int):void
         {
             var fitter:Fitter = _fitters[index];
@@ -128,7 +127,6 @@ package starlogo.libraries
                 throw new ArgumentError(fitter + " found a structure that does not enclose vertex " + outside / 3 + " at ("
                         + _vertices.slice(outside, outside + 3).join(", ") + "): " + structure);
             }
-            _found.push(widened(structure));
         }
 
         // The place of the first vertex that is farther outside than the tolerance of a fit; -1 if there is none.
@@ -151,8 +149,13 @@ package starlogo.libraries
 
         private function choose():void
         {
+            var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
+            for each (var fit:Fit in _fits)
+            {
+                found.push(widened(fit.structure));
+            }
             // A HullFitter checks all vertices itself.
-            structures = new ModelStructures(_found, _hullFit == null ? null : widened(_hullFit.structure), _keepsAll);
+            structures = new ModelStructures(found, _hullFit == null ? null : widened(_hullFit.structure), _keepsAll);
         }
 
         /** A copy of a fitted structure, enlarged by the distance at which surfaces still touch. */

@@ -1,7 +1,6 @@
 package starlogo.models.collada
 {
     import starlogo.models.ModelBudget;
-    import starlogo.models.refuseIf;
     import starlogo.models.text.Decimal;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
@@ -19,9 +18,6 @@ package starlogo.models.collada
         public var count:int;
 
         private var _document:ColladaDocument;
-        private var _accessor:ColladaElement;
-        private var _array:ColladaElement;
-        private var _text:ColladaWords;
         private var _points:Vector.<Number>;
 
         /**
@@ -33,46 +29,51 @@ package starlogo.models.collada
         {
             _document = document;
             _points = points;
-            _accessor = document.requiredChild(document.requiredChild(source, "technique_common"), "accessor");
-            _array = document.target(_accessor, "source", ["float_array", "int_array"], source);
-            _text = new ColladaWords(new <ColladaElement>[_array]);
-            document.budget.take(ModelBudget.NUMBERS, _text.length / 2, _accessor);
-            document.budget.take(ModelBudget.THINGS, _accessor.children.length, _accessor);
-            add(_text).begin(readingPoints);
+            var accessor:ColladaElement = document.requiredChild(document.requiredChild(source, "technique_common"), "accessor");
+            addSteps(accessor, document.target(accessor, "source", ["float_array", "int_array"], source));
         }
 
-        private function readingPoints():Steps
+        private function addSteps(accessor:ColladaElement, array:ColladaElement):void
         {
-            var words:Array = _text.words;
-            _document.checkCount(_array, words.length, "numbers");
-            var stride:Number = _document.integer(_accessor, "stride", 1);
-            var offset:Number = _document.integer(_accessor, "offset", 0);
-            var columns:Vector.<int> = columnsOf(_accessor, stride);
-            var wanted:Number = _document.integer(_accessor, "count", Math.max(0, Math.floor((words.length - offset) / stride)));
+            var text:ColladaWords = new ColladaWords(new <ColladaElement>[array]);
+            _document.budget.take(ModelBudget.NUMBERS, text.length / 2, accessor);
+            _document.budget.take(ModelBudget.THINGS, accessor.children.length, accessor);
+            add(text).begin(function():Steps
+                {
+                    return readingPoints(accessor, array, text.words);
+                });
+        }
+
+        private function readingPoints(accessor:ColladaElement, array:ColladaElement, words:Array):Steps
+        {
+            _document.checkCount(array, words.length, "numbers");
+            var stride:Number = _document.integer(accessor, "stride", 1);
+            var offset:Number = _document.integer(accessor, "offset", 0);
+            var columns:Vector.<int> = columnsOf(accessor, stride);
+            var wanted:Number = _document.integer(accessor, "count", Math.max(0, Math.floor((words.length - offset) / stride)));
             var last:Number = offset + stride * (wanted - 1) + Math.max(columns[0], columns[1], columns[2]);
             _document.refuseIf(wanted > 0 && last >= words.length, "its count of " + wanted + " with a stride of " + stride +
-                    " reaches beyond the " + words.length + " numbers of its array", _accessor);
-            _document.budget.take(ModelBudget.NUMBERS, 3 * wanted, _accessor);
+                    " reaches beyond the " + words.length + " numbers of its array", accessor);
+            _document.budget.take(ModelBudget.NUMBERS, 3 * wanted, accessor);
             count = wanted;
             first = _points.length / 3;
             return new Slices(count, POINTS_PER_STEP, function(from:int, end:int):void
                 {
-                    readPoints(words, offset, stride, columns, from, end);
+                    for (var i:int = from; i < end; i++)
+                    {
+                        readPoint(array, words, offset + i * stride, columns, first + i);
+                    }
                 });
         }
 
-        private function readPoints(words:Array, offset:int, stride:int, columns:Vector.<int>, from:int, end:int):void
+        // Reads the point whose numbers begin at a word.
+        private function readPoint(array:ColladaElement, words:Array, at:int, columns:Vector.<int>, index:int):void
         {
-            var to:int = 3 * (first + from);
-            for (var i:int = from; i < end; i++)
+            for (var k:int = 0; k < 3; k++)
             {
-                var at:int = offset + i * stride;
-                for (var k:int = 0; k < 3; k++)
-                {
-                    var word:String = words[int(at + columns[k])];
-                    var number:Number = Decimal.of(word);
-                    _points[to++] = number - number == 0 ? number : _document.toNumber(_array, word);
-                }
+                var word:String = words[int(at + columns[k])];
+                var number:Number = Decimal.of(word);
+                _points[3 * index + k] = number - number == 0 ? number : _document.toNumber(array, word);
             }
         }
 
@@ -89,8 +90,8 @@ package starlogo.models.collada
             {
                 columns = new <int>[0, 1, 2];
             }
-            refuseIf(names.length < 3 && names.length > 0 || Math.max(columns[0], columns[1], columns[2]) >= stride,
-                    _document.budget.name, "expected the parameters X, Y and Z of points, within its stride of " + stride, accessor);
+            _document.refuseIf(names.length < 3 && names.length > 0 || Math.max(columns[0], columns[1], columns[2]) >= stride,
+                    "expected the parameters X, Y and Z of points, within its stride of " + stride, accessor);
             return columns;
         }
     }

@@ -10,6 +10,7 @@ package starlogo.models.obj
     import starlogo.models.text.Decimal;
     import starlogo.models.text.LineReader;
     import starlogo.models.text.TextTokens;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
@@ -24,7 +25,6 @@ package starlogo.models.obj
 
         private var _lines:LineReader;
         private var _budget:ModelBudget;
-        private var _isUsed:Vector.<uint> = null;
 
         // Faces with more than three corners are kept here until all vertices are known.
         private var _polygons:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
@@ -34,8 +34,6 @@ package starlogo.models.obj
         private var _material:int = -1;
         private var _mesh:int = -1;
         private var _polygonLabels:Vector.<int> = new Vector.<int>();
-        private var _polygon:int = 0;
-        private var _triangulator:Triangulator;
 
         private var _highestIndex:int = -1;
         private var _highestLine:int;
@@ -53,8 +51,7 @@ package starlogo.models.obj
             refuseIf(source.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
             _lines = new LineReader(name, source);
             _budget = new ModelBudget(name, source.length);
-            _triangulator = new Triangulator(_budget, data.vertices, data.triangles);
-            repeat(readSome).call(checkIndices).repeat(_triangulator.cuttingBetween(cutPolygons)).begin(droppingUnused).begin(turningUp);
+            repeat(readSome).call(checkIndices).begin(cutting).begin(turningUp);
         }
 
         private function readSome():Boolean
@@ -195,33 +192,39 @@ package starlogo.models.obj
             var vertexCount:int = data.vertices.length / 3;
             refuseIf(vertexCount == 0, name, "no vertices: expected lines such as \"v 1 2 3\"");
             refuseIf(_highestIndex >= vertexCount, name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, LineReader.placeOf(_highestLine));
-            _isUsed = new Vector.<uint>(vertexCount);
         }
 
-        /** Cuts some polygons into triangles. Returns whether there are more. */
-        private function cutPolygons():Boolean
+        // The work that cuts the polygons into triangles. Then, if there are faces, it removes the vertices that no face uses.
+        private function cutting():Steps
         {
-            var end:int = Math.min(_polygon + POLYGONS_PER_STEP, _polygons.length);
-            var count:int = 0;
-            while (_polygon < end && count < CORNERS_PER_STEP && !_triangulator.isCutting)
-            {
-                data.materials.begin(_polygonLabels[2 * _polygon], data.triangles.length / 3);
-                data.meshes.begin(_polygonLabels[2 * _polygon + 1], data.triangles.length / 3);
-                var polygon:Vector.<uint> = _polygons[_polygon++];
-                _triangulator.addPolygon(polygon);
-                for each (var corner:uint in polygon)
+            var triangulator:Triangulator = new Triangulator(_budget, data.vertices, data.triangles);
+            var isUsed:Vector.<uint> = new Vector.<uint>(data.vertices.length / 3);
+            var next:int = 0;
+            return new StepSequence().repeat(triangulator.cuttingBetween(function():Boolean
                 {
-                    _isUsed[corner] = 1; // also if the polygon has no triangle
-                }
-                count += polygon.length;
-            }
-            return _polygon < _polygons.length;
+                    var end:int = Math.min(next + POLYGONS_PER_STEP, _polygons.length);
+                    var count:int = 0;
+                    while (next < end && count < CORNERS_PER_STEP && !triangulator.isCutting)
+                    {
+                        cutPolygon(next, triangulator, isUsed);
+                        count += _polygons[next++].length;
+                    }
+                    return next < _polygons.length;
+                })).begin(function():Steps
+                {
+                    return data.triangles.length + _polygons.length == 0 ? null : new VertexFilter(data.vertices, data.triangles, isUsed);
+                });
         }
 
-        /** If there are faces, removes the vertices that no face uses. */
-        private function droppingUnused():Steps
+        private function cutPolygon(index:int, triangulator:Triangulator, isUsed:Vector.<uint>):void
         {
-            return data.triangles.length + _polygons.length == 0 ? null : new VertexFilter(data.vertices, data.triangles, _isUsed);
+            data.materials.begin(_polygonLabels[2 * index], data.triangles.length / 3);
+            data.meshes.begin(_polygonLabels[2 * index + 1], data.triangles.length / 3);
+            triangulator.addPolygon(_polygons[index]);
+            for each (var corner:uint in _polygons[index])
+            {
+                isUsed[corner] = 1; // also if the polygon has no triangle
+            }
         }
 
         private function errorAt(line:int, problem:String):ModelError

@@ -46,13 +46,19 @@ package starlogo.models.polygons
         public function addPolygon(outline:Vector.<uint>, holes:Vector.<Vector.<uint>> = null):void
         {
             var hasHoles:Boolean = holes != null && holes.length > 0;
-            if (outline.length < 3 || !hasHoles && addSmall(outline) || !_rings.setOutline(outline))
+            if (!hasHoles && outline.length <= 4)
+            {
+                addSmall(outline);
+                return;
+            }
+            if (outline.length < 3 || !_rings.setOutline(outline))
             {
                 return;
             }
             var start:int = _rings.addLoop(outline, true);
-            if (!hasHoles && addFan(outline.length))
+            if (!hasHoles && isFan(outline.length))
             {
+                addFan(outline.length);
                 return;
             }
             var nodes:Vector.<int> = new Vector.<int>();
@@ -103,20 +109,20 @@ package starlogo.models.polygons
             };
         }
 
-        // Cuts a triangle or a quad, and returns whether the outline is one. A quad is cut along the diagonal inside it.
-        private function addSmall(outline:Vector.<uint>):Boolean
+        // Adds an outline of at most four corners. A quad is cut along the diagonal inside it.
+        private function addSmall(outline:Vector.<uint>):void
         {
+            if (outline.length < 3)
+            {
+                return;
+            }
             var a:uint = outline[0];
             var b:uint = outline[1];
             var c:uint = outline[2];
             if (outline.length == 3)
             {
                 _rings.addTriangle(a, b, c);
-                return true;
-            }
-            if (outline.length > 4)
-            {
-                return false;
+                return;
             }
             var d:uint = outline[3];
             if (!isDiagonal(a, b, c, d) && isDiagonal(b, c, d, a))
@@ -129,7 +135,6 @@ package starlogo.models.polygons
                 _rings.addTriangle(a, b, c);
                 _rings.addTriangle(a, c, d);
             }
-            return true;
         }
 
         /** Whether ac cuts the quad into two triangles of the same direction. */
@@ -156,11 +161,8 @@ package starlogo.models.polygons
                 (bx * cy - by * cx) * (cx * dy - cy * dx) > 0;
         }
 
-        /**
-         * If the outline turns left as seen from its first corner, as a convex polygon without corners in a straight line does, cuts the
-         * outline from there. Returns whether it did.
-         */
-        private function addFan(count:int):Boolean
+        // Whether the ring turns left as seen from its first corner, as a convex polygon without corners in a straight line does.
+        private function isFan(count:int):Boolean
         {
             for (var i:int = 2; i < count; i++)
             {
@@ -169,12 +171,16 @@ package starlogo.models.polygons
                     return false;
                 }
             }
+            return true;
+        }
+
+        private function addFan(count:int):void
+        {
             var vertex:Vector.<uint> = _rings.vertex;
-            for (i = 2; i < count; i++)
+            for (var i:int = 2; i < count; i++)
             {
                 _rings.addTriangle(vertex[0], vertex[int(i - 1)], vertex[i]);
             }
-            return true;
         }
     }
 }

@@ -27,11 +27,7 @@ package starlogo.models.stl
         private var _budget:ModelBudget;
         private var _points:PointTable;
 
-        // of a binary file
-        private var _bytes:ByteArray;
-        private var _count:int;
-
-        // of a text file
+        // of a text file; null for a binary one
         private var _lines:LineReader = null;
 
         // of a text file: the number of corners of the present facet so far, and the last one
@@ -48,15 +44,9 @@ package starlogo.models.stl
         {
             super(name, upAxis);
             _budget = new ModelBudget(name, bytes == null ? text.length : bytes.length);
-            _bytes = bytes;
             if (bytes != null)
             {
-                ModelText.checkSize(name, bytes);
-                bytes.endian = Endian.LITTLE_ENDIAN;
-                _count = countIn(bytes);
-                _budget.require(ModelBudget.TRIANGLES, _count);
-                _points = new PointTable(Math.min(3 * _count, ModelBudget.MOST_VERTICES));
-                slices(_count, FACETS_PER_STEP, readFacets);
+                addBinary(bytes);
             }
             else
             {
@@ -66,6 +56,21 @@ package starlogo.models.stl
             }
             data.vertices = _points.coordinates;
             call(checkEnd).begin(turningUp);
+        }
+
+        private function addBinary(bytes:ByteArray):void
+        {
+            ModelText.checkSize(name, bytes);
+            bytes.endian = Endian.LITTLE_ENDIAN;
+            var count:int = countIn(bytes);
+            _budget.require(ModelBudget.TRIANGLES, count);
+            _points = new PointTable(Math.min(3 * count, ModelBudget.MOST_VERTICES));
+            slices(count, FACETS_PER_STEP, function(first:int, end:int):void
+                {
+                    readFacets(bytes, first, end);
+                    _budget.requireMesh(data.vertices.length / 3, data.triangles.length / 3, "triangle " + end);
+                    progress = 0.9 * end / Math.max(1, count);
+                });
         }
 
         /** The reader of a file's bytes. */
@@ -95,9 +100,8 @@ package starlogo.models.stl
             return (bytes[COUNT_PLACE] | bytes[COUNT_PLACE + 1] << 8 | bytes[COUNT_PLACE + 2] << 16 | bytes[COUNT_PLACE + 3] << 24) >>> 0;
         }
 
-        private function readFacets(first:int, end:int):void
+        private function readFacets(bytes:ByteArray, first:int, end:int):void
         {
-            var bytes:ByteArray = _bytes;
             var place:int = HEADER_LENGTH + first * FACET_LENGTH + NORMAL_LENGTH;
             for (var i:int = first; i < end; i++)
             {
@@ -115,8 +119,6 @@ package starlogo.models.stl
                 }
                 place += FACET_LENGTH;
             }
-            _budget.requireMesh(data.vertices.length / 3, data.triangles.length / 3, "triangle " + end);
-            progress = 0.9 * end / Math.max(1, _count);
         }
 
         private function readSome():Boolean

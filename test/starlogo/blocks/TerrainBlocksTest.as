@@ -200,7 +200,7 @@ package starlogo.blocks
             {
                 assertEquals("nothing was built", 0, height);
             }
-            assertThrows(ArgumentError, /collision blocks and detection blocks are needed/, create, TerrainBlocks, _collisions, null);
+            assertThrows(ArgumentError, /detection must not be null/, create, TerrainBlocks, _collisions, null);
         }
     }
 }

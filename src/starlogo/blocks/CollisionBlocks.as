@@ -54,7 +54,7 @@ package starlogo.blocks
          */
         public function CollisionBlocks(greatLand:GreatLand, agents:Vector.<Agent>)
         {
-            requireGiven("greatLand", greatLand);
+            requireGiven("the GreatLand", greatLand);
             requireGiven("the list of agents", agents);
             _greatLand = greatLand;
             _agents = agents;

@@ -17,7 +17,7 @@ package starlogo.blocks
     {
         private var _collisions:CollisionBlocks;
         private var _queries:AgentQueries;
-        
+
         // the resetCount of the collision blocks at the last update
         private var _updatedAt:int = -1;
         private var _ahead:ShapeHit = new ShapeHit();

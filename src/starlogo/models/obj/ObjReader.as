@@ -201,16 +201,16 @@ package starlogo.models.obj
             var isUsed:Vector.<uint> = new Vector.<uint>(data.vertices.length / 3);
             var next:int = 0;
             return new StepSequence().repeat(triangulator.cuttingBetween(function():Boolean
-                {
-                    var end:int = Math.min(next + POLYGONS_PER_STEP, _polygons.length);
-                    var count:int = 0;
-                    while (next < end && count < CORNERS_PER_STEP && !triangulator.isCutting)
                     {
-                        cutPolygon(next, triangulator, isUsed);
-                        count += _polygons[next++].length;
-                    }
-                    return next < _polygons.length;
-                })).begin(function():Steps
+                        var end:int = Math.min(next + POLYGONS_PER_STEP, _polygons.length);
+                        var count:int = 0;
+                        while (next < end && count < CORNERS_PER_STEP && !triangulator.isCutting)
+                        {
+                            cutPolygon(next, triangulator, isUsed);
+                            count += _polygons[next++].length;
+                        }
+                        return next < _polygons.length;
+                    })).begin(function():Steps
                 {
                     return data.triangles.length + _polygons.length == 0 ? null : new VertexFilter(data.vertices, data.triangles, isUsed);
                 });

@@ -2,7 +2,10 @@ package starlogo.ground
 {
     import evaluation.pairs.RandomStructures;
     import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
@@ -112,6 +115,41 @@ package starlogo.ground
                 compare(i, expected, found);
             }
             _wrong.assertNone();
+        }
+
+        [Test]
+        public function thePointOfAnOverlapIsInBoth():void
+        {
+            var points:ClosestPoints = new ClosestPoints();
+            var onSurface:int = 0;
+            for (var i:int = 0; i < Effort.choose(400, 8000, 100); i++)
+            {
+                makeOverlap(i);
+                setTo(_query, 0, 0, 0);
+                _query.findClosest(true, points);
+                var slack:Number = 1e-9 * (_maxDistance + Math.abs(_placement.z));
+                var height:Number = heightAround(points.aX, points.aY, slack);
+                var placed:BoundingStructure = _structure.place(_placement);
+                placed.widen(slack);
+                onSurface += height - points.aZ < slack ? 1 : 0;
+                _wrong.addIf(points.distance != 0 || points.aZ != points.bZ, "distance", i + ": " + points.distance);
+                _wrong.addIf(!(points.aZ <= height + slack), "above the ground", i + ", " + _structure + ": " + points.aZ + " above " + height);
+                _wrong.addIf(!placed.contains(new Vector3D(points.aX, points.aY, points.aZ)), "outside", i + ", " + _structure);
+            }
+            _wrong.assertNone();
+            assertTrue(onSurface > 0);
+        }
+
+        // The greatest height of the ground near a place, which may be the side of a column or the ground's border.
+        private function heightAround(x:Number, y:Number, slack:Number):Number
+        {
+            var greatest:Number = -Infinity;
+            for (var i:int = 0; i < 4; i++)
+            {
+                var height:Number = _terrain.heightAt(x + (i % 2 == 0 ? slack : -slack), y + (i < 2 ? slack : -slack));
+                greatest = height > greatest ? height : greatest;
+            }
+            return greatest;
         }
 
         private function makeOverlap(i:int):void

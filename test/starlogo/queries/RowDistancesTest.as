@@ -6,6 +6,9 @@ package starlogo.queries
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Sphere;
+    import starlogo.engine;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
@@ -21,6 +24,8 @@ package starlogo.queries
     import support.Effort;
     import support.Fixtures;
     import support.SolidModels;
+
+    use namespace engine;
 
     /**
      * How far agents are apart in every system, against every pair of nodes or triangles; 0 where they touch, and only there; the same in either
@@ -128,6 +133,32 @@ package starlogo.queries
                 var offA:Number = reference.fromTriangles(a, asked.pointA);
                 var offB:Number = reference.fromTriangles(b, asked.pointB);
                 assertTrue("pair " + i + ": points " + offA + " and " + offB + " off", arePoints(asked, offA, offB, PRECISION * sizeOf(a, b)));
+            }
+            assertMixed();
+        }
+
+        [Test]
+        public function trianglesAndBalls():void
+        {
+            var choice:AgentShapes = new TreeShapes(sGreatLand, new TightestShapes(sGreatLand));
+            var pairs:NarrowPhase = new NarrowPhase(choice);
+            StructurePairTests.bringTo(pairs);
+            TreePairTests.bringTo(pairs);
+            pairs.treeLimits.exact = true;
+            var asked:AskedDistance = new AskedDistance(choice, pairs);
+            var reference:DistanceReference = new DistanceReference(sGreatLand);
+            var fit:BoundingStructure = sGreatLand.boundingStructures.tightestFit("sphere");
+            for (var i:int = 0; i < Effort.choose(60, 3000); i++)
+            {
+                var a:Agent = agent(["cube", "kelp"].concat(SolidModels.NAMES));
+                var ball:Agent = agent(["sphere"]);
+                a.hierarchical = true;
+                check(asked, a, ball, "pair " + i);
+                if (!asked.areTouching)
+                {
+                    var placed:Sphere = Sphere(fit.place(ball.worldPlacement()));
+                    assertNear("pair " + i, reference.fromTriangles(a, placed.center) - placed.radius, asked.closest.distance, a, ball);
+                }
             }
             assertMixed();
         }

@@ -97,7 +97,7 @@ package starlogo.bounding
             }
             setCorners(relative);
             setBox();
-            checkSize(radius, "a hull");
+            checkSize(measureRadius(), "a hull");
         }
 
         /** @inheritDoc */
@@ -169,7 +169,7 @@ package starlogo.bounding
             var x:Number = point.x - center.x;
             var y:Number = point.y - center.y;
             var z:Number = point.z - center.z;
-            var limit:Number = margin + slack(radius, center);
+            var limit:Number = margin + slack(measureRadius(), center);
             var planes:Vector.<Number> = halfSpaces;
             for (var i:int = 0; i < planes.length; i += 4)
             {
@@ -186,7 +186,7 @@ package starlogo.bounding
         {
             checkVector(center, "the centre of a hull");
             checkLength(margin, "the margin of a hull");
-            checkSize(checkLength(radius, "the radius of a hull"), "a hull");
+            checkSize(checkLength(measureRadius(), "the radius of a hull"), "a hull");
             return place(AT_ORIGIN, new Hull(POINT));
         }
 
@@ -214,30 +214,10 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
         {
-            var from:Vector.<Number> = points;
-            var end:int = from.length;
-            var lowX:Number = Infinity;
-            var lowY:Number = Infinity;
-            var lowZ:Number = Infinity;
-            var highX:Number = -Infinity;
-            var highY:Number = -Infinity;
-            var highZ:Number = -Infinity;
-            for (var i:int = 0; i < end; i += 3)
-            {
-                var x:Number = from[i];
-                var y:Number = from[int(i + 1)];
-                var z:Number = from[int(i + 2)];
-                lowX = x < lowX ? x : lowX;
-                lowY = y < lowY ? y : lowY;
-                lowZ = z < lowZ ? z : lowZ;
-                highX = x > highX ? x : highX;
-                highY = y > highY ? y : highY;
-                highZ = z > highZ ? z : highZ;
-            }
-            var outerMargin:Number = margin + rounding(highX - lowX + (highY - lowY) + (highZ - lowZ), center);
-            writeExtent(center.x + lowX, center.x + highX, outerMargin, out, offset);
-            writeExtent(center.y + lowY, center.y + highY, outerMargin, out, offset + 2);
-            writeExtent(center.z + lowZ, center.z + highZ, outerMargin, out, offset + 4);
+            rotatedExtentsInto(AT_ORIGIN, sExtents);
+            writeExtent(sExtents[0], sExtents[0], sExtents[3], out, offset);
+            writeExtent(sExtents[1], sExtents[1], sExtents[4], out, offset + 2);
+            writeExtent(sExtents[2], sExtents[2], sExtents[5], out, offset + 4);
         }
 
         /**
@@ -277,7 +257,7 @@ package starlogo.bounding
         {
             // The tolerance depends on the model's radius about the middle of its extents. That radius is at most the square root of 3 times
             // the radius about any other point.
-            widen(4 * Tolerances.SURFACES * radius);
+            widen(4 * Tolerances.SURFACES * measureRadius());
         }
 
         /** @private */
@@ -362,8 +342,8 @@ package starlogo.bounding
             setBox();
         }
 
-        // The largest distance of a corner from the centre.
-        private function get radius():Number
+        // Returns the largest distance of a corner from the centre.
+        private function measureRadius():Number
         {
             var most:Number = 0;
             for (var i:int = 0; i < points.length; i += 3)
@@ -390,13 +370,12 @@ package starlogo.bounding
 
         private function setBox():void
         {
-            var extents:Vector.<Number> = sExtents;
-            extentsInto(extents);
-            _box.center.setTo((extents[0] + extents[1]) / 2, (extents[2] + extents[3]) / 2, (extents[4] + extents[5]) / 2);
-            var by:Number = (Tolerances.OUTER - 1) * radius;
-            _box.halfX = (extents[1] - extents[0]) / 2 + by;
-            _box.halfY = (extents[3] - extents[2]) / 2 + by;
-            _box.halfZ = (extents[5] - extents[4]) / 2 + by;
+            rotatedExtentsInto(AT_ORIGIN, sExtents);
+            var by:Number = (Tolerances.OUTER - 1) * measureRadius();
+            _box.center.setTo(sExtents[0], sExtents[1], sExtents[2]);
+            _box.halfX = sExtents[3] + by;
+            _box.halfY = sExtents[4] + by;
+            _box.halfZ = sExtents[5] + by;
             _box.axisX.setTo(1, 0, 0);
             _box.axisY.setTo(0, 1, 0);
             _box.axisZ.setTo(0, 0, 1);

@@ -17,28 +17,21 @@ package starlogo.convex
         /** Writes the point halfway between the two surfaces, relative to b's origin. */
         public function find(cores:CorePair, out:ContactPoint):void
         {
+            findFeatures(cores, out);
             // how far the place halfway between the surfaces is from the common part, along the normal
             var by:Number;
-            if (cores.a.end == 3)
+            if (_a.end == 3)
             {
-                // a point is the common part
-                out.x = cores.x + cores.a.points[0];
-                out.y = cores.y + cores.a.points[1];
-                out.z = cores.z + cores.a.points[2];
+                writeMean(_a.points, 3, out);
                 by = out.depth / 2 - cores.a.radius;
             }
-            else if (cores.b.end == 3)
+            else if (_b.end == 3)
             {
-                out.x = cores.b.points[0];
-                out.y = cores.b.points[1];
-                out.z = cores.b.points[2];
+                writeMean(_b.points, 3, out);
                 by = cores.b.radius - out.depth / 2;
             }
             else
             {
-                _a.find(cores.a, -1, out);
-                _a.move(cores.x, cores.y, cores.z);
-                _b.find(cores.b, 1, out);
                 findShared(out);
                 var surface:Number = out.normalX * cores.x + out.normalY * cores.y + out.normalZ * cores.z - _a.farthest - cores.a.radius;
                 by = surface + out.depth / 2 - (out.normalX * out.x + out.normalY * out.y + out.normalZ * out.z);
@@ -48,23 +41,35 @@ package starlogo.convex
             out.z += by * out.normalZ;
         }
 
-        // Writes the middle of what the two features share when seen along the normal. It is in the plane of either.
-        private function findShared(out:ContactPoint):void
+        // Finds both features, first that of the core with fewer points. If it is a corner, it is the common part, and the other feature is left empty.
+        private function findFeatures(cores:CorePair, contact:ContactPoint):void
         {
+            _a.clear();
+            _b.clear();
+            if (cores.b.end < cores.a.end)
+            {
+                _b.find(cores.b, 1, contact);
+            }
+            if (_b.end != 3)
+            {
+                _a.find(cores.a, -1, contact);
+                _a.move(cores.x, cores.y, cores.z);
+            }
+            if (_a.end > 3 && _b.end == 0)
+            {
+                _b.find(cores.b, 1, contact);
+            }
             if (_a.end > 3 && _b.end > 3)
             {
-                _a.order(out);
-                _b.order(out);
+                _a.order(contact);
+                _b.order(contact);
             }
-            if (_a.end == 3)
-            {
-                writeMean(_a.points, 3, out);
-            }
-            else if (_b.end == 3)
-            {
-                writeMean(_b.points, 3, out);
-            }
-            else if (_b.end > 6)
+        }
+
+        // Writes the middle of what two edges or faces share when seen along the normal. It is in the plane of either.
+        private function findShared(out:ContactPoint):void
+        {
+            if (_b.end > 6)
             {
                 writeMeanWithin(_a, _b, out);
             }

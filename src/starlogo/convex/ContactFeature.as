@@ -20,6 +20,12 @@ package starlogo.convex
         // The corners in the order of the core's points.
         private var _unordered:Vector.<Number> = new Vector.<Number>();
 
+        /** Leaves no corners. */
+        public function clear():void
+        {
+            end = 0;
+        }
+
         /** Finds the corners of a core that are farthest along a contact's normal, or against it if the side is -1. They are in any order. */
         public function find(shape:ConvexShape, side:int, contact:ContactPoint):void
         {

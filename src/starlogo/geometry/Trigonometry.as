@@ -13,16 +13,11 @@ package starlogo.geometry
      */
     public final class Trigonometry
     {
-        // Pi / 180: rounded, in two parts of half the bits, and the rounding error. 180 / pi: rounded, and the rounding error.
+        // Pi / 180: rounded, and the rounding error. 180 / pi: the same.
         private static const RADIANS:Number = 0.017453292519943295;
-        private static const RADIANS_HIGH:Number = 0.01745329238474369;
-        private static const RADIANS_LOW:Number = 1.3519960498364902e-10;
         private static const RADIANS_REST:Number = 2.9486522708701687e-19;
         private static const DEGREES:Number = 57.29577951308232;
         private static const DEGREES_REST:Number = -1.9878495670576283e-15;
-
-        /** The factor that splits a Number into two parts of half the bits. */
-        private static const SPLIT:Number = 134217729;
 
         // The arctangents of 0 to 16 sixteenths: rounded, and the rounding errors.
         private static const ARCTANGENTS:Vector.<Number> = new <Number>[0, 3.576334374997351, 7.125016348901798, 10.619655276155134,
@@ -176,10 +171,7 @@ package starlogo.geometry
         // The rounding error of an angle that was multiplied by RADIANS.
         private static function roundingOfRadians(angle:Number, radians:Number):Number
         {
-            var high:Number = SPLIT * angle;
-            high -= high - angle;
-            var low:Number = angle - high;
-            return high * RADIANS_HIGH - radians + high * RADIANS_LOW + low * RADIANS_HIGH + low * RADIANS_LOW + angle * RADIANS_REST;
+            return roundingOf(angle, RADIANS, radians) + angle * RADIANS_REST;
         }
     }
 }

@@ -67,11 +67,11 @@ package starlogo.hierarchy
         /** The radius of the sphere around the root's box. */
         public var radius:Number = 0;
 
+        /** The radius of a sphere around the origin that contains the model. Rounding errors are relative to it. Complete with the root's box. */
+        public var boundingRadius:Number = 0;
+
         // For each node, four times its level plus the axis along which it is split. The root's level is 1.
         private var _splits:Vector.<int> = new Vector.<int>();
-
-        // The radius of a sphere around the origin that contains the model. The rounding error is relative to it.
-        private var _boundingRadius:Number = 0;
 
         /**
          * Creates a tree without nodes. A BoxTreeBuilder or a TreeReader makes them.
@@ -324,13 +324,13 @@ package starlogo.hierarchy
          */
         engine function setExtents(extents:Vector.<Number>):void
         {
-            _boundingRadius = 0;
+            boundingRadius = 0;
             for (var i:int = 0; i < 6; i++)
             {
-                _boundingRadius = Math.max(_boundingRadius, Math.abs(extents[i]));
+                boundingRadius = Math.max(boundingRadius, Math.abs(extents[i]));
             }
-            VertexBounds.requireWithin(_boundingRadius);
-            _boundingRadius *= Math.sqrt(3);
+            VertexBounds.requireWithin(boundingRadius);
+            boundingRadius *= Math.sqrt(3);
         }
 
         /**
@@ -342,7 +342,7 @@ package starlogo.hierarchy
          */
         engine function enclose(node:int, extents:Vector.<Number>, at:int = 0):void
         {
-            var margin:Number = _boundingRadius * (Tolerances.SURFACES + Tolerances.NESTING * Math.max(1, Tolerances.NESTED_LEVELS - levelOf(node)));
+            var margin:Number = boundingRadius * (Tolerances.SURFACES + Tolerances.NESTING * Math.max(1, Tolerances.NESTED_LEVELS - levelOf(node)));
             var minX:Number = extents[at];
             var minY:Number = extents[int(at + 1)];
             var minZ:Number = extents[int(at + 2)];

@@ -155,7 +155,7 @@ package starlogo.intersection
             out.x = deepest.x + out.depth / 2 * out.normalX;
             out.y = deepest.y + out.depth / 2 * out.normalY;
             out.z = deepest.z + out.depth / 2 * out.normalZ;
-            return isOverTriangle(deepest, _corners, _at, _face);
+            return isOver(deepest);
         }
 
         /**
@@ -197,6 +197,28 @@ package starlogo.intersection
                 + Tolerances.ROUNDING * (shape.size + _triangle.size + Math.abs(place) + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             return place + _ofShape.least + Math.min(travel, 0) - _ofTriangle.greatest > touchingDistance
                 || _ofTriangle.least - place - _ofShape.greatest - Math.max(travel, 0) > touchingDistance;
+        }
+
+        // Whether a place is over the triangle or behind it: its foot on the triangle's plane is in the triangle. False if the normal is NaN.
+        private function isOver(place:Vector3D):Boolean
+        {
+            var p:Vector.<Number> = _corners;
+            var from:int = _at + 6;
+            for (var to:int = _at; to < _at + 9; to += 3)
+            {
+                var ux:Number = p[to] - p[from];
+                var uy:Number = p[int(to + 1)] - p[int(from + 1)];
+                var uz:Number = p[int(to + 2)] - p[int(from + 2)];
+                var vx:Number = place.x - p[from];
+                var vy:Number = place.y - p[int(from + 1)];
+                var vz:Number = place.z - p[int(from + 2)];
+                if (!(_face.x * (uy * vz - uz * vy) + _face.y * (uz * vx - ux * vz) + _face.z * (ux * vy - uy * vx) >= 0))
+                {
+                    return false;
+                }
+                from = to;
+            }
+            return true;
         }
 
         private function prepare():void

@@ -75,7 +75,7 @@ package starlogo.solid
             }
             if (!exact || !model.hasTriangles)
             {
-                _nodes.findAll(model.tree, exact ? int.MAX_VALUE : depth, ray, Tolerances.ROUNDING * boundingRadiusOf(model.tree.boxes), out);
+                _nodes.findAll(model.tree, exact ? int.MAX_VALUE : depth, ray, Tolerances.ROUNDING * model.tree.boundingRadius, out);
                 return false;
             }
             var first:int = out.count;
@@ -113,7 +113,7 @@ package starlogo.solid
         private function searchTriangles(model:ModelTree, ray:Ray, all:RayCrossings):void
         {
             var mesh:TriangleMesh = model.mesh;
-            _triangles.begin(ray, mesh.corners, boundingRadiusOf(model.tree.boxes), all);
+            _triangles.begin(ray, mesh.corners, model.tree.boundingRadius, all);
             _boxes.setRay(ray);
             _boxes.find(mesh.tree, int.MAX_VALUE, _triangles);
         }
@@ -128,13 +128,6 @@ package starlogo.solid
             {
                 ray.setNormal(_face.x, _face.y, _face.z);
             }
-        }
-
-        // The radius of a sphere about the model's origin that encloses all triangles. The rounding error is relative to it.
-        private static function boundingRadiusOf(boxes:Vector.<Number>):Number
-        {
-            var radius:Number = Math.max(Math.abs(boxes[0]) + boxes[3], Math.abs(boxes[1]) + boxes[4]);
-            return Math.sqrt(3) * Math.max(radius, Math.abs(boxes[2]) + boxes[5]);
         }
     }
 }

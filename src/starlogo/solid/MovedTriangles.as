@@ -1,6 +1,5 @@
 package starlogo.solid
 {
-    import starlogo.intersection.writeTriangleExtents;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;

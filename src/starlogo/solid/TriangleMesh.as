@@ -5,7 +5,6 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.intersection.writeTriangleExtents;
 
     use namespace engine;
 
@@ -17,9 +16,6 @@ package starlogo.solid
 
         /** The triangles' corners: nine numbers each. */
         public var corners:Vector.<Number>;
-
-        /** The radius of a sphere around the origin that contains all triangles. */
-        public var boundingRadius:Number;
 
         /** How much the places of a triangle's corners along its normal may differ. */
         public var flatness:Number;
@@ -38,12 +34,9 @@ package starlogo.solid
             measure();
         }
 
-        // Measures the box around all triangles.
         private function measure():void
         {
-            var box:Vector.<Number> = tree.boxes;
-            boundingRadius = tree.radius + Math.abs(box[0]) + Math.abs(box[1]) + Math.abs(box[2]);
-            flatness = Tolerances.PLANES * boundingRadius;
+            flatness = Tolerances.PLANES * tree.boundingRadius;
         }
 
         /** Takes over new corners, after the tree has new boxes. */

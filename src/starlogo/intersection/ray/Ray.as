@@ -208,6 +208,63 @@ package starlogo.intersection.ray
             }
         }
 
+        /**
+         * Widens near and far to include the part in the cylinder around a segment. Across the segment the cylinder is a circle. The line is inside
+         * between the places where it enters and leaves that circle, as far as they are between the segment's ends.
+         */
+        public function addTube(start:Vector3D, end:Vector3D, radius:Number):void
+        {
+            var axisX:Number = end.x - start.x;
+            var axisY:Number = end.y - start.y;
+            var axisZ:Number = end.z - start.z;
+            var squared:Number = axisX * axisX + axisY * axisY + axisZ * axisZ;
+            if (!(squared > 0))
+            {
+                return;
+            }
+            var asideX:Number = x - start.x;
+            var asideY:Number = y - start.y;
+            var asideZ:Number = z - start.z;
+            // As shares of the segment: the place of the line's point, and how far the line goes along the segment in a length of 1.
+            var share:Number = (asideX * axisX + asideY * axisY + asideZ * axisZ) / squared;
+            var speed:Number = (directionX * axisX + directionY * axisY + directionZ * axisZ) / squared;
+            var acrossX:Number = directionX - speed * axisX;
+            var acrossY:Number = directionY - speed * axisY;
+            var acrossZ:Number = directionZ - speed * axisZ;
+            var turn:Number = acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ;
+            if (!(turn > Tolerances.PARALLEL) || speed == 0 && (share < 0 || share > 1))
+            {
+                return;
+            }
+            asideX -= share * axisX;
+            asideY -= share * axisY;
+            asideZ -= share * axisZ;
+            var closest:Number = -(asideX * acrossX + asideY * acrossY + asideZ * acrossZ) / turn;
+            asideX += closest * acrossX;
+            asideY += closest * acrossY;
+            asideZ += closest * acrossZ;
+            var inside:Number = radius * radius - (asideX * asideX + asideY * asideY + asideZ * asideZ);
+            if (!(inside >= 0))
+            {
+                return;
+            }
+            inside = Math.sqrt(inside / turn);
+            var into:Number = closest - inside;
+            var out:Number = closest + inside;
+            if (speed != 0)
+            {
+                var first:Number = (speed > 0 ? -share : 1 - share) / speed;
+                var last:Number = (speed > 0 ? 1 - share : -share) / speed;
+                into = first > into ? first : into;
+                out = last < out ? last : out;
+            }
+            if (into <= out)
+            {
+                near = into < near ? into : near;
+                far = out > far ? out : far;
+            }
+        }
+
         /** Narrows the ray's part to the part between near and far. Returns whether anything is left. */
         public function narrow():Boolean
         {

@@ -1,4 +1,4 @@
-package starlogo.intersection
+package starlogo.solid
 {
     /**
      * Writes the extents of a triangle: minX, minY, minZ, maxX, maxY, maxZ.
@@ -9,7 +9,7 @@ package starlogo.intersection
      * @param to that index
      * @private
      */
-    public function writeTriangleExtents(corners:Vector.<Number>, at:int, out:Vector.<Number>, to:int):void
+    internal function writeTriangleExtents(corners:Vector.<Number>, at:int, out:Vector.<Number>, to:int):void
     {
         for (var axis:int = 0; axis < 3; axis++)
         {

@@ -23,8 +23,8 @@ package starlogo.intersection
     {
         var centerA:Vector3D = a.center;
         var centerB:Vector3D = b.center;
-        // Boxes with the same centre touch, so their order does not matter.
-        if (isAfter(centerA, centerB))
+        // For most boxes x alone decides about the order, without a call. Boxes with the same centre touch, so their order does not matter.
+        if (centerA.x > centerB.x || centerA.x == centerB.x && isAfter(centerA, centerB))
         {
             var first:Box = b;
             b = a;

@@ -253,8 +253,10 @@ package starlogo.intersection.ray
             var out:Number = closest + inside;
             if (speed != 0)
             {
-                var first:Number = (speed > 0 ? -share : 1 - share) / speed;
-                var last:Number = (speed > 0 ? 1 - share : -share) / speed;
+                var first:Number = speed > 0 ? -share : 1 - share;
+                var last:Number = speed > 0 ? 1 - share : -share;
+                first /= speed;
+                last /= speed;
                 into = first > into ? first : into;
                 out = last < out ? last : out;
             }

@@ -34,7 +34,7 @@ for (const [name, file] of Object.entries(FILES)) {
 /** What the TightestFitCollider has if all agents collide as hulls. */
 class Hulls extends ShapeChoice {
 	bind(shape) {
-		shape.setStructure(this.greatLand.boundingStructures.hull(shape.model));
+		shape.setStructure(this.greatLand.boundingStructures.hull(shape.modelName));
 	}
 }
 

@@ -37,8 +37,8 @@ package support
         /** How far two agents are apart. */
         public function between(a:Agent, b:Agent):Number
         {
-            _table.bodyOfNow(a, _bodyA);
-            _table.bodyOfNow(b, _bodyB);
+            _table.currentBodyOf(a, _bodyA);
+            _table.currentBodyOf(b, _bodyB);
             areTouching = _pairs.areTouching(_bodyA, _bodyB);
             DistanceQueries.measure(_pairs, _bodyA, _bodyB, true, closest);
             return closest.distance;

@@ -50,7 +50,7 @@ export class AgentPlace {
 	#isYUp;
 	// the agent's revisions when it was last read: of everything, and of everything but the position
 	#revision = -1;
-	#extentsRevision = -1;
+	#bodyRevision = -1;
 
 	/**
 	 * @param {object} agent the agent
@@ -70,8 +70,8 @@ export class AgentPlace {
 		const placement = agent.$placement;
 		if (this.#isYUp) this.position.set(placement.x, placement.z, -placement.y);
 		else this.position.set(placement.x, placement.y, placement.z);
-		if (placement.extentsRevision === this.#extentsRevision) return true;
-		this.#extentsRevision = placement.extentsRevision;
+		if (agent.$bodyRevision === this.#bodyRevision) return true;
+		this.#bodyRevision = agent.$bodyRevision;
 		this.size = placement.size;
 		// by indices, because destructuring the list is slower
 		agent.$worldPlacement().readQuaternion(turn);
@@ -96,7 +96,7 @@ export class AgentPlace {
 		this.position.copy(position);
 		this.size = size;
 		this.#revision = agent.$revision;
-		this.#extentsRevision = agent.$placement.extentsRevision;
+		this.#bodyRevision = agent.$bodyRevision;
 	}
 }
 

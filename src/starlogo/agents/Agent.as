@@ -71,30 +71,32 @@ package starlogo.agents
 
         private static var sMatrix:Vector.<Number> = new Matrix3D().rawData;
 
-        /**
-         * @private The agent's place in the world. Its rotation may be stale: see <code>worldPlacement</code>. Its
-         * <code>extentsRevision</code> counts changes of the turn, the size, the shape, the way the agent collides, and
-         * <code>traversalDepth</code>: of all that the tests of a pair read, except the place.
-         */
+        /** @private The agent's place in the world. Its rotation may be stale: see <code>worldPlacement</code>. */
         engine var placement:Placement = new Placement();
 
         /**
-         * @private Counts changes of all that a search reads: what <code>extentsRevision</code> counts, the place, the breed, and whether the
+         * @private Counts changes of all that a search reads: what <code>bodyRevision</code> counts, the place, the breed, and whether the
          * agent sweeps.
          */
         engine var revision:int = 0;
+
+        /**
+         * @private Counts changes of the agent's body, except of its place: of the turn, the size, <code>traversalDepth</code>, and what
+         * <code>shapeRevision</code> counts.
+         */
+        engine var bodyRevision:int = 0;
+
+        /** @private Counts changes of which shape the agent has: of its model, and of the way it collides. */
+        engine var shapeRevision:int = 0;
 
         /** @private The revision that the last jump made. The agent has no motion up to this revision. */
         engine var jumpRevision:int = -1;
 
         /** @private The value of <code>id</code>, without a call. */
-        engine var number:int;
+        engine var idNumber:int;
 
         /** @private The number of the breed's name. */
         engine var breedNumber:int;
-
-        /** @private Counts changes of the agent's shape and of the way it collides, but for its depth. */
-        engine var shapeRevision:int = 0;
 
         /** @private The value of <code>traversalDepth</code>, without a call. */
         engine var depthLimit:int = 0;
@@ -146,21 +148,21 @@ package starlogo.agents
         {
             requireName("shape", shape);
             requireBreed(breed);
-            number = newNumber();
+            idNumber = newId();
             breedNumber = Breeds.numberOf(breed);
             _shape = shape;
         }
 
         /** @private Counts a new agent, and returns its id. */
-        engine static function takeNumber():int
+        engine static function takeId():int
         {
             return ++sCreated;
         }
 
         /** @private The id of a new agent. */
-        engine function newNumber():int
+        engine function newId():int
         {
-            return takeNumber();
+            return takeId();
         }
 
         /** @private The number of agents and terrains created so far, which is also the largest id. */
@@ -172,7 +174,7 @@ package starlogo.agents
         /** A number that no other agent of this run has. The first is 1. Those of the edges of the world have negative numbers. */
         public function get id():int
         {
-            return number;
+            return idNumber;
         }
 
         /** The name of the agent's model. */
@@ -188,7 +190,7 @@ package starlogo.agents
             {
                 _shape = value;
                 shapeRevision++;
-                extentsChanged();
+                countBodyChange();
             }
         }
 
@@ -301,7 +303,7 @@ package starlogo.agents
             if (value != placement.size)
             {
                 placement.size = value;
-                extentsChanged();
+                countBodyChange();
             }
         }
 
@@ -483,7 +485,7 @@ package starlogo.agents
             {
                 _hierarchical = value;
                 shapeRevision++;
-                extentsChanged();
+                countBodyChange();
             }
         }
 
@@ -507,7 +509,7 @@ package starlogo.agents
             if (value != depthLimit)
             {
                 depthLimit = value;
-                extentsChanged();
+                countBodyChange();
             }
         }
 
@@ -541,7 +543,7 @@ package starlogo.agents
             {
                 structureKind = kind;
                 shapeRevision++;
-                extentsChanged();
+                countBodyChange();
             }
         }
 
@@ -577,7 +579,7 @@ package starlogo.agents
             {
                 return "a new agent";
             }
-            return "agent " + number + " (breed \"" + breed + "\", shape \"" + _shape + "\")";
+            return "agent " + idNumber + " (breed \"" + breed + "\", shape \"" + _shape + "\")";
         }
 
         /** @private The agent's place in the world. Its rotation is up to date. */
@@ -652,7 +654,7 @@ package starlogo.agents
             _pitch = pitch;
             _roll = roll;
             _rotationIsStale = true;
-            extentsChanged();
+            countBodyChange();
         }
 
         // Turns the agent by a quaternion of any length except 0.
@@ -665,7 +667,7 @@ package starlogo.agents
                 placement.copyRotation(sTurned);
                 _isTurnedByQuaternion = true;
                 _anglesAreStale = true;
-                extentsChanged();
+                countBodyChange();
             }
         }
 
@@ -682,10 +684,10 @@ package starlogo.agents
             }
         }
 
-        // Call it after a change that extentsRevision counts.
-        private function extentsChanged():void
+        // Call it after a change that bodyRevision counts.
+        private function countBodyChange():void
         {
-            placement.extentsRevision++;
+            bodyRevision++;
             revision++;
         }
 

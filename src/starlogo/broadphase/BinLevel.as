@@ -14,10 +14,10 @@ package starlogo.broadphase
         private static const SLACK:Number = 1 / (1 << 18);
 
         // In place of a mask.
-        internal static const NO_CELLS:int = 0;
+        private static const NO_CELLS:int = 0;
 
-        // Extents that fit the level store this number.
-        internal var number:int;
+        // The index among all levels. Extents that fit the level store it.
+        internal var index:int;
 
         // A power of two, in patches. The widest members are at most this wide. No member is narrower than half of it, unless it is far
         // out or the level is the finest. Cells are a little wider. So two members that touch are in the same cell or in neighbouring cells.
@@ -41,12 +41,12 @@ package starlogo.broadphase
         internal var stride:int;
 
         /**
-         * @param number the level's own number
+         * @param index the index among all levels
          * @param width a power of two
          */
-        public function BinLevel(number:int, width:Number)
+        public function BinLevel(index:int, width:Number)
         {
-            this.number = number;
+            this.index = index;
             this.width = width;
             cellsPerPatch = 1 / (width + 4 * width * SLACK);
             maxDistanceSquared = width * width * MAX_DISTANCE * MAX_DISTANCE;
@@ -74,8 +74,38 @@ package starlogo.broadphase
             return base + mask + 1 + Bins.COPIED;
         }
 
-        /** The mask for a number of members. */
-        public function maskFor(members:int):int
+        /** Counts a member that has come to the level. */
+        public function addMember():void
+        {
+            count++;
+        }
+
+        /** Counts a member that has left the level. */
+        public function removeMember():void
+        {
+            count--;
+        }
+
+        /** Whether the lists of cells have cells of the level. */
+        public function get hasCells():Boolean
+        {
+            return mask != NO_CELLS;
+        }
+
+        /** Gives up the cells. */
+        public function dropCells():void
+        {
+            mask = NO_CELLS;
+        }
+
+        /** Whether the level would get as many cells as it has, for the members that it has now. */
+        public function areCellsValid():Boolean
+        {
+            return count == 0 || maskFor(count) == mask;
+        }
+
+        // The mask for a number of members.
+        private static function maskFor(members:int):int
         {
             // at least 32 cells, so that cells near each other never share a number
             var cells:int = 32;
@@ -92,16 +122,16 @@ package starlogo.broadphase
             return place * cellsPerPatch + Bins.BIAS;
         }
 
-        /** The number of a cell. */
-        public function numberOf(column:int, line:int):int
+        /** The number of the cell in a column and a line. */
+        public function cellIn(column:int, line:int):int
         {
             return ((line & mask) * stride + column) & mask;
         }
 
         /** The number of the cell at a place. */
-        public function cellOf(x:Number, y:Number):int
+        public function cellAt(x:Number, y:Number):int
         {
-            return numberOf(columnOf(x), columnOf(y));
+            return cellIn(columnOf(x), columnOf(y));
         }
 
         /** Whether cells can be at or near a place. Farther out than <code>BIAS / 2</code> widths along x or y there are none. */

@@ -10,8 +10,8 @@ package starlogo.broadphase
         // The width of the finest level, for points too. It is used up to 256 patches from the origin, so points of SpaceLand need no coarser level. A power of two.
         private static const LEAST_WIDTH:Number = 1 / (1 << 16);
 
-        // The levels by number, as extents refer to them. byWidth has them from the coarsest to the finest.
-        internal var byNumber:Vector.<BinLevel> = new <BinLevel>[null];
+        // The levels by index, as extents refer to them. The first is none. byWidth has them from the coarsest to the finest.
+        internal var byIndex:Vector.<BinLevel> = new <BinLevel>[null];
         internal var byWidth:Vector.<BinLevel> = new Vector.<BinLevel>();
 
         /**
@@ -27,7 +27,7 @@ package starlogo.broadphase
             {
                 half = other;
             }
-            var level:BinLevel = byNumber[extents.level[row]];
+            var level:BinLevel = byIndex[extents.level[row]];
             var middleX:Number = extents.x[row];
             var middleY:Number = extents.y[row];
             var middleZ:Number = extents.z[row];
@@ -38,8 +38,35 @@ package starlogo.broadphase
             }
             var width:Number = widthFor(2 * half);
             var distant:Number = widthFor(Math.sqrt(distanceSquared) / BinLevel.MAX_DISTANCE);
-            extents.level[row] = levelOf(Math.max(width, distant)).number;
+            extents.level[row] = levelOf(Math.max(width, distant)).index;
             return distant > width;
+        }
+
+        /**
+         * Counts the members of each level.
+         *
+         * @param indices by row: the index of its level
+         * @param rows the rows of the members
+         * @param count the number of members
+         */
+        public function countMembers(indices:Vector.<int>, rows:Vector.<int>, count:int):void
+        {
+            var all:Vector.<BinLevel> = byIndex;
+            if (all.length == 2)
+            {
+                all[1].count = count;
+                return;
+            }
+            for (var i:int = 1; i < all.length; i++)
+            {
+                all[i].count = 0;
+            }
+            // A long loop is the last thing of its method. V8 does not optimise what it has not seen run, so code after the loop would end
+            // the optimised method in every frame.
+            for (i = 0; i < count; i++)
+            {
+                all[indices[rows[i]]].count++;
+            }
         }
 
         /**
@@ -72,9 +99,9 @@ package starlogo.broadphase
             }
             if (index == byWidth.length || byWidth[index].width != width)
             {
-                var level:BinLevel = new BinLevel(byNumber.length, width);
+                var level:BinLevel = new BinLevel(byIndex.length, width);
                 byWidth.splice(index, 0, level);
-                byNumber.push(level);
+                byIndex.push(level);
             }
             return byWidth[index];
         }

@@ -64,7 +64,7 @@ package starlogo.broadphase
          */
         public function findPairs(extents:Extents, rows:Vector.<int>, count:int, sink:PairSink):void
         {
-            countMembers(extents, rows, count);
+            levels.countMembers(extents.level, rows, count);
             var counters:int = layOut(count);
             countCells(extents, rows, count);
             var slots:int = sumUp(counters);
@@ -90,29 +90,6 @@ package starlogo.broadphase
                     }
                 }
                 collideLevel(level, sink);
-            }
-        }
-
-        // Counts the members of each level.
-        private function countMembers(extents:Extents, rows:Vector.<int>, count:int):void
-        {
-            var allLevels:Vector.<BinLevel> = levels.byNumber;
-            var numbers:Vector.<int> = extents.level;
-            if (allLevels.length == 2)
-            {
-                // one level; the first number is none
-                allLevels[1].count = count;
-                return;
-            }
-            for (var i:int = 1; i < allLevels.length; i++)
-            {
-                allLevels[i].count = 0;
-            }
-            // A long loop is the last thing of its method. V8 does not optimise what it has not seen run, so code after the loop would end
-            // the optimised method in every frame.
-            for (i = 0; i < count; i++)
-            {
-                allLevels[numbers[rows[i]]].count++;
             }
         }
 
@@ -144,10 +121,10 @@ package starlogo.broadphase
         {
             var xs:Vector.<Number> = extents.x;
             var ys:Vector.<Number> = extents.y;
-            var numbers:Vector.<int> = extents.level;
+            var indices:Vector.<int> = extents.level;
             var cells:Vector.<int> = _cells;
             var counts:Vector.<int> = _counts;
-            var number:int = 0;
+            var index:int = 0;
             var cellsPerPatch:Number = 0;
             var mask:int = 0;
             var stride:int = 0;
@@ -155,16 +132,16 @@ package starlogo.broadphase
             for (var i:int = 0; i < count; i++)
             {
                 var row:int = rows[i];
-                if (numbers[row] != number)
+                if (indices[row] != index)
                 {
-                    number = numbers[row];
-                    var level:BinLevel = levels.byNumber[number];
+                    index = indices[row];
+                    var level:BinLevel = levels.byIndex[index];
                     cellsPerPatch = level.cellsPerPatch;
                     mask = level.mask;
                     stride = level.stride;
                     base = level.base;
                 }
-                // BinLevel.cellOf() as a loop. CellLists relies on the same cells
+                // BinLevel.cellAt() as a loop. CellLists relies on the same cells
                 var column:int = xs[row] * cellsPerPatch + BIAS;
                 var line:int = ys[row] * cellsPerPatch + BIAS;
                 var cell:int = ((line & mask) * stride + column) & mask;

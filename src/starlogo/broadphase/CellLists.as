@@ -22,10 +22,10 @@ package starlogo.broadphase
         // Whether a member needs a level that has no cells.
         private var _needCells:Boolean = false;
 
-        // By counter: the first row of the cell's list. By row: the counter of its cell, or NONE; the level's number; the next row in the list.
+        // By counter: the first row of the cell's list. By row: the counter of its cell, or NONE; the level's index; the next row in the list.
         private var _heads:Vector.<int> = new Vector.<int>();
         private var _cells:Vector.<int> = new Vector.<int>();
-        private var _levelNumbers:Vector.<int> = new Vector.<int>();
+        private var _levelIndices:Vector.<int> = new Vector.<int>();
         private var _next:Vector.<int> = new Vector.<int>();
 
         /** @param levels the levels of the bins */
@@ -53,7 +53,7 @@ package starlogo.broadphase
                 var level:BinLevel = _levels.byWidth[i];
                 if (level.count == 0)
                 {
-                    level.mask = BinLevel.NO_CELLS;
+                    level.dropCells();
                     continue;
                 }
                 end = level.base + level.mask + 1;
@@ -71,8 +71,8 @@ package starlogo.broadphase
             for (i = 0; i < count; i++)
             {
                 var row:int = rows[i];
-                level = _levels.byNumber[extents.level[row]];
-                enter(row, level, level.base + level.cellOf(extents.x[row], extents.y[row]));
+                level = _levels.byIndex[extents.level[row]];
+                enter(row, level, level.base + level.cellAt(extents.x[row], extents.y[row]));
             }
         }
 
@@ -90,7 +90,7 @@ package starlogo.broadphase
             }
             if (length > _next.length)
             {
-                _next.length = _levelNumbers.length = length;
+                _next.length = _levelIndices.length = length;
             }
         }
 
@@ -103,18 +103,18 @@ package starlogo.broadphase
         /** Moves a row to the cell of its extents, and makes it a member. */
         public function move(row:int):void
         {
-            var level:BinLevel = _levels.byNumber[_extents.level[row]];
-            if (level.mask == BinLevel.NO_CELLS)
+            var level:BinLevel = _levels.byIndex[_extents.level[row]];
+            if (!level.hasCells)
             {
                 _needCells = true;
                 return;
             }
-            var cell:int = level.base + level.cellOf(_extents.x[row], _extents.y[row]);
+            var cell:int = level.base + level.cellAt(_extents.x[row], _extents.y[row]);
             if (_cells[row] != cell)
             {
                 remove(row);
                 enter(row, level, cell);
-                level.count++;
+                level.addMember();
                 count++;
             }
         }
@@ -141,7 +141,7 @@ package starlogo.broadphase
                 _next[before] = _next[row];
             }
             _cells[row] = NONE;
-            _levels.byNumber[_levelNumbers[row]].count--;
+            _levels.byIndex[_levelIndices[row]].removeMember();
             count--;
         }
 
@@ -150,8 +150,7 @@ package starlogo.broadphase
         {
             for (var i:int = 0; i < _levels.byWidth.length; i++)
             {
-                var level:BinLevel = _levels.byWidth[i];
-                if (level.count > 0 && level.maskFor(level.count) != level.mask)
+                if (!_levels.byWidth[i].areCellsValid())
                 {
                     return false;
                 }
@@ -166,7 +165,7 @@ package starlogo.broadphase
          */
         public function findNear(row:int, marks:Vector.<int>, mark:int, sink:PairSink):void
         {
-            var own:BinLevel = _levels.byNumber[_extents.level[row]];
+            var own:BinLevel = _levels.byIndex[_extents.level[row]];
             for (var i:int = 0; i < _levels.byWidth.length; i++)
             {
                 var level:BinLevel = _levels.byWidth[i];
@@ -206,7 +205,7 @@ package starlogo.broadphase
             {
                 for (var column:int = level.columnOf(x - distance); column <= lastColumn; column++)
                 {
-                    found = keepOfCell(level, column, line, found, collect(level.base + level.numberOf(column, line), found));
+                    found = keepOfCell(level, column, line, found, collect(level.base + level.cellIn(column, line), found));
                 }
             }
             return found;
@@ -217,7 +216,7 @@ package starlogo.broadphase
             _next[row] = _heads[cell];
             _heads[cell] = row;
             _cells[row] = cell;
-            _levelNumbers[row] = level.number;
+            _levelIndices[row] = level.index;
         }
 
         // Adds the rows of a cell to _near. Returns their number with the ones before.

@@ -20,7 +20,7 @@ package starlogo.broadphase
         /** Half the length along z. */
         public var halfZ:Vector.<Number> = new Vector.<Number>();
 
-        /** The number of the level of bins that fits; 0 if it is not known yet. */
+        /** The index of the level of bins that fits; 0 if it is not known yet. */
         public var level:Vector.<int> = new Vector.<int>();
 
         /** Makes sure that there are at least this many rows. New rows are points at the origin without a level. */

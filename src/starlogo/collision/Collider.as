@@ -52,7 +52,7 @@ package starlogo.collision
         private var _phase:int = IDLE;
 
         // The search whose contacts contactOf gives.
-        private var _seen:CollisionSearch;
+        private var _contactSearch:CollisionSearch;
 
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _found:FoundPairs = new FoundPairs();
@@ -71,7 +71,7 @@ package starlogo.collision
             narrowPhase = new NarrowPhase(choice);
             SpherePairTests.bringTo(narrowPhase);
             search = new CollisionSearch(narrowPhase);
-            _seen = search;
+            _contactSearch = search;
         }
 
         /** @inheritDoc */
@@ -110,7 +110,7 @@ package starlogo.collision
             find(asked, _input, _found, false);
             if (_phase != HANDLING)
             {
-                _seen = asked;
+                _contactSearch = asked;
             }
             if (found.length > 2 * _found.count)
             {
@@ -140,7 +140,7 @@ package starlogo.collision
             var contact:Contact = out || new Contact();
             var motion:RelativeMotion = _motion;
             var point:ContactPoint = _point;
-            _seen.findContact(collider, collidee, motion, point);
+            _contactSearch.findContact(collider, collidee, motion, point);
             contact.time = motion.time;
             contact.depth = point.depth;
             contact.approachSpeed = Math.max(0, -(motion.x * point.normalX + motion.y * point.normalY + motion.z * point.normalZ));
@@ -177,9 +177,9 @@ package starlogo.collision
         }
 
         /** @private From now on contactOf sees the last frame. */
-        engine function seeFrame():void
+        engine function takeContactsFromFrame():void
         {
-            _seen = search;
+            _contactSearch = search;
         }
 
         /** @private Begins to search for a frame of its Collision. */
@@ -192,7 +192,7 @@ package starlogo.collision
         engine function holdFrame():void
         {
             _phase = HANDLING;
-            seeFrame();
+            takeContactsFromFrame();
             search.holdWorld();
         }
 

@@ -88,18 +88,18 @@ package starlogo.collision
         private var _snapshots:Snapshots = new Snapshots();
 
         // The system of the frame under way, or null. Its collider stays reserved until the frame's end.
-        private var _updating:BaseCollider = null;
+        private var _updatingSystem:BaseCollider = null;
 
         // The system that found the last frame's pairs, or null; whether that frame threw before its end.
-        private var _searched:Collider = null;
+        private var _lastCollider:Collider = null;
         private var _hasFailed:Boolean = false;
         private var _lastAgents:Vector.<Agent> = new Vector.<Agent>();
 
-        // _isLent: the game has got _lastAgents, so it may have changed the list. _listNumber: the number of this list in the table of _searched,
+        // _isListLent: the game has got _lastAgents, so it may have changed the list. _listNumber: the number of this list in the table of _lastCollider,
         // or -1.
-        private var _isLent:Boolean = false;
+        private var _isListLent:Boolean = false;
         private var _listNumber:int = -1;
-        private var _askedList:AskedList = new AskedList();
+        private var _filteredList:FilteredList = new FilteredList();
 
         /**
          * Creates a Collision without handlers.
@@ -151,7 +151,7 @@ package starlogo.collision
          */
         public function get lastAgents():Vector.<Agent>
         {
-            _isLent = true;
+            _isListLent = true;
             return _lastAgents;
         }
 
@@ -240,7 +240,7 @@ package starlogo.collision
             _handlers.clear();
             _touches = new TouchTracker();
             _hasFailed = false;
-            _searched = null;
+            _lastCollider = null;
             var inner:Collider = _system.innerCollider;
             if (inner != null)
             {
@@ -248,7 +248,7 @@ package starlogo.collision
             }
             // a handler may call this, and the frame goes on with its list
             _lastAgents = new Vector.<Agent>();
-            _isLent = false;
+            _isListLent = false;
             _listNumber = -1;
         }
 
@@ -264,7 +264,7 @@ package starlogo.collision
          */
         public function update(agents:Vector.<Agent>):void
         {
-            if (_updating != null)
+            if (_updatingSystem != null)
             {
                 throw new IllegalOperationError("update must not be called from a handler, or from the filter");
             }
@@ -279,13 +279,13 @@ package starlogo.collision
             _handlers.begin();
             var asked:AgentPredicate = filter;
             var collider:Collider = system.innerCollider;
-            _updating = system;
+            _updatingSystem = system;
             try
             {
-                var listed:Vector.<Agent> = asked == null ? agents : _askedList.ask(asked, agents);
+                var listed:Vector.<Agent> = asked == null ? agents : _filteredList.ask(asked, agents);
                 _hasFailed = true;
                 _input.agents = listed;
-                _input.takePart = asked == null ? null : _askedList.takePart;
+                _input.takePart = asked == null ? null : _filteredList.takePart;
                 if (collider != null)
                 {
                     collider.beginFrame();
@@ -301,7 +301,7 @@ package starlogo.collision
             }
             finally
             {
-                _updating = null;
+                _updatingSystem = null;
                 if (collider != null)
                 {
                     collider.endFrame();
@@ -338,8 +338,8 @@ package starlogo.collision
             {
                 throw new IllegalOperationError("the last frame has refused its list or failed: there is nothing to take a snapshot of");
             }
-            var searched:Collider = _searched || _system.equivalentCollider;
-            return _snapshots.write(_touches, searched.search.table, _lastAgents, _searched == _system.equivalentCollider, terrain, findWorldAgents(),
+            var searched:Collider = _lastCollider || _system.equivalentCollider;
+            return _snapshots.write(_touches, searched.search.table, _lastAgents, _lastCollider == _system.equivalentCollider, terrain, findWorldAgents(),
                     withTraits, withGround);
         }
 
@@ -362,7 +362,7 @@ package starlogo.collision
             requireGiven("agents", agents);
             var collider:Collider = _system.equivalentCollider;
             _touches = _snapshots.read(bytes, agents, collider.search, terrain, findWorldAgents());
-            collider.seeFrame();
+            collider.takeContactsFromFrame();
             keepList(agents, collider);
             _hasFailed = false;
         }
@@ -386,7 +386,7 @@ package starlogo.collision
         private function release(system:BaseCollider):void
         {
             var collider:Collider = system == null ? null : system.innerCollider;
-            if (collider != null && collider !== _system.innerCollider && (_updating == null || collider !== _updating.innerCollider))
+            if (collider != null && collider !== _system.innerCollider && (_updatingSystem == null || collider !== _updatingSystem.innerCollider))
             {
                 collider.owner = null;
             }
@@ -396,22 +396,22 @@ package starlogo.collision
         private function keepList(agents:Vector.<Agent>, searched:Collider):void
         {
             var number:int = searched == null ? -1 : searched.search.table.list.listNumber;
-            if (_isLent || number < 0 || number != _listNumber || searched !== _searched)
+            if (_isListLent || number < 0 || number != _listNumber || searched !== _lastCollider)
             {
                 if (agents === _lastAgents)
                 {
                     // the game's own list, from now on
                     _lastAgents = new Vector.<Agent>();
                 }
-                AskedList.copyInto(_lastAgents, agents);
+                FilteredList.copyInto(_lastAgents, agents);
             }
             _listNumber = number;
-            _searched = searched;
+            _lastCollider = searched;
         }
 
         private function requireSearch(what:String):void
         {
-            if (_updating != null)
+            if (_updatingSystem != null)
             {
                 throw new IllegalOperationError(what + " must not be called from a handler, or from the filter");
             }

@@ -27,7 +27,7 @@ package starlogo.collision
             {
                 var row:int = table.list.rows[i];
                 bytes.writeBoolean(keepsMotions && table.shapes[row] != null && places.isMotionStart(row, list[i])
-                        && table.shapes[row].model == list[i].shape);
+                        && table.shapes[row].modelName == list[i].shape);
                 bytes.writeDouble(places.x[row]);
                 bytes.writeDouble(places.y[row]);
                 bytes.writeDouble(places.z[row]);

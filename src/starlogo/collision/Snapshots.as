@@ -38,7 +38,7 @@ package starlogo.collision
         private static const GROUND:int = 2;
         private static const HEIGHTS:int = 4;
 
-        private var _who:SnapshotAgents = new SnapshotAgents();
+        private var _register:SnapshotRegister = new SnapshotRegister();
 
         // The agents of the ground and the edges that were exchanged before the last snapshot. In a Collision that has taken none, new agents
         // stand for them.
@@ -92,7 +92,7 @@ package starlogo.collision
             bytes.writeInt(agents.length);
             names.write(bytes);
             bytes.writeBytes(parts);
-            _who.note(bytes, agents);
+            _register.note(bytes, agents);
             bytes.position = 0;
             return bytes;
         }
@@ -215,7 +215,7 @@ package starlogo.collision
             var count:uint = bytes.readUnsignedInt();
             check(count <= bytes.bytesAvailable / BYTES_PER_AGENT);
             var countedAt:uint = bytes.position;
-            _who.check(bytes, count, agents);
+            _register.check(bytes, count, agents);
             bytes.position = countedAt;
             _names = new SnapshotNames();
             _names.read(bytes);

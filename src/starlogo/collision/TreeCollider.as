@@ -36,7 +36,7 @@ package starlogo.collision
 
         public function set maxDepth(value:int):void
         {
-            narrowPhase.treeLimits.takeDepth(value);
+            narrowPhase.treeLimits.maxDepth = value;
         }
 
         /**

@@ -82,7 +82,7 @@ package starlogo.debug
             }
             // a system that is not the engine's tells nothing about its shapes
             var choice:AgentShapes = collider == null ? new TightestShapes(_greatLand) : collider.narrowPhase.choice;
-            var level:int = collider == null || collider.narrowPhase.trees == null ? 0 : levelOf(agent, collider.narrowPhase.treeLimits);
+            var level:int = collider == null || collider.narrowPhase.treeTests == null ? 0 : levelOf(agent, collider.narrowPhase.treeLimits);
             var key:String = level + " " + choice.kindOf(agent) + " " + agent.shape;
             if (_lines[key] == null)
             {
@@ -95,7 +95,7 @@ package starlogo.debug
 
         private function linesOfTree(shape:ModelShape, level:int):Vector.<Number>
         {
-            var model:Model = _greatLand.modelOf(shape.model);
+            var model:Model = _greatLand.modelOf(shape.modelName);
             return level == int.MAX_VALUE && model.triangles != null ? Wireframes.ofTriangles(model.vertices, model.triangles)
                 : Wireframes.ofLevel(shape.hierarchy.root, level);
         }

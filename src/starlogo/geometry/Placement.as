@@ -32,12 +32,6 @@ package starlogo.geometry
         /** The uniform scale, above 0. */
         public var size:Number = 1;
 
-        /**
-         * A number that the owner of the placement increases when it changes the rotation or the size. It may count other changes too, as an agent
-         * does. Caches of results that do not depend on the position compare it. The methods of this class leave it as it is.
-         */
-        public var extentsRevision:int = 0;
-
         /** Whether the rotation is the identity. */
         public var isIdentity:Boolean = true;
 

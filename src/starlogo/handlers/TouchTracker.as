@@ -113,7 +113,7 @@ package starlogo.handlers
                 {
                     // a pair that is listed twice has one touch
                     touch.seenIn = frame;
-                    _indices.remove(Math.min(touch.first.number, touch.second.number), Math.max(touch.first.number, touch.second.number));
+                    _indices.remove(Math.min(touch.first.idNumber, touch.second.idNumber), Math.max(touch.first.idNumber, touch.second.idNumber));
                     count--;
                     _open[endedCount] = touch;
                     endedCount++;
@@ -145,7 +145,7 @@ package starlogo.handlers
                 touch.firstBreed = firstBreed;
                 touch.secondBreed = secondBreed;
                 touch.isBothWays = isBothWays;
-                _indices.set (Math.min(first.number, second.number), Math.max(first.number, second.number), touch.index);
+                _indices.set (Math.min(first.idNumber, second.idNumber), Math.max(first.idNumber, second.idNumber), touch.index);
                 count++;
             }
             touches[pair] = touch;
@@ -254,7 +254,7 @@ package starlogo.handlers
         // The index of the touch of two agents, in either order; -1 if there is none.
         private function indexOf(a:Agent, b:Agent):int
         {
-            return a.number < b.number ? _indices.valueOf(a.number, b.number) : _indices.valueOf(b.number, a.number);
+            return a.idNumber < b.idNumber ? _indices.valueOf(a.idNumber, b.idNumber) : _indices.valueOf(b.idNumber, a.idNumber);
         }
     }
 }

@@ -66,7 +66,7 @@ package starlogo.queries
             }
             _seen = new SeenAgents(collisionOrSystem);
             // questions may be about any structure
-            _seen.need(StructurePairTests.bringTo);
+            _seen.needTests(StructurePairTests.bringTo);
             _places = new PlaceQueries(_seen);
             _touches = new TouchQueries(_seen);
             _distances = new DistanceQueries(_seen);

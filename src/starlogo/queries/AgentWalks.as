@@ -27,8 +27,8 @@ package starlogo.queries
         public function AgentWalks(seen:SeenAgents)
         {
             requireGiven("seen", seen);
-            seen.need(StructurePairTests.bringTo);
-            seen.need(TreePairTests.bringTo);
+            seen.needTests(StructurePairTests.bringTo);
+            seen.needTests(TreePairTests.bringTo);
             _questions = new MotionQueries(seen);
         }
 

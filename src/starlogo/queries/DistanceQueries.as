@@ -90,7 +90,7 @@ package starlogo.queries
             }
             if (a.shape.hierarchy == null && b.form < ModelShape.GROUND)
             {
-                PairTable.findClosest(a.structure(), b.structure(), out);
+                PairTable.findClosest(a.worldStructure(), b.worldStructure(), out);
                 var size:Number = a.halfX + a.halfY + a.halfZ + b.halfX + b.halfY + b.halfZ;
                 out.settle(out.distance <= Tolerances.APART * size && narrowPhase.areTouching(a, b));
                 return;

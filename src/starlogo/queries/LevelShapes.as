@@ -74,7 +74,7 @@ package starlogo.queries
 
         public function set maxDepth(value:int):void
         {
-            _narrowPhase.treeLimits.takeDepth(value);
+            _narrowPhase.treeLimits.maxDepth = value;
         }
 
         /**

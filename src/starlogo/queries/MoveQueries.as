@@ -322,7 +322,7 @@ package starlogo.queries
                 // agents at the edges of the largest world may be touched outside of it
                 _pointStructure.center.setTo(inWorld(hit.point.x), inWorld(hit.point.y), inWorld(hit.point.z));
                 _point.readStructure(_pointStructure);
-                hit.triangle = _seen.narrowPhase.trees.nearestTriangle(body, _point);
+                hit.triangle = _seen.narrowPhase.treeTests.nearestTriangle(body, _point);
             }
             _triangle.write(body, hit);
             return hit;

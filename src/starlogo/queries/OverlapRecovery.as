@@ -54,7 +54,7 @@ package starlogo.queries
          */
         public function liftOut(rows:NumberList, place:Vector3D, lift:StartLift):Boolean
         {
-            return leave(rows, place, -1, lift);
+            return pushOutOf(rows, place, -1, lift);
         }
 
         /**
@@ -66,7 +66,7 @@ package starlogo.queries
          */
         public function restoreClearance(rows:NumberList, place:Vector3D, clearRow:int):void
         {
-            leave(rows, place, clearRow, null);
+            pushOutOf(rows, place, clearRow, null);
         }
 
         /**
@@ -101,7 +101,7 @@ package starlogo.queries
 
         // Pushes the place out of rows until it is free of them: of their overlaps with the core, whose contacts are added to a lift; or
         // without a lift, of all touches. Returns whether it gets free.
-        private function leave(rows:NumberList, place:Vector3D, clearRow:int, lift:StartLift):Boolean
+        private function pushOutOf(rows:NumberList, place:Vector3D, clearRow:int, lift:StartLift):Boolean
         {
             _before.copyFrom(place);
             _last.setNormal(0, 0, 0);

@@ -79,7 +79,7 @@ package starlogo.queries
         /** The test of rays for convex structures of a game's own; null if the collision system has no tests of structures. */
         public static function convexRayOf(narrowPhase:NarrowPhase):ConvexRay
         {
-            return narrowPhase.structures == null ? null : narrowPhase.structures.convexRay;
+            return narrowPhase.structureTests == null ? null : narrowPhase.structureTests.convexRay;
         }
 
         /** How far the place of a row is along a ray. */

@@ -150,7 +150,7 @@ package starlogo.queries
          *
          * @param bringTo <code>function(narrowPhase:NarrowPhase):void</code>
          */
-        engine function need(bringTo:Function):void
+        engine function needTests(bringTo:Function):void
         {
             _needs.push(bringTo);
             bringTo(_narrowPhase);
@@ -204,7 +204,7 @@ package starlogo.queries
         engine function bodyOf(agent:Agent, made:Body):Body
         {
             requireAgent(agent);
-            return _table.bodyOfNow(agent, made);
+            return _table.currentBodyOf(agent, made);
         }
 
         /** @private Returns the tree of the places, and builds it first if it is stale. Throws an error before the first update. */

@@ -37,10 +37,10 @@ package starlogo.queries
             {
                 return;
             }
-            if (body.shape.source != null)
+            if (body.shape.model != null)
             {
-                var materials:TriangleLabels = body.shape.source.data.materials;
-                hit.mesh = TriangleLabels.numberOf(body.shape.source.data.meshes, hit.triangle);
+                var materials:TriangleLabels = body.shape.model.data.materials;
+                hit.mesh = TriangleLabels.numberOf(body.shape.model.data.meshes, hit.triangle);
                 hit.material = TriangleLabels.numberOf(materials, hit.triangle);
                 hit.materialName = TriangleLabels.nameOf(materials, hit.material);
             }

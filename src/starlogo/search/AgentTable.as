@@ -44,8 +44,8 @@ package starlogo.search
         engine var extents:Extents;
         private var _rowExtents:RowExtents;
 
-        // By row: the agent's extentsRevision at which its extents were computed, or STALE; and its shapeRevision at which its shape was read.
-        private var _extentsRevisions:Vector.<int> = new Vector.<int>();
+        // By row: the agent's bodyRevision at which its body was read, or STALE; and its shapeRevision at which its shape was read.
+        private var _bodyRevisions:Vector.<int> = new Vector.<int>();
         private var _shapeRevisions:Vector.<int> = new Vector.<int>();
 
         // By row: the structure of the body if it is a box that is tested alone, and else null; and the revision at which it was placed. This
@@ -117,7 +117,7 @@ package starlogo.search
             forgetReplaced();
             var agent:Agent = list.agents[row];
             _reshaped.count = 0;
-            if (agent.placement.extentsRevision != _extentsRevisions[row])
+            if (agent.bodyRevision != _bodyRevisions[row])
             {
                 _reshaped.add(row);
                 findShapes();
@@ -150,12 +150,12 @@ package starlogo.search
          * The body of an agent as it is now: that of its row, if the agent has not changed since, and else a body that is made. Its shape is null
          * while the agent's model is loading. A row of the ground or of the edges may be held (HeldWorld), and is not of now then.
          */
-        public function bodyOfNow(agent:Agent, made:Body):Body
+        public function currentBodyOf(agent:Agent, made:Body):Body
         {
             forgetReplaced();
             var row:int = list.rowOf(agent);
             var isOfNow:Boolean = row >= ListedAgents.LISTED || row >= 0 && shapes[row].worldAgent === agent;
-            if (isOfNow && agent.revision == places.last.revisions[row] && agent.placement.extentsRevision == _extentsRevisions[row])
+            if (isOfNow && agent.revision == places.last.revisions[row] && agent.bodyRevision == _bodyRevisions[row])
             {
                 return bodyOf(row);
             }
@@ -181,7 +181,7 @@ package starlogo.search
         /** Puts the box of a row to its place. A test does this only when it needs the box, because few of thousands of agents have others near. */
         internal function placeBox(row:int):void
         {
-            bodyOf(row).structure();
+            bodyOf(row).worldStructure();
             placedRevisions[row] = places.last.revisions[row];
         }
 
@@ -194,7 +194,7 @@ package starlogo.search
         {
             var byRow:Vector.<Agent> = list.agents;
             var seen:Vector.<int> = places.last.revisions;
-            var extentsSeen:Vector.<int> = _extentsRevisions;
+            var bodiesSeen:Vector.<int> = _bodyRevisions;
             var nextRevisions:Vector.<int> = places.beingRead.revisions;
             var nextX:Vector.<Number> = places.beingRead.x;
             var nextY:Vector.<Number> = places.beingRead.y;
@@ -212,10 +212,10 @@ package starlogo.search
                     return false;
                 }
                 var revision:int = agent.revision;
-                if (revision != seen[row] || extentsSeen[row] == STALE)
+                if (revision != seen[row] || bodiesSeen[row] == STALE)
                 {
                     var placement:Placement = agent.placement;
-                    if (placement.extentsRevision != extentsSeen[row])
+                    if (agent.bodyRevision != bodiesSeen[row])
                     {
                         _reshaped.add(row);
                     }
@@ -270,19 +270,19 @@ package starlogo.search
         private function empty(row:int):void
         {
             shapes[row] = null;
-            _extentsRevisions[row] = STALE;
+            _bodyRevisions[row] = STALE;
         }
 
         private function grow(length:int):void
         {
             var row:int = shapes.length;
             shapes.length = boxes.length = _bodies.length = length;
-            forms.length = breeds.length = _extentsRevisions.length = _shapeRevisions.length = placedRevisions.length = length;
+            forms.length = breeds.length = _bodyRevisions.length = _shapeRevisions.length = placedRevisions.length = length;
             places.grow(length);
             _rowExtents.grow(length);
             for (; row < length; row++)
             {
-                _extentsRevisions[row] = STALE;
+                _bodyRevisions[row] = STALE;
             }
         }
 
@@ -296,7 +296,7 @@ package starlogo.search
             {
                 if (shapes[row] != null && shapes[row].isVoid)
                 {
-                    _extentsRevisions[row] = STALE;
+                    _bodyRevisions[row] = STALE;
                 }
             }
         }
@@ -330,7 +330,7 @@ package starlogo.search
             _rowExtents.assignLevels(_reshaped, shapes);
             for (var i:int = 0; i < _rowExtents.farOut.count; i++)
             {
-                _extentsRevisions[_rowExtents.farOut.numbers[i]] = STALE;
+                _bodyRevisions[_rowExtents.farOut.numbers[i]] = STALE;
             }
         }
 
@@ -383,7 +383,7 @@ package starlogo.search
         private function setShape(row:int, shape:ModelShape):void
         {
             var before:ModelShape = shapes[row];
-            if (before == null || shape == null || shape.model != before.model)
+            if (before == null || shape == null || shape.modelName != before.modelName)
             {
                 places.last.revisions[row] = RowPlaces.NOT_SEEN;
             }
@@ -393,7 +393,7 @@ package starlogo.search
             if (shape == null)
             {
                 // it is read again in the next search
-                _extentsRevisions[row] = STALE;
+                _bodyRevisions[row] = STALE;
                 return;
             }
             forms[row] = shape.form;
@@ -413,9 +413,9 @@ package starlogo.search
             _rowExtents.setLengths(row, body);
             if (shape.form == BoundingStructure.BOX && boxes[row] == null)
             {
-                boxes[row] = Box(body.structure());
+                boxes[row] = Box(body.worldStructure());
             }
-            _extentsRevisions[row] = agent.placement.extentsRevision;
+            _bodyRevisions[row] = agent.bodyRevision;
             setStale(row);
         }
 

@@ -43,7 +43,7 @@ package starlogo.search
         /**
          * Whether the leaves of its tree are tested instead of triangles. They find every touch that triangles find, in a tenth of the time.
          */
-        internal var isOfLeaves:Boolean = false;
+        internal var stopsAtLeaves:Boolean = false;
 
         /** Half of the length of the extents along x. */
         public var halfX:Number = 0;
@@ -278,7 +278,7 @@ package starlogo.search
         }
 
         /** The structure in the world, widened by the margin. It is placed only when a test needs it. */
-        public function structure():BoundingStructure
+        public function worldStructure():BoundingStructure
         {
             if (!_isPlaced)
             {

@@ -82,7 +82,7 @@ package starlogo.search
             }
             else if (_conditions.areSpheres)
             {
-                _narrowPhase.spheres.writeTouching(_table, level.slack, row, others, count, _out);
+                _narrowPhase.sphereTests.writeTouching(_table, level.slack, row, others, count, _out);
                 return;
             }
             else

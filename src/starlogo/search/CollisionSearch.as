@@ -65,8 +65,8 @@ package starlogo.search
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
-            var bodyA:Body = table.bodyOfNow(a, _bodyA);
-            var bodyB:Body = table.bodyOfNow(b, _bodyB);
+            var bodyA:Body = table.currentBodyOf(a, _bodyA);
+            var bodyB:Body = table.currentBodyOf(b, _bodyB);
             return bodyA.shape != null && bodyB.shape != null && _narrowPhase.areTouching(bodyA, bodyB);
         }
 
@@ -177,8 +177,8 @@ package starlogo.search
                 _narrowPhase.findContact(table.bodyOf(rowA), table.bodyOf(rowB), motion, out);
                 return;
             }
-            var bodyA:Body = table.bodyOfNow(a, _bodyA);
-            var bodyB:Body = table.bodyOfNow(b, _bodyB);
+            var bodyA:Body = table.currentBodyOf(a, _bodyA);
+            var bodyB:Body = table.currentBodyOf(b, _bodyB);
             if (bodyA.shape == null || bodyB.shape == null)
             {
                 var loading:Agent = bodyA.shape == null ? a : b;

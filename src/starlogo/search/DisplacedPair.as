@@ -50,7 +50,7 @@ package starlogo.search
             _from.y = a.placement.y + (motion.startY + time * motion.y);
             _from.z = a.placement.z + (motion.startZ + time * motion.z);
             first.readShrunk(a, _from, 0);
-            first.isOfLeaves = false;
+            first.stopsAtLeaves = false;
             var share:Number = isSecondGround ? CELL_SHARE : 1;
             var half:Number = Math.max(share * b.largestHalf, a.largestHalf);
             rounding = a.margin + b.margin;
@@ -85,9 +85,9 @@ package starlogo.search
         }
 
         /** Sets whether the leaves of trees are tested instead of triangles. */
-        public function testLeaves(value:Boolean):void
+        public function stopAtLeaves(value:Boolean):void
         {
-            first.isOfLeaves = value;
+            first.stopsAtLeaves = value;
         }
 
         /** Displaces the first body. Returns whether it touches the second one there. */

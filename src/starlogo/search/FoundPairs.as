@@ -61,7 +61,7 @@ package starlogo.search
          */
         internal function begin(agents:Vector.<Agent>, ranks:Vector.<int>, agentCount:int):void
         {
-            refer(agents, ranks, agentCount);
+            setColumns(agents, ranks, agentCount);
             count = 0;
             basis = NONE;
         }
@@ -87,7 +87,7 @@ package starlogo.search
         internal function drop(list:ListedAgents, marks:Vector.<int>, mark:int):void
         {
             var before:int = revision;
-            refer(list.agents, list.ranks, list.count);
+            setColumns(list.agents, list.ranks, list.count);
             basis = before;
             dropped.count = added.count = 0;
             var all:Vector.<int> = rows;
@@ -181,7 +181,7 @@ package starlogo.search
             }
         }
 
-        private function refer(agents:Vector.<Agent>, ranks:Vector.<int>, agentCount:int):void
+        private function setColumns(agents:Vector.<Agent>, ranks:Vector.<int>, agentCount:int):void
         {
             this.agents = agents;
             this.ranks = ranks;

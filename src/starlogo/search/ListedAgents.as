@@ -83,7 +83,7 @@ package starlogo.search
             {
                 return agents[GROUND] === agent ? GROUND : agents[EDGES] === agent ? EDGES : -1;
             }
-            var row:int = _rowsById.valueOf(agent.number, 0);
+            var row:int = _rowsById.valueOf(agent.idNumber, 0);
             return row >= 0 && ranks[row] == UNLISTED ? -1 : row;
         }
 
@@ -104,7 +104,7 @@ package starlogo.search
         /** The rank of an agent that is in no list. */
         public static function rankOfUnlisted(agent:Agent):int
         {
-            return FIRST_UNLISTED + agent.number;
+            return FIRST_UNLISTED + agent.idNumber;
         }
 
         /** Whether the rows belong to the agents of a list, in its order. */
@@ -148,7 +148,7 @@ package starlogo.search
                 if (row < 0 || agents[row] !== agent)
                 {
                     requireAgent(i, agent);
-                    row = _rowsById.valueOf(agent.number, 0);
+                    row = _rowsById.valueOf(agent.idNumber, 0);
                 }
                 if (row < 0)
                 {
@@ -229,7 +229,7 @@ package starlogo.search
             agents[row] = agent;
             ranks[row] = UNLISTED;
             arrived.add(row);
-            _rowsById.set (agent.number, 0, row);
+            _rowsById.set (agent.idNumber, 0, row);
             return row;
         }
 
@@ -279,7 +279,7 @@ package starlogo.search
 
         private function free(row:int):void
         {
-            _rowsById.remove(agents[row].number, 0);
+            _rowsById.remove(agents[row].idNumber, 0);
             agents[row] = null;
             leftOrReordered.add(row);
             _free.add(row);

@@ -22,7 +22,7 @@ package starlogo.search
         engine static const EDGES:int = 18;
 
         /** The model's name. */
-        public var model:String;
+        public var modelName:String;
 
         /** The number that AgentShapes.kindOf() has returned. */
         public var kind:int;
@@ -47,7 +47,7 @@ package starlogo.search
         engine var isUpright:Boolean = false;
 
         /** @private The model; null for shapes that have none. */
-        engine var source:Model = null;
+        engine var model:Model = null;
 
         /** @private The agent that stands for the ground or the edges of the world; null for the shapes of agents. */
         engine var worldAgent:WorldAgent = null;
@@ -55,13 +55,13 @@ package starlogo.search
         /**
          * For colliders only.
          *
-         * @param model the model's name
+         * @param modelName the model's name
          * @param kind the number that AgentShapes.kindOf() has returned
          * @param revision the revision of the model in the GreatLand
          */
-        public function ModelShape(model:String, kind:int, revision:int)
+        public function ModelShape(modelName:String, kind:int, revision:int)
         {
-            this.model = model;
+            this.modelName = modelName;
             this.kind = kind;
             this.revision = revision;
         }

@@ -65,7 +65,7 @@ package starlogo.search
             for (var i:int = 0; i < _recent.length; i++)
             {
                 var shape:ModelShape = _recent[i];
-                if (shape.kind == kind && shape.model == agent.shape)
+                if (shape.kind == kind && shape.modelName == agent.shape)
                 {
                     _recent[i] = _recent[i >> 1];
                     _recent[i >> 1] = shape;
@@ -92,7 +92,7 @@ package starlogo.search
                 return null;
             }
             var shape:ModelShape = new ModelShape(agent.shape, kind, _choice.revisionOf(agent.shape));
-            shape.source = _choice.modelOf(agent.shape);
+            shape.model = _choice.modelOf(agent.shape);
             _choice.bind(shape, agent);
             if (shape.form < 0)
             {
@@ -104,8 +104,8 @@ package starlogo.search
                 _narrowPhase.requireTests(shape.form);
             }
             areSpheres = areSpheres && shape.form == BoundingStructure.SPHERE;
-            shape.next = _ofModels[PREFIX + shape.model];
-            _ofModels[PREFIX + shape.model] = shape;
+            shape.next = _ofModels[PREFIX + shape.modelName];
+            _ofModels[PREFIX + shape.modelName] = shape;
             return shape;
         }
 
@@ -162,7 +162,7 @@ package starlogo.search
             for (var key:String in _ofModels)
             {
                 var shape:ModelShape = _ofModels[key];
-                if (shape.revision != _choice.revisionOf(shape.model))
+                if (shape.revision != _choice.revisionOf(shape.modelName))
                 {
                     delete _ofModels[key];
                     haveChanged = true;

@@ -19,23 +19,23 @@ package starlogo.search
         public var sweptPairs:int = 0;
 
         /** Tests pairs of structures that are not both spheres; null if the choice of shapes has only spheres, and no question has brought them. */
-        public var structures:StructurePairTests = null;
+        public var structureTests:StructurePairTests = null;
 
         /** Tests pairs of which at least one is a tree; null if none of the shapes is a tree, or only rays are asked for. */
-        public var trees:TreePairTests = null;
+        public var treeTests:TreePairTests = null;
 
         /** How far trees are tested. */
         public var treeLimits:TreeLimits = new TreeLimits();
 
         /** Tests pairs of spheres; null if only rays are asked for. */
-        public var spheres:SpherePairTests = null;
+        public var sphereTests:SpherePairTests = null;
 
         /** Says which shape each agent has. */
         public var choice:AgentShapes;
 
         // Tests of pairs with the ground and with the edges of the world, from the first such pair on.
-        private var _ground:PairTests = null;
-        private var _edges:PairTests = null;
+        private var _groundTests:PairTests = null;
+        private var _edgeTests:PairTests = null;
 
         /** @param choice gives the rows their shapes */
         public function NarrowPhase(choice:AgentShapes)
@@ -51,7 +51,7 @@ package starlogo.search
          */
         public function requireTests(form:int):void
         {
-            if (form != BoundingStructure.SPHERE && structures == null || form == ModelShape.TREE && trees == null)
+            if (form != BoundingStructure.SPHERE && structureTests == null || form == ModelShape.TREE && treeTests == null)
             {
                 throw new ArgumentError("a Collider of " + choice + " has no tests of these shapes: use a TightestFitCollider, "
                         + "HierarchicalCollider or CombinationCollider, or extend ShapeChoice");
@@ -70,14 +70,14 @@ package starlogo.search
         {
             if (table.forms[row] != ModelShape.TREE)
             {
-                return structures.keepTouching(table, slack, row, others, count);
+                return structureTests.keepTouching(table, slack, row, others, count);
             }
             var body:Body = table.bodyOf(row);
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                if (areNear(table.extents, slack, row, other) && trees.areTouching(body, table.bodyOf(other)))
+                if (areNear(table.extents, slack, row, other) && treeTests.areTouching(body, table.bodyOf(other)))
                 {
                     others[kept] = other;
                     kept++;
@@ -92,12 +92,12 @@ package starlogo.search
             var last:int = a.form > b.form ? a.form : b.form;
             if (last == BoundingStructure.SPHERE)
             {
-                spheres.testCount++;
-                return spheres.areTouching(a, b);
+                sphereTests.testCount++;
+                return sphereTests.areTouching(a, b);
             }
             if (last < ModelShape.TREE)
             {
-                return structures.areTouching(a, b);
+                return structureTests.areTouching(a, b);
             }
             if (a.form >= ModelShape.GROUND)
             {
@@ -125,15 +125,15 @@ package starlogo.search
         public function takeCounts(out:SearchCounts):void
         {
             out.sweptPairs = sweptPairs;
-            out.sphereSphereTests = spheres.testCount;
-            sweptPairs = spheres.testCount = 0;
-            if (structures != null)
+            out.sphereSphereTests = sphereTests.testCount;
+            sweptPairs = sphereTests.testCount = 0;
+            if (structureTests != null)
             {
-                structures.takeCounts(out);
+                structureTests.takeCounts(out);
             }
-            if (trees != null)
+            if (treeTests != null)
             {
-                trees.takeCounts(out);
+                treeTests.takeCounts(out);
             }
         }
 
@@ -191,9 +191,9 @@ package starlogo.search
             }
             if (last == ModelShape.TREE)
             {
-                return trees;
+                return treeTests;
             }
-            return last == BoundingStructure.SPHERE ? spheres : structures;
+            return last == BoundingStructure.SPHERE ? sphereTests : structureTests;
         }
 
         /** The tests with the ground or the edges of the world. Their own agent brings them, and they stay. */
@@ -201,9 +201,9 @@ package starlogo.search
         {
             if (body.form == ModelShape.EDGES)
             {
-                return _edges ||= body.shape.worldAgent.newTests(this);
+                return _edgeTests ||= body.shape.worldAgent.newTests(this);
             }
-            return _ground ||= body.shape.worldAgent.newTests(this);
+            return _groundTests ||= body.shape.worldAgent.newTests(this);
         }
     }
 }

@@ -110,11 +110,11 @@ package starlogo.search
                 return;
             }
             var areLeavesFirst:Boolean = _limits.exact && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent;
-            _pair.testLeaves(areLeavesFirst);
+            _pair.stopAtLeaves(areLeavesFirst);
             tryOuter(out);
             if (areLeavesFirst)
             {
-                _pair.testLeaves(false);
+                _pair.stopAtLeaves(false);
                 _directions.findAlong(out, out);
             }
         }

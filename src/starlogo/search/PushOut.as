@@ -4,7 +4,7 @@ package starlogo.search
     import starlogo.geometry.Tolerances;
 
     /**
-     * Pushes the first of two bodies out of the second. It tries the shortest push out of all contacts so far (PushSearch). If the two still touch
+     * Pushes the first of two bodies out of the second. It tries the shortest push out of all contacts so far (PushQueue). If the two still touch
      * after it, their contact there is added. So a box in a corner of floor and wall goes out of both at once.
      */
     internal final class PushOut
@@ -31,7 +31,7 @@ package starlogo.search
         private static const SLACK:Number = 0.001;
 
         /** The pushes. The current one is tried. */
-        public var pushes:PushSearch = new PushSearch();
+        public var pushes:PushQueue = new PushQueue();
 
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;

@@ -192,7 +192,7 @@ package starlogo.search
             _narrowPhase.sweptPairs++;
             if (areSpheres && out == null)
             {
-                _narrowPhase.spheres.findTimeOfRows(table, a, b, motion);
+                _narrowPhase.sphereTests.findTimeOfRows(table, a, b, motion);
                 return;
             }
             var bodyA:Body = table.bodyOf(a);

@@ -35,7 +35,7 @@ package starlogo.search
         /** Lets a narrow phase test spheres. */
         public static function bringTo(narrowPhase:NarrowPhase):void
         {
-            narrowPhase.spheres ||= new SpherePairTests();
+            narrowPhase.sphereTests ||= new SpherePairTests();
         }
 
         /**

@@ -38,13 +38,13 @@ package starlogo.search
         public static function bringTo(narrowPhase:NarrowPhase):void
         {
             SpherePairTests.bringTo(narrowPhase);
-            narrowPhase.structures ||= new StructurePairTests(narrowPhase);
+            narrowPhase.structureTests ||= new StructurePairTests(narrowPhase);
         }
 
         /** See NarrowPhase.keepTouching. The row is no tree. */
         public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
         {
-            var spheres:SpherePairTests = _narrowPhase.spheres;
+            var spheres:SpherePairTests = _narrowPhase.sphereTests;
             var forms:Vector.<int> = table.forms;
             var isSphere:Boolean = forms[row] == BoundingStructure.SPHERE;
             var zs:Vector.<Number> = table.extents.z;
@@ -136,8 +136,8 @@ package starlogo.search
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            var structureA:BoundingStructure = a.structure();
-            var structureB:BoundingStructure = b.structure();
+            var structureA:BoundingStructure = a.worldStructure();
+            var structureB:BoundingStructure = b.worldStructure();
             _testCounts[BoundingStructure.KIND_COUNT * a.form + b.form]++;
             return PairTable.areTouching(structureA, structureB);
         }
@@ -145,8 +145,8 @@ package starlogo.search
         /** @inheritDoc */
         override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
         {
-            var structureA:BoundingStructure = a.structure();
-            var structureB:BoundingStructure = b.structure();
+            var structureA:BoundingStructure = a.worldStructure();
+            var structureB:BoundingStructure = b.worldStructure();
             _testCounts[BoundingStructure.KIND_COUNT * a.form + b.form]++;
             PairTable.findTime(structureA, structureB, motion);
             // rounding can miss a touch at the end of the motion
@@ -160,7 +160,7 @@ package starlogo.search
         override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             _stopped.stopAt(motion);
-            PairTable.findContact(a.structure(), b.structure(), _stopped, out);
+            PairTable.findContact(a.worldStructure(), b.worldStructure(), _stopped, out);
         }
     }
 }

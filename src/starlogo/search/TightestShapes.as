@@ -33,7 +33,7 @@ package starlogo.search
         override public function bind(shape:ModelShape, agent:Agent):void
         {
             var library:BoundingStructuresLibrary = greatLand.boundingStructures;
-            var model:String = shape.model;
+            var model:String = shape.modelName;
             if (!library.has(model))
             {
                 throw new ArgumentError(agent + ": its model was added while loadTightestFit was false; set it to true, and add the model again");

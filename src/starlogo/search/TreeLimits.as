@@ -9,26 +9,30 @@ package starlogo.search
      */
     public final class TreeLimits
     {
-        /** Levels of each tree, from 1 on, if its agent has no limit of its own. */
-        public var maxDepth:int = 5;
-
         /** Whether the triangles decide. Then trees are tested down to them. */
         public var exact:Boolean = false;
 
-        /** Sets the depth. Throws a RangeError if it is less than 1. */
-        public function takeDepth(value:int):void
+        private var _maxDepth:int = 5;
+
+        /** Levels of each tree, if its agent has no limit of its own. @throws RangeError if it is set to less than 1 */
+        public function get maxDepth():int
+        {
+            return _maxDepth;
+        }
+
+        public function set maxDepth(value:int):void
         {
             if (value < 1)
             {
                 throw new RangeError("maxDepth must be at least 1: " + value);
             }
-            maxDepth = value;
+            _maxDepth = value;
         }
 
         /** The number of levels to which the tree of a body is tested. */
         public function depthOf(body:Body):int
         {
-            var depth:int = body.depth == 0 ? maxDepth : body.depth;
+            var depth:int = body.depth == 0 ? _maxDepth : body.depth;
             return exact || depth > BoxTree.LARGEST_DEPTH ? BoxTree.LARGEST_DEPTH : depth;
         }
     }

@@ -46,7 +46,7 @@ package starlogo.search
         /** Lets a narrow phase test trees. */
         public static function bringTo(narrowPhase:NarrowPhase):void
         {
-            narrowPhase.trees ||= new TreePairTests(narrowPhase.treeLimits);
+            narrowPhase.treeTests ||= new TreePairTests(narrowPhase.treeLimits);
         }
 
         /** @inheritDoc */
@@ -163,7 +163,7 @@ package starlogo.search
             var shapeB:ModelShape = b.shape;
             _pair.setFirst(a.shape.hierarchy, a.placement, limits.depthOf(a));
             _pair.setSecond(shapeB.hierarchy, shapeB.structure, b.placement, limits.depthOf(b));
-            _pair.decideByTriangles(limits.exact && !a.isOfLeaves && !b.isOfLeaves);
+            _pair.decideByTriangles(limits.exact && !a.stopsAtLeaves && !b.stopsAtLeaves);
         }
     }
 }

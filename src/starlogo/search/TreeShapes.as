@@ -2,6 +2,7 @@ package starlogo.search
 {
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.requireGiven;
 
@@ -15,6 +16,9 @@ package starlogo.search
      */
     public final class TreeShapes extends AgentShapes
     {
+        // The kind of a model's shape that is its tree. The shapes of TightestShapes have lower kinds.
+        private static const TREE:int = BoundingStructure.KIND_COUNT;
+
         // A model of more triangles is probably a level.
         private static const MOST_TRIANGLES:int = 10000;
 
@@ -34,29 +38,29 @@ package starlogo.search
         /** @inheritDoc */
         override public function kindOf(agent:Agent):int
         {
-            return _fits == null || agent.hierarchical ? ModelShape.TREE : _fits.kindOf(agent);
+            return _fits == null || agent.hierarchical ? TREE : _fits.kindOf(agent);
         }
 
         /** @inheritDoc */
         override public function bind(shape:ModelShape, agent:Agent):void
         {
-            if (shape.kind != ModelShape.TREE)
+            if (shape.kind != TREE)
             {
                 _fits.bind(shape, agent);
                 warnOfLevel(shape, agent);
                 return;
             }
-            if (!greatLand.hierarchies.has(shape.model))
+            if (!greatLand.hierarchies.has(shape.modelName))
             {
                 throw new ArgumentError(agent + ": its model was added while loadHierarchies was false; set it to true, and add the model again");
             }
-            shape.setTree(greatLand.hierarchies.hierarchy(shape.model));
+            shape.setTree(greatLand.hierarchies.hierarchy(shape.modelName));
         }
 
         // A level is one large model, and a box around it is hardly what a game wants.
         private function warnOfLevel(shape:ModelShape, agent:Agent):void
         {
-            var triangles:Vector.<uint> = greatLand.modelOf(shape.model).triangles;
+            var triangles:Vector.<uint> = greatLand.modelOf(shape.modelName).triangles;
             if (shape.kind == Agent.ANY_KIND && triangles != null && triangles.length > 3 * MOST_TRIANGLES)
             {
                 warn(agent + " has " + triangles.length / 3 + " triangles, and collides as the structure around them: set hierarchical to true for a level, "

@@ -39,7 +39,7 @@ package starlogo.search
         }
 
         /** @private It does not count as an agent of the game. */
-        override engine function newNumber():int
+        override engine function newId():int
         {
             sCreated++;
             return -sCreated;

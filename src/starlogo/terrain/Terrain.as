@@ -63,7 +63,7 @@ package starlogo.terrain
             grid = new HeightGrid(columns, rows, cellWidth, x, y);
             _agent = new WorldAgent(Breeds.TERRAIN, GroundPairTests);
             _agent.grid = grid;
-            _agent.number = Agent.takeNumber();
+            _agent.idNumber = Agent.takeId();
             _agent.moveTo(x, y, 0);
         }
 

@@ -138,11 +138,11 @@ package starlogo.agents
             {
                 agent[trait] = values[trait];
             }
-            var revisions:String = agent.revision + " " + agent.placement.extentsRevision;
+            var revisions:String = agent.revision + " " + agent.bodyRevision;
             for (trait in values)
             {
                 agent[trait] = values[trait];
-                assertEquals(trait, revisions, agent.revision + " " + agent.placement.extentsRevision);
+                assertEquals(trait, revisions, agent.revision + " " + agent.bodyRevision);
             }
         }
 
@@ -171,24 +171,24 @@ package starlogo.agents
             for (var trait:String in moves)
             {
                 var revision:int = agent.revision;
-                var extentsRevision:int = agent.placement.extentsRevision;
+                var bodyRevision:int = agent.bodyRevision;
                 agent[trait] = moves[trait];
                 assertEquals(trait, revision + 1, agent.revision);
-                assertEquals(trait, extentsRevision, agent.placement.extentsRevision);
+                assertEquals(trait, bodyRevision, agent.bodyRevision);
             }
             revision = agent.revision;
             agent.moveTo(1, 2, 4);
             assertEquals("moveTo", revision + 1, agent.revision);
             agent.jumpTo(1, 2, 5);
             assertEquals("jumpTo", revision + 2, agent.revision);
-            assertEquals("moves", extentsRevision, agent.placement.extentsRevision);
+            assertEquals("moves", bodyRevision, agent.bodyRevision);
             for (trait in others)
             {
                 revision = agent.revision;
-                extentsRevision = agent.placement.extentsRevision;
+                bodyRevision = agent.bodyRevision;
                 agent[trait] = others[trait];
                 assertEquals(trait, revision + 1, agent.revision);
-                assertEquals(trait, extentsRevision + 1, agent.placement.extentsRevision);
+                assertEquals(trait, bodyRevision + 1, agent.bodyRevision);
             }
             agent.breed = "balls";
             assertEquals("breed", new Agent("ball", "balls").breedNumber, agent.breedNumber);

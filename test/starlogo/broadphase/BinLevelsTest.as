@@ -39,7 +39,7 @@ package starlogo.broadphase
                 var before:int = count();
                 fit(0, place);
                 assertEquals(before + 1, count());
-                assertTrue(String(place), place * place < _levels.byNumber[_extents.level[0]].maxDistanceSquared);
+                assertTrue(String(place), place * place < _levels.byIndex[_extents.level[0]].maxDistanceSquared);
             }
         }
 

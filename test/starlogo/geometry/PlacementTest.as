@@ -111,17 +111,6 @@ package starlogo.geometry
         }
 
         [Test]
-        public function onlyTheOwnerCountsChanges():void
-        {
-            var placement:Placement = randomPlacement(1e-9);
-            var other:Placement = randomPlacement(1e-9);
-            other.extentsRevision = 7;
-            placement.copyFrom(other);
-            placement.setQuaternion(0, 0, 1, 0);
-            assertEquals(0, placement.extentsRevision);
-        }
-
-        [Test]
         public function aMatrixThatDoesMoreIsRefused():void
         {
             var from:Placement = randomPlacement(1e-9);

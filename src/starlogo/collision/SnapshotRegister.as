@@ -14,7 +14,7 @@ package starlogo.collision
      *
      * @private
      */
-    public final class SnapshotAgents
+    public final class SnapshotRegister
     {
         // How many ids are remembered, unless the last snapshot alone has more.
         private static const MOST_IDS:int = 65536;
@@ -33,7 +33,7 @@ package starlogo.collision
             var entry:Vector.<int> = new <int>[hashOf(bytes), bytes.length, Agent.createdCount];
             for (var i:int = 0; i < agents.length; i++)
             {
-                entry.push(agents[i].number);
+                entry.push(agents[i].idNumber);
             }
             _entries.push(entry);
             _size += entry.length;
@@ -85,7 +85,7 @@ package starlogo.collision
             var other:int = -1;
             for (var i:int = agents.length - 1; i >= 0; i--)
             {
-                var number:int = agents[i].number;
+                var number:int = agents[i].idNumber;
                 areNew = areNew && number > entry[2];
                 other = number == entry[HEAD + i] ? other : i;
             }

@@ -4,7 +4,7 @@ package starlogo.collision
     import starlogo.agents.AgentPredicate;
 
     /** The list of a frame with a filter, as it was before the filter was asked, because a filter may change the game's list. */
-    internal final class AskedList
+    internal final class FilteredList
     {
         /** Whether an agent takes part, by its index in the list. */
         public var takePart:Vector.<Boolean> = new Vector.<Boolean>();

@@ -11,7 +11,7 @@ package starlogo.search
      * <p>In each step it tries the shortest push in its list. If the body still touches something there, pushes are added that also lead out
      * of this contact. When a push frees the body, no push in the list is shorter (branch and bound).</p>
      */
-    internal final class PushSearch
+    internal final class PushQueue
     {
         // The most pushes that are kept.
         private static const MOST:int = 256;

@@ -2,14 +2,25 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.geometry.requireGiven;
+
+    use namespace engine;
 
     /**
      * Answers which agents are near: the questions of AgentQueries about places, for games that load no others. Their rules stand there.
      */
     public final class AgentPlaces
     {
-        private var _questions:PlaceQueries;
+        private var _seen:SeenAgents;
+        private var _found:Collector;
+        private var _near:NearSearch = new NearSearch();
+        private var _count:CountSearch = new CountSearch();
+        private var _cone:Cone = new Cone();
+
+        // Answers what an accepts asks while these questions call it.
+        private var _nested:AgentPlaces = null;
 
         /**
          * Asks about the agents of a SeenAgents. Others may ask about the same.
@@ -20,55 +31,100 @@ package starlogo.queries
         public function AgentPlaces(seen:SeenAgents)
         {
             requireGiven("seen", seen);
-            _questions = new PlaceQueries(seen);
+            _seen = seen;
+            _found = new Collector(seen);
         }
 
         /** See AgentQueries.near. It has the same arguments, answers and errors. */
         public function near(agent:Agent, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return _questions.idle.near(agent, radius, filter, out);
+            return idle.findNear(agent, radius, Collector.ALL, filter).list(out);
         }
 
         /** See AgentQueries.countNear. It has the same arguments, answers and errors. */
         public function countNear(agent:Agent, radius:Number, filter:AgentFilter = null):int
         {
-            return _questions.idle.countNear(agent, radius, filter);
+            var at:Placement = _seen.placeOf(agent);
+            return idle.count(agent, at.x, at.y, at.z, radius, filter);
         }
 
         /** See AgentQueries.nearest. It has the same arguments, answers and errors. */
         public function nearest(agent:Agent, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
-            return _questions.idle.nearest(agent, radius, filter);
+            return idle.findNear(agent, radius, 1, filter).firstAgent();
         }
 
         /** See AgentQueries.nearestFew. It has the same arguments, answers and errors. */
         public function nearestFew(agent:Agent, count:int, radius:Number = Infinity, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return _questions.idle.nearestFew(agent, count, radius, filter, out);
+            requireNotNegative("count", count);
+            return idle.findNear(agent, radius, count, filter).list(out);
         }
 
         /** See AgentQueries.nearPoint. It has the same arguments, answers and errors. */
         public function nearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return _questions.idle.nearPoint(point, radius, filter, out);
+            return idle.findNearPoint(point, radius, Collector.ALL, filter).list(out);
         }
 
         /** See AgentQueries.countNearPoint. It has the same arguments, answers and errors. */
         public function countNearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null):int
         {
-            return _questions.idle.countNearPoint(point, radius, filter);
+            requirePoint(point);
+            return idle.count(null, point.x, point.y, point.z, radius, filter);
         }
 
         /** See AgentQueries.nearestToPoint. It has the same arguments, answers and errors. */
         public function nearestToPoint(point:Vector3D, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
-            return _questions.idle.nearestToPoint(point, radius, filter);
+            return idle.findNearPoint(point, radius, 1, filter).firstAgent();
         }
 
         /** See AgentQueries.inCone. It has the same arguments, answers and errors. */
         public function inCone(agent:Agent, radius:Number, degrees:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return _questions.idle.inCone(agent, radius, degrees, filter, out);
+            requireNotNegative("degrees", degrees);
+            return idle.findNear(agent, radius, Collector.ALL, filter, degrees).list(out);
+        }
+
+        // These questions, or the nested ones while a filter's accepts is being called.
+        private function get idle():AgentPlaces
+        {
+            return _found.isAsking ? (_nested ||= new AgentPlaces(_seen)).idle : this;
+        }
+
+        private function findNear(agent:Agent, radius:Number, wanted:int, filter:AgentFilter, degrees:Number = 360):Collector
+        {
+            var at:Placement = _seen.placeOf(agent);
+            return find(agent, at.x, at.y, at.z, radius, wanted, filter, degrees);
+        }
+
+        private function findNearPoint(point:Vector3D, radius:Number, wanted:int, filter:AgentFilter):Collector
+        {
+            requirePoint(point);
+            return find(null, point.x, point.y, point.z, radius, wanted, filter, 360);
+        }
+
+        // Finds the agents near a place, without the one that asks, which may be null. From 360 degrees on there is no cone in front of it. Returns what
+        // has the answer.
+        private function find(asker:Agent, x:Number, y:Number, z:Number, radius:Number, wanted:int, filter:AgentFilter, degrees:Number):Collector
+        {
+            requireNotNegative("radius", radius);
+            _found.begin(wanted, radius * radius, asker, filter);
+            var cone:Cone = degrees < 360 ? _cone.setTo(asker.worldPlacement(), degrees / 2) : null;
+            _near.find(_seen.findPlaces(), x, y, z, _found, cone);
+            return _found;
+        }
+
+        private function count(asker:Agent, x:Number, y:Number, z:Number, radius:Number, filter:AgentFilter):int
+        {
+            if (filter != null && filter.accepts != null)
+            {
+                return find(asker, x, y, z, radius, Collector.ALL, filter, 360).end();
+            }
+            requireNotNegative("radius", radius);
+            _found.filter.begin(asker, filter);
+            return _count.count(_seen.findPlaces(), x, y, z, radius * radius, _found.filter);
         }
     }
 }

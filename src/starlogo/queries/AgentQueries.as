@@ -1,4 +1,4 @@
-// This file is long because it documents all questions. It answers none itself.
+// This file is long because it documents all questions. It answers none itself: AgentPlaces, AgentRays and the like do.
 package starlogo.queries
 {
     import flash.geom.Vector3D;
@@ -44,10 +44,10 @@ package starlogo.queries
     public class AgentQueries
     {
         private var _seen:SeenAgents;
-        private var _places:PlaceQueries;
+        private var _places:AgentPlaces;
         private var _touches:TouchQueries;
         private var _distances:DistanceQueries;
-        private var _rays:RayQueries;
+        private var _rays:AgentRays;
         private var _motions:MotionQueries;
 
         /**
@@ -67,10 +67,10 @@ package starlogo.queries
             _seen = new SeenAgents(collisionOrSystem);
             // questions may be about any structure
             _seen.needTests(StructurePairTests.bringTo);
-            _places = new PlaceQueries(_seen);
+            _places = new AgentPlaces(_seen);
             _touches = new TouchQueries(_seen);
             _distances = new DistanceQueries(_seen);
-            _rays = new RayQueries(_seen);
+            _rays = new AgentRays(_seen);
             _motions = new MotionQueries(_seen);
         }
 
@@ -139,7 +139,7 @@ package starlogo.queries
          */
         public function near(agent:Agent, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return _places.idle.near(agent, radius, filter, out);
+            return _places.near(agent, radius, filter, out);
         }
 
         /**
@@ -151,7 +151,7 @@ package starlogo.queries
          */
         public function countNear(agent:Agent, radius:Number, filter:AgentFilter = null):int
         {
-            return _places.idle.countNear(agent, radius, filter);
+            return _places.countNear(agent, radius, filter);
         }
 
         /**
@@ -165,7 +165,7 @@ package starlogo.queries
          */
         public function nearest(agent:Agent, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
-            return _places.idle.nearest(agent, radius, filter);
+            return _places.nearest(agent, radius, filter);
         }
 
         /**
@@ -183,7 +183,7 @@ package starlogo.queries
          */
         public function nearestFew(agent:Agent, count:int, radius:Number = Infinity, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return _places.idle.nearestFew(agent, count, radius, filter, out);
+            return _places.nearestFew(agent, count, radius, filter, out);
         }
 
         /** An older name of <code>nearestFew()</code>. */
@@ -203,7 +203,7 @@ package starlogo.queries
          */
         public function nearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return _places.idle.nearPoint(point, radius, filter, out);
+            return _places.nearPoint(point, radius, filter, out);
         }
 
         /**
@@ -215,7 +215,7 @@ package starlogo.queries
          */
         public function countNearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null):int
         {
-            return _places.idle.countNearPoint(point, radius, filter);
+            return _places.countNearPoint(point, radius, filter);
         }
 
         /**
@@ -228,7 +228,7 @@ package starlogo.queries
          */
         public function nearestToPoint(point:Vector3D, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
-            return _places.idle.nearestToPoint(point, radius, filter);
+            return _places.nearestToPoint(point, radius, filter);
         }
 
         /**
@@ -247,7 +247,7 @@ package starlogo.queries
          */
         public function inCone(agent:Agent, radius:Number, degrees:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return _places.idle.inCone(agent, radius, degrees, filter, out);
+            return _places.inCone(agent, radius, degrees, filter, out);
         }
 
         /**
@@ -407,7 +407,7 @@ package starlogo.queries
          */
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null, hit:RayHit = null):RayHit
         {
-            return _rays.idle.cast(origin, direction, maxDistance, filter, hit);
+            return _rays.cast(origin, direction, maxDistance, filter, hit);
         }
 
         /**
@@ -436,7 +436,7 @@ package starlogo.queries
         public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null,
                 out:Vector.<RayHit> = null, allSurfaces:Boolean = false):Vector.<RayHit>
         {
-            return _rays.idle.castAll(origin, direction, maxDistance, filter, out, allSurfaces);
+            return _rays.castAll(origin, direction, maxDistance, filter, out, allSurfaces);
         }
 
         /**
@@ -450,7 +450,7 @@ package starlogo.queries
          */
         public function canSee(a:Agent, b:Agent, filter:AgentFilter = null):Boolean
         {
-            return _rays.idle.canSee(a, b, filter);
+            return _rays.canSee(a, b, filter);
         }
 
         /**

@@ -14,7 +14,7 @@ package starlogo.queries
      * <p>A search leaves out the rows that a filter excludes before it tests them. A filter's own function, <code>accepts</code>, is called
      * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs; but motions and casts of shapes call it for all
      * rows near the way. It may ask questions itself. These have
-     * another Collector (PlaceQueries.idle).</p>
+     * another Collector, of nested questions.</p>
      *
      * @private
      */

@@ -15,7 +15,7 @@ package starlogo.queries
 
         private var _seen:SeenAgents;
 
-        // For the questions of an accepts that these call.
+        // Answers what an accepts asks while these questions call it.
         private var _nested:MotionQueries = null;
 
         /** @param seen the agents that the questions are about */
@@ -27,15 +27,10 @@ package starlogo.queries
             walks = new WalkQueries(seen, moves, mover);
         }
 
-        /** These questions; others while these call a filter's <code>accepts</code>, which may ask questions itself. */
+        /** These questions, or the nested ones while a filter's <code>accepts</code> is being called. */
         public function get idle():MotionQueries
         {
-            if (!moves.isAsking)
-            {
-                return this;
-            }
-            _nested ||= new MotionQueries(_seen);
-            return _nested.idle;
+            return moves.isAsking ? (_nested ||= new MotionQueries(_seen)).idle : this;
         }
     }
 }

@@ -30,7 +30,7 @@ package starlogo.queries
         private var _place:Vector3D = new Vector3D();
         private var _edges:Body = new Body();
 
-        // For the questions of an accepts that these call.
+        // Answers what an accepts asks while these questions call it.
         private var _nested:TouchQueries = null;
 
         /** @param seen the agents that the questions are about */
@@ -40,15 +40,10 @@ package starlogo.queries
             _found = new Collector(seen);
         }
 
-        /** These questions; others while these call a filter's <code>accepts</code>, which may ask questions itself. */
+        /** These questions, or the nested ones while a filter's <code>accepts</code> is being called. */
         public function get idle():TouchQueries
         {
-            if (!_found.isAsking)
-            {
-                return this;
-            }
-            _nested ||= new TouchQueries(_seen);
-            return _nested.idle;
+            return _found.isAsking ? (_nested ||= new TouchQueries(_seen)).idle : this;
         }
 
         public function touching(agent:Agent, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>

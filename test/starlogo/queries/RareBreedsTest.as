@@ -22,7 +22,7 @@ package starlogo.queries
 
         private var _agents:Vector.<Agent>;
         private var _seen:SeenAgents;
-        private var _places:PlaceQueries;
+        private var _places:AgentPlaces;
 
         [Before]
         public function begin():void
@@ -39,7 +39,7 @@ package starlogo.queries
             wolf.moveTo(400, 300, 0);
             _agents.push(wolf);
             _seen = new SeenAgents(new BinCollider());
-            _places = new PlaceQueries(_seen);
+            _places = new AgentPlaces(_seen);
             _seen.update(_agents);
         }
 

@@ -91,7 +91,7 @@ package starlogo.queries
         /** @inheritDoc */
         override public function bind(shape:ModelShape, agent:Agent):void
         {
-            var entry:ModelEntry = _models.of(shape.model);
+            var entry:ModelEntry = _models.of(shape.modelName);
             if (entry.structures != null)
             {
                 shape.setStructure(entry.structures.tightest);

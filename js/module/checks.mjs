@@ -171,7 +171,9 @@ function optionsOf({ name }) {
 	return name === "removeEventListener" ? ["if ($areOptions(useCapture)) useCapture = useCapture.capture ?? false;"] : [];
 }
 
+/** Where a literal is likely to be passed, the text says how such an object is made. */
 function article(name) {
+	if (name === "AgentFilter") return 'an AgentFilter, for example AgentFilter.ofBreeds("sheep")';
 	return `${/^[AEIOU]/.test(name) ? "an" : "a"} ${name}`;
 }
 

@@ -526,7 +526,11 @@ test("errors name structures, elements of lists, functions and settings as their
 	refused(() => (filter.breeds = "bears"), 'AgentFilter.breeds must be an array of strings, not "bears"');
 	refused(() => (land.boundingStructures.fitters = [3]), "fitters[0] must be a Fitter, not 3");
 	refused(() => new engine.AgentQueries({}), "one of the engine's collision systems, not a plain object");
-	refused(() => new Collision(new BinCollider()).onCollision("", "b", () => 0), 'not "", "b" and the function without a name');
+	refused(() => questions.nearest(new Agent("cube"), 5, { breeds: ["bears"] }), 'filter must be an AgentFilter, for example AgentFilter.ofBreeds("sheep"), not a plain object');
+	const collision = new Collision(new BinCollider());
+	refused(() => collision.onCollision("", "b", () => 0), 'breed must be the name of a breed or ANY_BREED, not ""');
+	refused(() => collision.onCollision("a", undefined, () => 0), "otherBreed must be the name of a breed or ANY_BREED, not undefined");
+	refused(() => collision.onCollision("a", "b", undefined), "handler must be a function, not undefined");
 	const one = new Agent("cube");
 	refused(() => questions.distance(one, one), "two different agents are needed");
 	const saysOf = (read) => assert.throws(read, (error) => error.name === "ModelError" && !/text/.test(error.message) && /empty|no glTF file|no STL file/.test(error.message));

@@ -190,9 +190,19 @@ package starlogo.handlers
 
         private static function require(breed:String, otherBreed:String, handler:Function):void
         {
-            if (!breed || !otherBreed || handler == null)
+            requireBreed("breed", breed);
+            requireBreed("otherBreed", otherBreed);
+            if (handler == null)
             {
-                throw new ArgumentError("two breeds and a handler are needed, not \"" + breed + "\", \"" + otherBreed + "\" and " + textOf(handler));
+                throw new ArgumentError("handler must be a function, not " + textOf(handler));
+            }
+        }
+
+        private static function requireBreed(argument:String, breed:String):void
+        {
+            if (!breed)
+            {
+                throw new ArgumentError(argument + " must be the name of a breed or ANY_BREED, not " + (breed == "" ? "\"\"" : textOf(breed)));
             }
         }
     }

@@ -9,7 +9,6 @@ package starlogo.collision
     import starlogo.handlers.TouchTracker;
     import starlogo.search.FoundPairs;
     import starlogo.search.NumberList;
-    import starlogo.search.ListedAgents;
 
     use namespace engine;
 
@@ -28,12 +27,7 @@ package starlogo.collision
         private var _contacts:FrameContacts = new FrameContacts();
         private var _table:HandlerTable = null;
         private var _tracker:TouchTracker = null;
-
-        // The game's own list, which handlers may change. While every agent is at its index, _isListUnchanged is true. Afterwards _indices has, by row,
-        // the last known index in the game's list, or -1 once the agent was missing.
-        private var _agents:Vector.<Agent> = null;
-        private var _isListUnchanged:Boolean;
-        private var _indices:Vector.<int> = new Vector.<int>();
+        private var _list:GameList = new GameList();
 
         // The pairs whose handlers are called, by their indices; null for all pairs. Whether each pair has got its touch, with calls both ways.
         private var _chosen:NumberList;
@@ -59,8 +53,7 @@ package starlogo.collision
         {
             _table = table;
             _tracker = tracker;
-            _agents = agents;
-            _isListUnchanged = true;
+            _list.begin(agents, pairs);
             _step = _next = count = 0;
             _chosen = null;
             _areTouchesComplete = true;
@@ -88,7 +81,7 @@ package starlogo.collision
                 tracker.complete(pairs);
             }
             _contacts.end();
-            _agents = null;
+            _list.end();
         }
 
         // Computes the contacts that handlers take, before a handler moves an agent. Null stands for all pairs.
@@ -137,7 +130,11 @@ package starlogo.collision
                 }
                 catch (error:*)
                 {
-                    if (count == calls || _contacts.isComputing)
+                    if (error is LateContactError)
+                    {
+                        throw LateContactError(error).cause;
+                    }
+                    if (count == calls)
                     {
                         // the error does not come from a handler, so going on would throw it again
                         throw error;
@@ -209,41 +206,30 @@ package starlogo.collision
             {
                 _handlers = _table.handlersOf(first.breedNumber, second.breedNumber);
             }
-            var ofPair:PairHandlers = _handlers;
-            var handlers:Vector.<CollisionHandler> = ofPair.handlers;
-            var forwardCount:int = ofPair.forwardCount;
+            var handlers:Vector.<CollisionHandler> = _handlers.handlers;
+            var forwardCount:int = _handlers.forwardCount;
             var end:int = handlers.length;
-            var tracksTouches:Boolean = ofPair.tracksTouches;
-            var isStarting:Boolean = false;
-            if (tracksTouches)
+            var touch:Touch = null;
+            if (_handlers.tracksTouches)
             {
-                var touch:Touch = _tracker.touches[pair];
-                if (touch != null)
-                {
-                    // a touch that began earlier, unless a handler of this pair threw
-                    isStarting = _next > 0 && touch.beganIn == _tracker.frame;
-                }
-                else if (areListed(firstRow, secondRow))
-                {
-                    touch = _tracker.start(pair, first, second, first.breedNumber, second.breedNumber);
-                    isStarting = true;
-                }
-                else
+                touch = touchOf(pair, firstRow, secondRow);
+                if (touch == null)
                 {
                     _areTouchesComplete = false;
                     return;
                 }
             }
+            var isStarting:Boolean = touch != null && touch.beganIn == _tracker.frame;
             var next:int = _next;
             while (next < end)
             {
                 var handler:CollisionHandler = handlers[next];
-                if (tracksTouches && handler.kind != CollisionHandler.COLLISION && !(isStarting && handler.kind == CollisionHandler.START))
+                if (handler.kind != CollisionHandler.COLLISION && !(isStarting && handler.kind == CollisionHandler.START))
                 {
                     next++;
                     continue;
                 }
-                if (!areListed(firstRow, secondRow))
+                if (!_list.hasBoth(firstRow, secondRow))
                 {
                     break;
                 }
@@ -275,44 +261,17 @@ package starlogo.collision
             }
         }
 
-        private function areListed(firstRow:int, secondRow:int):Boolean
+        // The touch of a pair, which begins if there is none; null if there is none, and one of the agents has left the list.
+        private function touchOf(pair:int, firstRow:int, secondRow:int):Touch
         {
-            var agents:Vector.<Agent> = _agents;
-            var byRow:Vector.<Agent> = pairs.agents;
-            var ranks:Vector.<int> = pairs.ranks;
-            var isWorldAgent:Boolean = secondRow < ListedAgents.LISTED;
-            if (_isListUnchanged)
+            var touch:Touch = _tracker.touches[pair];
+            if (touch == null && _list.hasBoth(firstRow, secondRow))
             {
-                if (agents.length == pairs.agentCount && agents[ranks[firstRow]] === byRow[firstRow]
-                        && (isWorldAgent || agents[ranks[secondRow]] === byRow[secondRow]))
-                {
-                    return true;
-                }
-                _isListUnchanged = false;
-                for (var row:int = 0; row < ranks.length; row++)
-                {
-                    _indices[row] = ranks[row];
-                }
+                var first:Agent = pairs.agents[firstRow];
+                var second:Agent = pairs.agents[secondRow];
+                touch = _tracker.start(pair, first, second, first.breedNumber, second.breedNumber);
             }
-            return isListed(firstRow) && (isWorldAgent || isListed(secondRow));
-        }
-
-        // Once an agent was missing, it stays away for the rest of the frame. When agents are removed, others move towards the start of the
-        // list, so an agent is looked for there first.
-        private function isListed(row:int):Boolean
-        {
-            var agent:Agent = pairs.agents[row];
-            var place:int = _indices[row];
-            if (place >= 0 && (place >= _agents.length || _agents[place] !== agent))
-            {
-                place = _agents.lastIndexOf(agent, place);
-                if (place < 0)
-                {
-                    place = _agents.indexOf(agent);
-                }
-                _indices[row] = place;
-            }
-            return place >= 0;
+            return touch;
         }
     }
 }

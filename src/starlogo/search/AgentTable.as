@@ -6,7 +6,6 @@ package starlogo.search
     import starlogo.broadphase.BinLevels;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
 
     use namespace engine;
 
@@ -56,10 +55,7 @@ package starlogo.search
         // The number of rows read last whose models are still loading.
         engine var loadingCount:int = 0;
 
-        // The rows that are read, and those of them whose extents have to be computed again; the new shapes of the latter.
-        private var _read:NumberList = new NumberList();
-        private var _reshaped:NumberList = new NumberList();
-        private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
+        private var _reshaped:ReshapedRows = new ReshapedRows();
 
         private var _modelShapes:ModelShapes;
 
@@ -84,25 +80,25 @@ package starlogo.search
          */
         public function read(agents:Vector.<Agent>):void
         {
+            var reshaped:ReshapedRows = _reshaped;
             forgetReplaced();
             list.beginRead();
-            var isOther:Boolean = !list.isAccepted || agents.length != list.count || !readChanged(agents, list.rows);
+            var isOther:Boolean = !list.isAccepted || agents.length != list.count || !readChanged(agents, list.rows, reshaped.rows);
             if (isOther)
             {
                 list.propose(agents);
                 makeRows();
-                readChanged(agents, list.proposed);
+                readChanged(agents, list.proposed, reshaped.rows);
             }
-            findShapes();
+            findShapes(reshaped);
             if (isOther)
             {
                 list.accept(agents.length);
                 followList();
             }
-            loadingCount = 0;
-            takeShapes();
-            _read = places.exchange(_read, list.count);
-            moveExtents();
+            loadingCount = takeShapes(reshaped);
+            places.acceptRead(list.count);
+            moveExtents(reshaped.rows);
         }
 
         /**
@@ -116,12 +112,12 @@ package starlogo.search
         {
             forgetReplaced();
             var agent:Agent = list.agents[row];
-            _reshaped.count = 0;
             if (agent.bodyRevision != _bodyRevisions[row])
             {
-                _reshaped.add(row);
-                findShapes();
-                takeShapes();
+                _reshaped.rows.count = 0;
+                _reshaped.rows.add(row);
+                findShapes(_reshaped);
+                takeShapes(_reshaped);
             }
             places.last.read(row, agent);
             places.before.read(row, agent);
@@ -186,23 +182,19 @@ package starlogo.search
         }
 
         /**
-         * Reads the places of agents that have changed since the last search, and lists the rows of those with changes in more than the place.
+         * Reads the places of agents that have changed since the last search.
          *
+         * @param reshaped receives the rows of those whose bodies have changed
          * @return false if the rows do not belong to the agents
          */
-        private function readChanged(agents:Vector.<Agent>, rows:Vector.<int>):Boolean
+        private function readChanged(agents:Vector.<Agent>, rows:Vector.<int>, reshaped:NumberList):Boolean
         {
             var byRow:Vector.<Agent> = list.agents;
             var seen:Vector.<int> = places.last.revisions;
             var bodiesSeen:Vector.<int> = _bodyRevisions;
-            var nextRevisions:Vector.<int> = places.beingRead.revisions;
-            var nextX:Vector.<Number> = places.beingRead.x;
-            var nextY:Vector.<Number> = places.beingRead.y;
-            var nextZ:Vector.<Number> = places.beingRead.z;
-            var rowsRead:Vector.<int> = _read.numbers;
             var end:int = agents.length;
-            var found:int = 0;
-            _reshaped.count = 0;
+            places.beginRead();
+            reshaped.count = 0;
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = rows[i];
@@ -211,25 +203,17 @@ package starlogo.search
                 {
                     return false;
                 }
-                var revision:int = agent.revision;
-                if (revision != seen[row] || bodiesSeen[row] == STALE)
+                if (agent.revision != seen[row] || bodiesSeen[row] == STALE)
                 {
-                    var placement:Placement = agent.placement;
                     if (agent.bodyRevision != bodiesSeen[row])
                     {
-                        _reshaped.add(row);
+                        reshaped.add(row);
                     }
-                    rowsRead[found] = row;
-                    found++;
-                    nextRevisions[row] = revision;
-                    nextX[row] = placement.x;
-                    nextY[row] = placement.y;
-                    nextZ[row] = placement.z;
+                    places.read(row, agent);
                     // also if the list is refused: then the next search reads the row again
                     breeds[row] = agent.breedNumber;
                 }
             }
-            _read.count = found;
             return true;
         }
 
@@ -323,55 +307,57 @@ package starlogo.search
             setStale(row);
         }
 
-        private function moveExtents():void
+        private function moveExtents(reshaped:NumberList):void
         {
             _rowExtents.farOut.count = 0;
             _rowExtents.moveRows(places.changed, places.last, shapes);
-            _rowExtents.assignLevels(_reshaped, shapes);
+            _rowExtents.assignLevels(reshaped, shapes);
             for (var i:int = 0; i < _rowExtents.farOut.count; i++)
             {
                 _bodyRevisions[_rowExtents.farOut.numbers[i]] = STALE;
             }
         }
 
-        // Finds the shapes of agents that have changed. All shapes are found before any row changes, because an error must change no row.
-        private function findShapes():void
+        // Finds the shapes of rows. All shapes are found before any row changes, because an error must change no row.
+        private function findShapes(reshaped:ReshapedRows):void
         {
-            if (_reshaped.count > _newShapes.length)
+            if (reshaped.rows.count > reshaped.shapes.length)
             {
-                _newShapes.length = _reshaped.count;
+                reshaped.shapes.length = reshaped.rows.count;
             }
-            for (var i:int = 0; i < _reshaped.count; i++)
+            for (var i:int = 0; i < reshaped.rows.count; i++)
             {
-                var row:int = _reshaped.numbers[i];
+                var row:int = reshaped.rows.numbers[i];
                 if (needsShape(row))
                 {
-                    _newShapes[i] = _modelShapes.shapeOf(list.agents[row]);
+                    reshaped.shapes[i] = _modelShapes.shapeOf(list.agents[row]);
                 }
             }
         }
 
-        // Gives the changed rows the shapes that findShapes has found, and finds their extents.
-        private function takeShapes():void
+        // Gives rows the shapes that findShapes has found, and finds their extents. Returns the number of rows whose models are loading. These
+        // are read again in every search.
+        private function takeShapes(reshaped:ReshapedRows):int
         {
-            for (var i:int = 0; i < _reshaped.count; i++)
+            var loading:int = 0;
+            for (var i:int = 0; i < reshaped.rows.count; i++)
             {
-                var row:int = _reshaped.numbers[i];
+                var row:int = reshaped.rows.numbers[i];
                 if (needsShape(row))
                 {
-                    setShape(row, _newShapes[i]);
-                    _newShapes[i] = null;
+                    setShape(row, reshaped.shapes[i]);
+                    reshaped.shapes[i] = null;
                 }
                 if (shapes[row] == null)
                 {
-                    // a row whose model is loading is read again in every search
-                    loadingCount++;
+                    loading++;
                 }
                 else
                 {
                     findExtents(row);
                 }
             }
+            return loading;
         }
 
         private function needsShape(row:int):Boolean

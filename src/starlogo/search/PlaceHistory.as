@@ -1,5 +1,7 @@
 package starlogo.search
 {
+    import starlogo.agents.Agent;
+
     /**
      * Where the agents of a table were in the last two searches, and which of them have changed. An agent's motion goes from one place to the other.
      *
@@ -19,32 +21,40 @@ package starlogo.search
         /** The rows that the search before has read again. */
         public var changedBefore:NumberList = new NumberList();
 
-        /** Where a search reads the places of changed agents: over those of the search before. They count after <code>exchange()</code>. */
-        public function get beingRead():RowPlaces
+        // The rows that a new search reads.
+        private var _read:NumberList = new NumberList();
+
+        /** Begins to read the places of a new search. The places of the search before last are lost. */
+        public function beginRead():void
         {
-            return before;
+            _read.count = 0;
+        }
+
+        /** Reads the place of an agent that has changed. The last places count until <code>acceptRead()</code>. */
+        public function read(row:int, agent:Agent):void
+        {
+            _read.add(row);
+            before.read(row, agent);
         }
 
         /**
-         * Makes the places that were read into <code>beingRead</code> the present ones.
+         * Makes the places that were read the last ones.
          *
-         * @param read the rows that were read
          * @param agentCount the number of listed agents
-         * @return a list for the rows of the next search
          */
-        public function exchange(read:NumberList, agentCount:int):NumberList
+        public function acceptRead(agentCount:int):void
         {
             var older:RowPlaces = before;
             before = last;
             last = older;
             var spare:NumberList = changedBefore;
             changedBefore = changed;
-            changed = read;
+            changed = _read;
+            _read = spare;
             if (changed.count < agentCount)
             {
                 copyStill();
             }
-            return spare;
         }
 
         // Gives rows that changed before, and not now, their present place in both searches.

@@ -46,7 +46,8 @@ package starlogo.collision
             assertThrows(ArgumentError, /null/, _collision.update, null);
             assertEquals(0, _calls.length);
             assertThrows(ArgumentError, /handler/, _collision.onCollision, "bears", "bears", null);
-            assertThrows(ArgumentError, /breeds/, _collision.onCollision, "", "bears", note("x"));
+            assertThrows(ArgumentError, /^breed must be the name.*""/, _collision.onCollision, "", "bears", note("x"));
+            assertThrows(ArgumentError, /^otherBreed must be the name.*null/, _collision.onCollision, "bears", null, note("x"));
             assertThrows(ArgumentError, /collisionSystem/, create, Collision, null);
             _agents.pop();
             _collision.update(_agents);

@@ -1,0 +1,79 @@
+package starlogo.collision
+{
+    import starlogo.agents.Agent;
+    import starlogo.search.FoundPairs;
+    import starlogo.search.ListedAgents;
+
+    /** The game's own list of a frame, which handlers may change. It knows which agents are still in it. */
+    internal final class GameList
+    {
+        private var _agents:Vector.<Agent> = null;
+        private var _pairs:FoundPairs = null;
+
+        // While every agent is at its index, _isUnchanged is true. Afterwards _indices has, by row, the last known index, or -1 once the agent was
+        // missing.
+        private var _isUnchanged:Boolean = true;
+        private var _indices:Vector.<int> = new Vector.<int>();
+
+        /**
+         * Begins a frame.
+         *
+         * @param agents the list
+         * @param pairs has the rows of its agents
+         */
+        public function begin(agents:Vector.<Agent>, pairs:FoundPairs):void
+        {
+            _agents = agents;
+            _pairs = pairs;
+            _isUnchanged = true;
+        }
+
+        /** Ends the frame. */
+        public function end():void
+        {
+            _agents = null;
+            _pairs = null;
+        }
+
+        /** Whether both agents of a pair are in the list. The ground and the edges of the world always are. */
+        public function hasBoth(firstRow:int, secondRow:int):Boolean
+        {
+            var agents:Vector.<Agent> = _agents;
+            var byRow:Vector.<Agent> = _pairs.agents;
+            var ranks:Vector.<int> = _pairs.ranks;
+            var isWorldAgent:Boolean = secondRow < ListedAgents.LISTED;
+            if (_isUnchanged)
+            {
+                if (agents.length == _pairs.agentCount && agents[ranks[firstRow]] === byRow[firstRow]
+                        && (isWorldAgent || agents[ranks[secondRow]] === byRow[secondRow]))
+                {
+                    return true;
+                }
+                _isUnchanged = false;
+                for (var row:int = 0; row < ranks.length; row++)
+                {
+                    _indices[row] = ranks[row];
+                }
+            }
+            return has(firstRow) && (isWorldAgent || has(secondRow));
+        }
+
+        // Once an agent was missing, it stays away for the rest of the frame. When agents are removed, others move towards the start of the
+        // list, so an agent is looked for there first.
+        private function has(row:int):Boolean
+        {
+            var agent:Agent = _pairs.agents[row];
+            var place:int = _indices[row];
+            if (place >= 0 && (place >= _agents.length || _agents[place] !== agent))
+            {
+                place = _agents.lastIndexOf(agent, place);
+                if (place < 0)
+                {
+                    place = _agents.indexOf(agent);
+                }
+                _indices[row] = place;
+            }
+            return place >= 0;
+        }
+    }
+}

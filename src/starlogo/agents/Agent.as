@@ -108,7 +108,7 @@ package starlogo.agents
         engine var structureKind:int = ANY_KIND;
 
         /** @private What the agent stands on since its last walk. It is null before the first walk. */
-        engine var standing:PlatformLink = null;
+        engine var platformLink:PlatformLink = null;
 
         /**
          * Whether the agent stops only what comes from above: a platform to jump up through and to stand on. It counts for others that walk, slide,

@@ -18,17 +18,17 @@ package starlogo.agents
         /** The agent that has walked. */
         public var agent:Agent;
 
-        /** The agent below. It is null if the agent stands on nothing, or on the ground. */
-        public var on:Agent = null;
+        /** The agent that it stands on. It is null if the agent stands on nothing, or on the ground. */
+        public var platform:Agent = null;
 
-        /** Where the agent below was. */
-        public var below:Placement = new Placement();
+        /** Where the platform was. */
+        public var platformPlace:Placement = new Placement();
 
-        /** The revision that the agent below had. */
-        public var revision:int = 0;
+        /** The revision that the platform had. */
+        public var platformRevision:int = 0;
 
         /** Where the agent itself was. */
-        public var at:Vector3D = new Vector3D();
+        public var place:Vector3D = new Vector3D();
 
         /** @param agent the agent that walks */
         public function PlatformLink(agent:Agent)
@@ -37,34 +37,34 @@ package starlogo.agents
         }
 
         /** Notes what the agent stands on. */
-        public function read(on:Agent, below:Placement, revision:int):void
+        public function setTo(platform:Agent, platformPlace:Placement, platformRevision:int):void
         {
-            this.on = on;
-            this.below.copyFrom(below);
-            this.revision = revision;
-            at.setTo(agent.placement.x, agent.placement.y, agent.placement.z);
+            this.platform = platform;
+            this.platformPlace.copyFrom(platformPlace);
+            this.platformRevision = platformRevision;
+            place.setTo(agent.placement.x, agent.placement.y, agent.placement.z);
         }
 
-        /** Whether the agent is still where it was, and the agent below has not jumped. */
+        /** Whether the agent is still where it was, and the platform has not jumped. */
         public function get isValid():Boolean
         {
-            return on != null && on.jumpRevision <= revision
-                && agent.placement.x == at.x && agent.placement.y == at.y && agent.placement.z == at.z;
+            return platform != null && platform.jumpRevision <= platformRevision
+                && agent.placement.x == place.x && agent.placement.y == place.y && agent.placement.z == place.z;
         }
 
         /**
          * Finds how the agent is carried.
          *
-         * @param to where the agent below is now
+         * @param to where the platform is now
          * @param motion receives the motion of the agent
          * @return the turn about the z axis, in degrees
          */
         public function carry(to:Placement, motion:Vector3D):Number
         {
-            var from:Placement = below;
-            var toX:Number = at.x - from.x;
-            var toY:Number = at.y - from.y;
-            var toZ:Number = at.z - from.z;
+            var from:Placement = platformPlace;
+            var toX:Number = place.x - from.x;
+            var toY:Number = place.y - from.y;
+            var toZ:Number = place.z - from.z;
             motion.setTo(to.x - from.x, to.y - from.y, to.z - from.z);
             if (from.size == to.size && from.hasRotationOf(to))
             {

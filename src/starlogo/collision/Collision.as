@@ -90,15 +90,7 @@ package starlogo.collision
         // The system of the frame under way, or null. Its collider stays reserved until the frame's end.
         private var _updatingSystem:BaseCollider = null;
 
-        // The system that found the last frame's pairs, or null; whether that frame threw before its end.
-        private var _lastCollider:Collider = null;
-        private var _hasFailed:Boolean = false;
-        private var _lastAgents:Vector.<Agent> = new Vector.<Agent>();
-
-        // _isListLent: the game has got _lastAgents, so it may have changed the list. _listNumber: the number of this list in the table of _lastCollider,
-        // or -1.
-        private var _isListLent:Boolean = false;
-        private var _listNumber:int = -1;
+        private var _lastFrame:LastFrame = new LastFrame();
         private var _filteredList:FilteredList = new FilteredList();
 
         /**
@@ -151,8 +143,7 @@ package starlogo.collision
          */
         public function get lastAgents():Vector.<Agent>
         {
-            _isListLent = true;
-            return _lastAgents;
+            return _lastFrame.lendAgents();
         }
 
         /**
@@ -239,17 +230,13 @@ package starlogo.collision
         {
             _handlers.clear();
             _touches = new TouchTracker();
-            _hasFailed = false;
-            _lastCollider = null;
+            // a handler may call this, and the frame under way goes on with its own
+            _lastFrame = new LastFrame();
             var inner:Collider = _system.innerCollider;
             if (inner != null)
             {
                 inner.search.table.places.forgetMotions();
             }
-            // a handler may call this, and the frame goes on with its list
-            _lastAgents = new Vector.<Agent>();
-            _isListLent = false;
-            _listNumber = -1;
         }
 
         /**
@@ -274,6 +261,7 @@ package starlogo.collision
             // what the filter or a handler exchanges counts from the next frame on
             var system:BaseCollider = _system;
             var touches:TouchTracker = _touches;
+            var lastFrame:LastFrame = _lastFrame;
             _input.ground = terrain == null ? null : terrain.agent;
             _input.edges = bounds == null ? null : bounds.agent;
             _handlers.begin();
@@ -283,7 +271,7 @@ package starlogo.collision
             try
             {
                 var listed:Vector.<Agent> = asked == null ? agents : _filteredList.ask(asked, agents);
-                _hasFailed = true;
+                lastFrame.hasFailed = true;
                 _input.agents = listed;
                 _input.takePart = asked == null ? null : _filteredList.takePart;
                 if (collider != null)
@@ -291,13 +279,13 @@ package starlogo.collision
                     collider.beginFrame();
                 }
                 findPairs(system);
-                keepList(listed, system.equivalentCollider);
+                lastFrame.keep(listed, system.equivalentCollider);
                 if (collider != null)
                 {
                     collider.holdFrame();
                 }
                 _calls.make(system, _handlers, touches, agents, _handlerErrors);
-                _hasFailed = false;
+                lastFrame.hasFailed = false;
             }
             finally
             {
@@ -334,13 +322,13 @@ package starlogo.collision
         public function snapshot(withTraits:Boolean = false, withGround:Boolean = true):ByteArray
         {
             requireSearch("snapshot");
-            if (_hasFailed)
+            if (_lastFrame.hasFailed)
             {
                 throw new IllegalOperationError("the last frame has refused its list or failed: there is nothing to take a snapshot of");
             }
-            var searched:Collider = _lastCollider || _system.equivalentCollider;
-            return _snapshots.write(_touches, searched.search.table, _lastAgents, _lastCollider == _system.equivalentCollider, terrain, findWorldAgents(),
-                    withTraits, withGround);
+            var searched:Collider = _lastFrame.collider || _system.equivalentCollider;
+            return _snapshots.write(_touches, searched.search.table, _lastFrame.agents, _lastFrame.collider == _system.equivalentCollider, terrain,
+                    findWorldAgents(), withTraits, withGround);
         }
 
         /**
@@ -363,8 +351,8 @@ package starlogo.collision
             var collider:Collider = _system.equivalentCollider;
             _touches = _snapshots.read(bytes, agents, collider.search, terrain, findWorldAgents());
             collider.takeContactsFromFrame();
-            keepList(agents, collider);
-            _hasFailed = false;
+            _lastFrame.keep(agents, collider);
+            _lastFrame.hasFailed = false;
         }
 
         override engine function findNarrowPhase():NarrowPhase
@@ -390,23 +378,6 @@ package starlogo.collision
             {
                 collider.owner = null;
             }
-        }
-
-        // Copies the list that a collider has searched, unless the last update has copied the same list.
-        private function keepList(agents:Vector.<Agent>, searched:Collider):void
-        {
-            var number:int = searched == null ? -1 : searched.search.table.list.listNumber;
-            if (_isListLent || number < 0 || number != _listNumber || searched !== _lastCollider)
-            {
-                if (agents === _lastAgents)
-                {
-                    // the game's own list, from now on
-                    _lastAgents = new Vector.<Agent>();
-                }
-                FilteredList.copyInto(_lastAgents, agents);
-            }
-            _listNumber = number;
-            _lastCollider = searched;
         }
 
         private function requireSearch(what:String):void

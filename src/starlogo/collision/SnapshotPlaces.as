@@ -49,7 +49,7 @@ package starlogo.collision
                 var x:Number = bytes.readDouble();
                 var y:Number = bytes.readDouble();
                 var z:Number = bytes.readDouble();
-                table.seeAt(table.list.rows[i], x, y, z, hasMotion);
+                table.setLastPlace(table.list.rows[i], x, y, z, hasMotion);
             }
         }
     }

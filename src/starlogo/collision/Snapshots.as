@@ -48,7 +48,7 @@ package starlogo.collision
         private var _contents:int = 0;
         private var _names:SnapshotNames;
         private var _placesAt:uint = 0;
-        private var _standingsAt:uint = 0;
+        private var _platformsAt:uint = 0;
         private var _groundAt:uint = 0;
         private var _traitsAt:uint = 0;
 
@@ -77,7 +77,7 @@ package starlogo.collision
             var parts:ByteArray = newBytes();
             SnapshotPlaces.write(parts, agents, table, keepsMotions);
             writePairs(parts, names, tracker, table, worldAgents);
-            SnapshotStandings.write(parts, agents, table);
+            SnapshotPlatforms.write(parts, agents, table);
             if (hasHeights)
             {
                 SnapshotGround.write(parts, terrain);
@@ -127,8 +127,8 @@ package starlogo.collision
                 throw error;
             }
             restoreAgents(copy, agents, search);
-            copy.position = _standingsAt;
-            SnapshotStandings.read(copy, agents);
+            copy.position = _platformsAt;
+            SnapshotPlatforms.read(copy, agents);
             if ((_contents & HEIGHTS) != 0)
             {
                 copy.position = _groundAt;
@@ -225,8 +225,8 @@ package starlogo.collision
                 check(bytes.readUnsignedByte() <= 1 && isInWorld(bytes.readDouble(), bytes.readDouble(), bytes.readDouble()));
             }
             readPairs(bytes, agents.concat(worldAgents, _former), count, touches);
-            _standingsAt = bytes.position;
-            check(SnapshotStandings.areValid(bytes, count));
+            _platformsAt = bytes.position;
+            check(SnapshotPlatforms.areValid(bytes, count));
             var hasGround:Boolean = (_contents & GROUND) != 0;
             if (hasGround != (terrain != null))
             {

@@ -75,12 +75,12 @@ package starlogo.queries
             if (allSurfaces)
             {
                 collectSurfaces();
-                _hits.fit(hits, _hits.endWithAll());
+                _hits.resize(hits, _hits.endWithAll());
             }
             else
             {
                 collect();
-                _hits.fit(hits, _hits.endWithFirsts());
+                _hits.resize(hits, _hits.endWithFirsts());
             }
             for (var i:int = 0; i < hits.length; i++)
             {

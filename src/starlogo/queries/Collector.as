@@ -88,7 +88,7 @@ package starlogo.queries
         }
 
         /** Whether the search can end, because one row is wanted, which may be any, and is found. */
-        public function get hasAny():Boolean
+        public function get canEnd():Boolean
         {
             return _dropAt == 1 && count > 0;
         }

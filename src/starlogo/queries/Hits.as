@@ -164,7 +164,7 @@ package starlogo.queries
          *
          * @param hits a list of hits of the type
          */
-        public function fit(hits:Object, length:int):void
+        public function resize(hits:Object, length:int):void
         {
             while (hits.length > length)
             {

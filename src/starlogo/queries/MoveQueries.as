@@ -200,7 +200,7 @@ package starlogo.queries
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
             plan(asker, dx, dy, dz, filter, _planned);
             collect(Collector.ALL, null);
-            _hits.fit(hits, _hits.endWithFirsts());
+            _hits.resize(hits, _hits.endWithFirsts());
             for (var i:int = 0; i < hits.length; i++)
             {
                 write(i, hits[i]);

@@ -13,8 +13,8 @@ package starlogo.queries
         /** A contact counts as an upright wall if the z of its normal is less than this. With -2 none does so. */
         public var walkableZ:Number;
 
-        /** How far it may go on the ground plane at most. The planes of contacts can turn a motion up or down more level. */
-        public var widest:Number;
+        /** The greatest length of its way on the ground plane. The planes of contacts can turn a motion up or down more level. */
+        public var maxHorizontal:Number;
 
         /**
          * For a fall: the least slope on which it goes on, as a tangent; less than 0 if the motion is no fall. In each corner a fall begins
@@ -22,16 +22,16 @@ package starlogo.queries
          */
         public var fallSlope:Number;
 
-        public function SlideLimits(walkableZ:Number = -2, widest:Number = Infinity, fallSlope:Number = -1)
+        public function SlideLimits(walkableZ:Number = -2, maxHorizontal:Number = Infinity, fallSlope:Number = -1)
         {
-            setTo(walkableZ, widest, fallSlope);
+            setTo(walkableZ, maxHorizontal, fallSlope);
         }
 
         /** Sets all limits. */
-        public function setTo(walkableZ:Number, widest:Number, fallSlope:Number):void
+        public function setTo(walkableZ:Number, maxHorizontal:Number, fallSlope:Number):void
         {
             this.walkableZ = walkableZ;
-            this.widest = widest;
+            this.maxHorizontal = maxHorizontal;
             this.fallSlope = fallSlope;
         }
     }

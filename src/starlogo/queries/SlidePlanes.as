@@ -46,7 +46,7 @@ package starlogo.queries
         public var corner:int = 0;
 
         // How far the rest may go on the ground plane at most.
-        private var _widest:Number = Infinity;
+        private var _maxHorizontal:Number = Infinity;
 
         // How far a fall has to go down for each patch on the ground plane; less than 0 for a motion that is no fall.
         private var _fallSlope:Number = -1;
@@ -63,7 +63,7 @@ package starlogo.queries
          */
         public function begin(whole:Vector3D, limits:SlideLimits):void
         {
-            _widest = limits.widest;
+            _maxHorizontal = limits.maxHorizontal;
             _fallSlope = limits.fallSlope;
             _cornerMotion.copyFrom(whole);
             motion.copyFrom(whole);
@@ -90,7 +90,7 @@ package starlogo.queries
         public function advance(place:Vector3D, part:Number):void
         {
             gone += part * length;
-            _widest -= part * Math.sqrt(motion.x * motion.x + motion.y * motion.y);
+            _maxHorizontal -= part * Math.sqrt(motion.x * motion.x + motion.y * motion.y);
             place.x += part * motion.x;
             place.y += part * motion.y;
             place.z += part * motion.z;
@@ -182,7 +182,7 @@ package starlogo.queries
             {
                 return false;
             }
-            shortenToWidest();
+            shortenHorizontally();
             return length > STUCK * whole;
         }
 
@@ -198,12 +198,12 @@ package starlogo.queries
         }
 
         // Shortens the motion to how far it may still go on the ground plane.
-        private function shortenToWidest():void
+        private function shortenHorizontally():void
         {
             var wide:Number = Math.sqrt(motion.x * motion.x + motion.y * motion.y);
-            if (wide > _widest)
+            if (wide > _maxHorizontal)
             {
-                var share:Number = Math.max(0, _widest / wide);
+                var share:Number = Math.max(0, _maxHorizontal / wide);
                 motion.scaleBy(share);
                 length *= share;
             }

@@ -36,7 +36,7 @@ package starlogo.queries
         public var extent:Number = 0;
 
         /** The agent stands on ground that is at most this far below it. */
-        public var close:Number = 0;
+        public var closeDepth:Number = 0;
 
         /** How a platform carries the agent: the motion, and the turn in degrees. */
         public var carry:Vector3D = new Vector3D();
@@ -49,7 +49,7 @@ package starlogo.queries
         public var place:Vector3D = new Vector3D();
 
         /** The row that the agent stood on last, and the normal of its surface. */
-        public var row:int = -1;
-        public var normal:Vector3D = new Vector3D();
+        public var floorRow:int = -1;
+        public var floorNormal:Vector3D = new Vector3D();
     }
 }

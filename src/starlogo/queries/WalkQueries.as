@@ -79,22 +79,22 @@ package starlogo.queries
         {
             _seen.requireMovable(agent, "walk");
             var walk:Walk = _walk;
-            var standing:PlatformLink = begin(agent, dx, dy, options || DEFAULTS, walk);
+            var link:PlatformLink = begin(agent, dx, dy, options || DEFAULTS, walk);
             var footing:Footing = out || new Footing();
             footing.stands = goPieces(walk, footing);
             _moves.moveAgent(agent, walk.place, walk.turn);
             if (!footing.stands)
             {
-                walk.row = -1;
-                walk.normal.setTo(0, 0, 1);
+                walk.floorRow = -1;
+                walk.floorNormal.setTo(0, 0, 1);
             }
             var table:AgentTable = _seen.table;
-            footing.on = walk.row < 0 ? null : table.list.agents[walk.row];
-            footing.normal.copyFrom(walk.normal);
-            standing.on = null;
-            if (walk.row >= ListedAgents.LISTED)
+            footing.on = walk.floorRow < 0 ? null : table.list.agents[walk.floorRow];
+            footing.normal.copyFrom(walk.floorNormal);
+            link.platform = null;
+            if (walk.floorRow >= ListedAgents.LISTED)
             {
-                standing.read(footing.on, table.bodyOf(walk.row).placement, table.places.last.revisions[walk.row]);
+                link.setTo(footing.on, table.bodyOf(walk.floorRow).placement, table.places.last.revisions[walk.floorRow]);
             }
             return footing;
         }
@@ -109,8 +109,8 @@ package starlogo.queries
             out.options = options;
             out.cosine = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
             out.pieces = Math.min(MOST_PIECES, Math.max(1, Math.ceil(whole / size)));
-            var standing:PlatformLink = agent.standing ||= new PlatformLink(agent);
-            var platform:int = findPlatform(out, standing);
+            var link:PlatformLink = agent.platformLink ||= new PlatformLink(agent);
+            var platform:int = findPlatform(out, link);
             // on the steepest slope the way is this long
             out.range = whole / out.cosine + Math.min(options.fall, size) / 2 + out.carry.length;
             out.piece.setTo(dx, dy, 0);
@@ -118,24 +118,24 @@ package starlogo.queries
             out.piece.setTo(dx / out.pieces, dy / out.pieces, 0);
             out.length = whole / out.pieces;
             out.extent = 2 * out.planned.body.largestHalf;
-            out.close = CLOSE * out.extent;
+            out.closeDepth = CLOSE * out.extent;
             out.start.copyFrom(out.planned.from);
             if (platform >= 0)
             {
                 carryWith(platform, out);
             }
             _mover.begin(out.planned.body, out.planned.rows);
-            return standing;
+            return link;
         }
 
         // Returns the row of the agent below if it carries the agent, or -1: if it has moved since the last walk, and the filter does not exclude
         // it. The walk receives how it carries the agent.
-        private function findPlatform(walk:Walk, standing:PlatformLink):int
+        private function findPlatform(walk:Walk, link:PlatformLink):int
         {
-            var row:int = walk.options.carried && standing.isValid ? _seen.rowOf(standing.on) : -1;
+            var row:int = walk.options.carried && link.isValid ? _seen.rowOf(link.platform) : -1;
             if (row >= 0 && _seen.table.shapes[row] != null)
             {
-                walk.turn = standing.carry(_seen.table.bodyOf(row).placement, walk.carry);
+                walk.turn = link.carry(_seen.table.bodyOf(row).placement, walk.carry);
                 if ((walk.turn != 0 || walk.carry.length > 0) && _moves.askFilter(row, walk.agent, walk.options.filter))
                 {
                     return row;
@@ -186,12 +186,12 @@ package starlogo.queries
         // The footing receives how far it was pushed, and which part of the way it has come.
         private function goPieces(walk:Walk, footing:Footing):Boolean
         {
-            var stands:Boolean = findGround(walk, walk.start, walk.close);
+            var stands:Boolean = findGround(walk, walk.start, walk.closeDepth, _down);
             var pushed:Number = 0;
             if (_down.isDeep)
             {
                 pushed = pushOut(walk);
-                stands = findGround(walk, walk.start, walk.close);
+                stands = findGround(walk, walk.start, walk.closeDepth, _down);
             }
             // a walk that begins in the air stays there
             var isInAir:Boolean = !stands;
@@ -202,7 +202,7 @@ package starlogo.queries
                 if (i > 0)
                 {
                     walk.start.copyFrom(walk.place);
-                    stands = !isInAir && findGround(walk, walk.start, walk.close);
+                    stands = !isInAir && findGround(walk, walk.start, walk.closeDepth, _down);
                 }
                 stands = goPiece(walk, stands);
             }
@@ -256,14 +256,14 @@ package starlogo.queries
                 walk.place.copyFrom(walk.start);
                 return true;
             }
-            var rise:Number = -(walk.normal.x * walk.piece.x + walk.normal.y * walk.piece.y) / walk.normal.z;
+            var rise:Number = -(walk.floorNormal.x * walk.piece.x + walk.floorNormal.y * walk.piece.y) / walk.floorNormal.z;
             slide(walk, walk.place, rise, walk.cosine, _slide);
             if (_slide.metWall && climb(walk, _slide.place))
             {
                 return true;
             }
             walk.place.copyFrom(_slide.place);
-            return findGround(walk, walk.place, walk.options.snap + walk.close);
+            return findGround(walk, walk.place, walk.options.snap + walk.closeDepth, _down);
         }
 
         // Slides along the way of a piece, and up or down.
@@ -287,39 +287,39 @@ package starlogo.queries
         {
             goUpright(walk.start, walk.options.stepHeight, _straight);
             var height:Number = _straight.place.z - walk.start.z;
-            if (height <= walk.close)
+            if (height <= walk.closeDepth)
             {
                 return false;
             }
             slide(walk, _straight.place, 0, walk.cosine, _tried);
             var farther:Number = (_tried.place.x - plain.x) * walk.piece.x + (_tried.place.y - plain.y) * walk.piece.y;
-            return farther > walk.close * walk.length && findGround(walk, _tried.place, height + walk.options.snap + walk.close);
+            return farther > walk.closeDepth * walk.length && findGround(walk, _tried.place, height + walk.options.snap + walk.closeDepth, _down);
         }
 
         // Goes down to the ground if it is no deeper than this depth, and not too steep. If there is such ground, the walk is there. Otherwise it
-        // is at the beginning. Returns whether there is.
-        private function findGround(walk:Walk, from:Vector3D, depth:Number):Boolean
+        // is at the beginning. The last argument receives how the way down ends. Returns whether there is.
+        private function findGround(walk:Walk, from:Vector3D, depth:Number, down:MotionResult):Boolean
         {
             walk.place.copyFrom(from);
-            goUpright(walk.place, -depth, _down);
-            if (_down.row < 0 || !(findSupport(walk, _down.contact, _down.row, _down.place) || findOtherSupport(walk, _down.place)))
+            goUpright(walk.place, -depth, down);
+            if (down.row < 0 || !(findSupport(walk, down.contact, down.row, down.place) || findOtherSupport(walk, down.place)))
             {
                 return false;
             }
-            walk.place.copyFrom(_down.place);
+            walk.place.copyFrom(down.place);
             return true;
         }
 
         // Finds what else the agent touches at a place, besides something too steep, and whether that carries it.
         private function findOtherSupport(walk:Walk, place:Vector3D):Boolean
         {
-            slideDown(walk, place, walk.close, walk.extent, _tried);
+            slideDown(walk, place, walk.closeDepth, walk.extent, _tried);
             return _tried.floorRow >= 0 && _tried.floor.normalZ > -1 && findSupport(walk, _tried.floor, _tried.floorRow, place);
         }
 
-        private function slideDown(walk:Walk, from:Vector3D, depth:Number, widest:Number, out:SlideResult):void
+        private function slideDown(walk:Walk, from:Vector3D, depth:Number, maxHorizontal:Number, out:SlideResult):void
         {
-            _limits.setTo(-2, widest, Math.sqrt(1 - walk.cosine * walk.cosine) / walk.cosine);
+            _limits.setTo(-2, maxHorizontal, Math.sqrt(1 - walk.cosine * walk.cosine) / walk.cosine);
             _vector.setTo(0, 0, -depth);
             _mover.slide(from, _vector, _limits, out);
         }
@@ -343,7 +343,7 @@ package starlogo.queries
             if (_down.row < 0)
             {
                 // a fall can also end where the ground begins, without being stopped
-                return findGround(walk, _down.place, walk.close);
+                return findGround(walk, _down.place, walk.closeDepth, _down);
             }
             if (findSupport(walk, _down.contact, _down.row, _down.place))
             {
@@ -352,7 +352,7 @@ package starlogo.queries
             }
             var longest:Number = Math.min(walk.options.fall, walk.planned.body.placement.size);
             slideDown(walk, _down.place, Math.min(left, longest), longest / 2, _tried);
-            return findGround(walk, walk.place.z - _tried.place.z < REST * walk.extent ? walk.place : _tried.place, walk.close);
+            return findGround(walk, walk.place.z - _tried.place.z < REST * walk.extent ? walk.place : _tried.place, walk.closeDepth, _down);
         }
 
         // Finds the surface that carries the agent at a contact below it. At an edge, for example of a step, it is the face behind the edge. But
@@ -362,13 +362,13 @@ package starlogo.queries
         {
             if (contact.normalZ >= walk.cosine)
             {
-                walk.row = row;
-                walk.normal.setTo(contact.normalX, contact.normalY, contact.normalZ);
+                walk.floorRow = row;
+                walk.floorNormal.setTo(contact.normalX, contact.normalY, contact.normalZ);
                 return true;
             }
             var body:Body = walk.planned.body;
             var bottom:Number = body.z - body.halfZ - body.placement.z;
-            if (contact.z > Math.min(walk.start.z, place.z) + bottom + walk.options.stepHeight + walk.close)
+            if (contact.z > Math.min(walk.start.z, place.z) + bottom + walk.options.stepHeight + walk.closeDepth)
             {
                 return false;
             }
@@ -383,8 +383,8 @@ package starlogo.queries
             {
                 return false;
             }
-            walk.row = row;
-            walk.normal.setTo(_ray.normalX, _ray.normalY, _ray.normalZ);
+            walk.floorRow = row;
+            walk.floorNormal.setTo(_ray.normalX, _ray.normalY, _ray.normalZ);
             return true;
         }
     }

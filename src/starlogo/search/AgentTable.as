@@ -286,11 +286,11 @@ package starlogo.search
         }
 
         /**
-         * Puts a row to a place as if the last search had seen its agent there.
+         * Sets the place of a row in the last search, as if the search had seen the agent there.
          *
          * @param hasMotion whether the agent's next motion begins there
          */
-        public function seeAt(row:int, x:Number, y:Number, z:Number, hasMotion:Boolean):void
+        public function setLastPlace(row:int, x:Number, y:Number, z:Number, hasMotion:Boolean):void
         {
             var last:RowPlaces = places.last;
             var seen:int = last.revisions[row];

@@ -50,8 +50,8 @@ package starlogo.search
         engine function addNumbers(number:int, other:int):void
         {
             revision++;
-            name(number);
-            name(other);
+            markNamed(number);
+            markNamed(other);
             if (!has(number, other))
             {
                 _pairs.set (number, other, 0);
@@ -161,7 +161,7 @@ package starlogo.search
             return _pairs.valueOf(breed, other) >= 0;
         }
 
-        private function name(breed:int):void
+        private function markNamed(breed:int):void
         {
             if (breed >= _isNamed.length)
             {

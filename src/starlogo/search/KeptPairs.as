@@ -18,10 +18,10 @@ package starlogo.search
      */
     internal final class KeptPairs
     {
-        // Pairs are kept if at most one row in OF_ALL has changed. If all shapes are spheres, or only some breeds have handlers, it is at most one
-        // row in OF_FAST.
-        private static const OF_ALL:int = 8;
-        private static const OF_FAST:int = 20;
+        // Pairs are kept if at most one row in this many has changed. The second number is for searches that are faster, because all shapes are
+        // spheres, or only some breeds have handlers.
+        private static const ONE_IN:int = 8;
+        private static const ONE_IN_IF_FAST:int = 20;
 
         private var _table:AgentTable;
         private var _candidates:CandidateFilter;
@@ -93,9 +93,9 @@ package starlogo.search
                 return;
             }
             _cells.begin(conditions.isSwept ? _motions.extents : _table.extents, members, memberCount, _table.list.agents.length);
-            note(pairs);
-            noteWorldAgent(ListedAgents.GROUND);
-            noteWorldAgent(ListedAgents.EDGES);
+            rememberPairs(pairs);
+            rememberWorldAgent(ListedAgents.GROUND);
+            rememberWorldAgent(ListedAgents.EDGES);
         }
 
         /**
@@ -143,7 +143,7 @@ package starlogo.search
             findAtWorldAgent(ListedAgents.EDGES);
             pairs.drop(_table.list, _changedIn, _searchNumber);
             pairs.merge(_found, _order.sort(_found, conditions.isSwept));
-            note(pairs);
+            rememberPairs(pairs);
             return true;
         }
 
@@ -162,26 +162,26 @@ package starlogo.search
         private function areFew(changes:int, conditions:SearchConditions):Boolean
         {
             var interests:BreedInterests = conditions.interests;
-            var among:int = conditions.areSpheres || interests != null && !interests.areAll ? OF_FAST : OF_ALL;
+            var among:int = conditions.areSpheres || interests != null && !interests.areAll ? ONE_IN_IF_FAST : ONE_IN;
             return among * changes <= _table.list.count;
         }
 
-        private function note(pairs:FoundPairs):void
+        private function rememberPairs(pairs:FoundPairs):void
         {
             _pairs = pairs;
             _pairsRevision = pairs.revision;
             _isValid = true;
         }
 
-        // Whether the ground, or the edges of the world, have changed since they were noted last.
+        // Whether the ground, or the edges of the world, have changed since they were remembered last.
         private function hasWorldAgentChanged(row:int):Boolean
         {
             var agent:WorldAgent = _table.list.agents[row] as WorldAgent;
             return agent !== _worldAgents[row] || agent != null && (row == ListedAgents.GROUND ? agent.grid.revision != _groundRevision : agent.edges !== _edges);
         }
 
-        // Notes the ground, or the edges of the world.
-        private function noteWorldAgent(row:int):void
+        // Remembers the ground, or the edges of the world.
+        private function rememberWorldAgent(row:int):void
         {
             var agent:WorldAgent = _table.list.agents[row] as WorldAgent;
             _worldAgents[row] = agent;
@@ -270,7 +270,7 @@ package starlogo.search
             var hasChanged:Boolean = hasWorldAgentChanged(worldAgent);
             if (hasChanged)
             {
-                noteWorldAgent(worldAgent);
+                rememberWorldAgent(worldAgent);
                 _changedIn[worldAgent] = _searchNumber;
             }
             var rows:Vector.<int> = hasChanged ? _table.list.rows : _changed.numbers;

@@ -67,13 +67,13 @@ package starlogo.search
         private var _end:int = LISTED;
 
         // The number of lists that were proposed. By row: the last of them in which the agent was.
-        private var _lists:int = 0;
-        private var _lastLists:Vector.<int> = new <int>[0, 0];
+        private var _proposals:int = 0;
+        private var _lastProposals:Vector.<int> = new <int>[0, 0];
 
         /** The number of the list whose agents are listed: another number for each list that was accepted; -1 after a list was refused. */
         public function get listNumber():int
         {
-            return isAccepted ? _lists : -1;
+            return isAccepted ? _proposals : -1;
         }
 
         /** The row of an agent; -1 if it is not listed. The ground and the edges of the world have their rows from the last search on. */
@@ -140,7 +140,7 @@ package starlogo.search
             }
             isAccepted = false;
             arrived.count = 0;
-            _lists++;
+            _proposals++;
             for (var i:int = 0; i < list.length; i++)
             {
                 var agent:Agent = list[i];
@@ -155,11 +155,11 @@ package starlogo.search
                     warnOfNames(agent);
                     row = add(agent);
                 }
-                else if (_lastLists[row] == _lists)
+                else if (_lastProposals[row] == _proposals)
                 {
                     throw new ArgumentError(agent + " is listed twice: agents[" + list.indexOf(agent) + "] and agents[" + i + "]");
                 }
-                _lastLists[row] = _lists;
+                _lastProposals[row] = _proposals;
                 proposed[i] = row;
             }
         }
@@ -235,7 +235,7 @@ package starlogo.search
 
         private function grow(length:int):void
         {
-            agents.length = ranks.length = _lastLists.length = length;
+            agents.length = ranks.length = _lastProposals.length = length;
         }
 
         // Lists rows so that all others have the same order in both lists. If the last agent took the place of one that was removed, it is one row.

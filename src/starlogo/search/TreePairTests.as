@@ -29,8 +29,6 @@ package starlogo.search
         private var _impacts:TreeImpactQuery;
         private var _distances:TreeDistanceQuery;
 
-        // The motion under way: the given motion, or its opposite if the two bodies are tested in the other order.
-        private var _motion:RelativeMotion;
         private var _reversed:RelativeMotion = new RelativeMotion();
         private var _separation:PenetrationSearch;
 
@@ -70,30 +68,30 @@ package starlogo.search
         /** @inheritDoc */
         override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
+            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b));
             _testCount++;
-            setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b));
-            _impacts.findFirst(_pair, _motion, out);
-            motion.time = _motion.time;
-            finish(motion, out);
+            _impacts.findFirst(_pair, own, out);
+            motion.time = own.time;
+            finish(own, motion, out);
         }
 
         /** @inheritDoc */
         override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             // Two trees stay in this order. CollisionSearch puts two agents into the order of the list before, so a contact is the same in either order.
-            setMovingPair(a, b, motion, a.form != ModelShape.TREE);
-            _impacts.findContact(_pair, _motion, out);
-            finish(motion, out);
+            var own:RelativeMotion = setMovingPair(a, b, motion, a.form != ModelShape.TREE);
+            _impacts.findContact(_pair, own, out);
+            finish(own, motion, out);
         }
 
         /** @inheritDoc */
         override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
+            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b));
             _testCount++;
-            setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b));
-            _impacts.findImpact(_pair, _motion, out);
-            motion.time = _motion.time;
-            finish(motion, out);
+            _impacts.findImpact(_pair, own, out);
+            motion.time = own.time;
+            finish(own, motion, out);
         }
 
         /** @inheritDoc */
@@ -136,22 +134,24 @@ package starlogo.search
             _testCount = _counts.nodeVisits = _counts.triangleTests = 0;
         }
 
-        // Sets the two bodies in this order or the opposite order, and the motion of the body that is then first.
-        private function setMovingPair(a:Body, b:Body, motion:RelativeMotion, isSwapped:Boolean):void
+        // Sets the two bodies in this order or the opposite order. Returns the motion of the body that is then first: the given motion, or its
+        // opposite.
+        private function setMovingPair(a:Body, b:Body, motion:RelativeMotion, isSwapped:Boolean):RelativeMotion
         {
-            _motion = motion;
-            if (isSwapped)
+            if (!isSwapped)
             {
-                _motion = _reversed;
-                _reversed.setReversed(motion);
+                setPair(a, b);
+                return motion;
             }
-            setPair(isSwapped ? b : a, isSwapped ? a : b);
+            setPair(b, a);
+            _reversed.setReversed(motion);
+            return _reversed;
         }
 
         // Turns the contact of the pair, if there is one, into that of the two bodies in their own order.
-        private function finish(motion:RelativeMotion, out:ContactPoint):void
+        private function finish(own:RelativeMotion, motion:RelativeMotion, out:ContactPoint):void
         {
-            if (_motion !== motion && out != null && motion.time != RelativeMotion.NEVER)
+            if (own !== motion && out != null && motion.time != RelativeMotion.NEVER)
             {
                 out.swapBodies(motion);
             }

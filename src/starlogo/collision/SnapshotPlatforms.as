@@ -16,7 +16,7 @@ package starlogo.collision
      *
      * @private
      */
-    internal final class SnapshotStandings
+    internal final class SnapshotPlatforms
     {
         // Bytes: two indices, the walker's place, and the place, the size and the rotation of the agent below.
         private static const SIZE:int = 8 + 8 * (3 + 4 + 9);
@@ -30,16 +30,16 @@ package starlogo.collision
             bytes.writeInt(0);
             for (var i:int = 0; i < agents.length; i++)
             {
-                var standing:PlatformLink = agents[i].standing;
-                if (standing == null || !standing.isValid || table.list.rowOf(standing.on) < ListedAgents.LISTED)
+                var link:PlatformLink = agents[i].platformLink;
+                if (link == null || !link.isValid || table.list.rowOf(link.platform) < ListedAgents.LISTED)
                 {
                     continue;
                 }
                 count++;
                 bytes.writeInt(i);
-                bytes.writeInt(table.list.ranks[table.list.rowOf(standing.on)]);
-                writeNumbers(bytes, standing.at.x, standing.at.y, standing.at.z);
-                var below:Placement = standing.below;
+                bytes.writeInt(table.list.ranks[table.list.rowOf(link.platform)]);
+                writeNumbers(bytes, link.place.x, link.place.y, link.place.z);
+                var below:Placement = link.platformPlace;
                 writeNumbers(bytes, below.x, below.y, below.z);
                 bytes.writeDouble(below.size);
                 var rotation:Vector.<Number> = new Vector.<Number>(ROTATION, true);
@@ -54,7 +54,7 @@ package starlogo.collision
             bytes.position = bytes.length;
         }
 
-        /** Returns whether bytes are standings of this number of agents, and goes to their end. @throws EOFError if they are cut off */
+        /** Returns whether bytes are platforms of this number of agents, and goes to their end. @throws EOFError if they are cut off */
         public static function areValid(bytes:ByteArray, agents:int):Boolean
         {
             var left:uint = bytes.readUnsignedInt();
@@ -80,19 +80,19 @@ package starlogo.collision
         {
             for (var i:int = 0; i < agents.length; i++)
             {
-                if (agents[i].standing != null)
+                if (agents[i].platformLink != null)
                 {
-                    agents[i].standing.on = null;
+                    agents[i].platformLink.on = null;
                 }
             }
             for (var left:uint = bytes.readUnsignedInt(); left > 0; left--)
             {
                 var walker:Agent = agents[bytes.readUnsignedInt()];
-                var standing:PlatformLink = walker.standing ||= new PlatformLink(walker);
-                standing.on = agents[bytes.readUnsignedInt()];
-                standing.revision = standing.on.revision;
-                standing.at.setTo(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
-                readPlacement(bytes, standing.below);
+                var link:PlatformLink = walker.platformLink ||= new PlatformLink(walker);
+                link.platform = agents[bytes.readUnsignedInt()];
+                link.platformRevision = link.platform.revision;
+                link.place.setTo(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
+                readPlacement(bytes, link.platformPlace);
             }
         }
 

@@ -6,7 +6,7 @@ package starlogo.collision
     import starlogo.agents.Agent;
 
     /** A snapshot's standings: each number that no game can have is refused. */
-    public class SnapshotStandingsTest
+    public class SnapshotPlatformsTest
     {
         private static const AGENTS:int = 2;
 
@@ -21,10 +21,10 @@ package starlogo.collision
         [Test]
         public function takesWhatAgentsCanHave():void
         {
-            assertTrue(SnapshotStandings.areValid(standing(), AGENTS));
+            assertTrue(SnapshotPlatforms.areValid(standing(), AGENTS));
             for each (var size:Number in [Agent.SMALLEST_SIZE, 1, Agent.LARGEST_SIZE])
             {
-                assertTrue("size " + size, SnapshotStandings.areValid(standing(SIZE, size), AGENTS));
+                assertTrue("size " + size, SnapshotPlatforms.areValid(standing(SIZE, size), AGENTS));
             }
         }
 
@@ -38,7 +38,7 @@ package starlogo.collision
             {
                 for each (var value:Number in each[1])
                 {
-                    assertFalse("at " + each[0] + ": " + value, SnapshotStandings.areValid(standing(each[0], value), AGENTS));
+                    assertFalse("at " + each[0] + ": " + value, SnapshotPlatforms.areValid(standing(each[0], value), AGENTS));
                 }
             }
         }
@@ -52,7 +52,7 @@ package starlogo.collision
                 bytes.position = each[0];
                 bytes.writeInt(each[1]);
                 bytes.position = 0;
-                assertFalse("at " + each[0] + ": " + each[1], SnapshotStandings.areValid(bytes, AGENTS));
+                assertFalse("at " + each[0] + ": " + each[1], SnapshotPlatforms.areValid(bytes, AGENTS));
             }
         }
 

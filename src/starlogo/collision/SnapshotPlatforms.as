@@ -82,7 +82,7 @@ package starlogo.collision
             {
                 if (agents[i].platformLink != null)
                 {
-                    agents[i].platformLink.on = null;
+                    agents[i].platformLink.platform = null;
                 }
             }
             for (var left:uint = bytes.readUnsignedInt(); left > 0; left--)

@@ -130,9 +130,10 @@ package starlogo.collision
                 }
                 catch (error:*)
                 {
-                    if (error is LateContactError)
+                    var late:LateContactError = error as LateContactError;
+                    if (late != null)
                     {
-                        throw LateContactError(error).cause;
+                        throw late.cause;
                     }
                     if (count == calls)
                     {
@@ -224,17 +225,13 @@ package starlogo.collision
             while (next < end)
             {
                 var handler:CollisionHandler = handlers[next];
-                if (handler.kind != CollisionHandler.COLLISION && !(isStarting && handler.kind == CollisionHandler.START))
-                {
-                    next++;
-                    continue;
-                }
-                if (!_list.hasBoth(firstRow, secondRow))
+                var isMeant:Boolean = handler.kind == CollisionHandler.COLLISION || isStarting && handler.kind == CollisionHandler.START;
+                if (isMeant && !_list.hasBoth(firstRow, secondRow))
                 {
                     break;
                 }
                 next++;
-                if (handler.isRemoved)
+                if (!isMeant || handler.isRemoved)
                 {
                     continue;
                 }

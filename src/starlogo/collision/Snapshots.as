@@ -44,14 +44,6 @@ package starlogo.collision
         // stand for them.
         private var _former:Vector.<Agent> = new <Agent>[new WorldAgent(Breeds.TERRAIN), new WorldAgent(Breeds.EDGE)];
 
-        // Of the snapshot that is read: what is in it, the names, and where its parts begin.
-        private var _contents:int = 0;
-        private var _names:SnapshotNames;
-        private var _placesAt:uint = 0;
-        private var _platformsAt:uint = 0;
-        private var _groundAt:uint = 0;
-        private var _traitsAt:uint = 0;
-
         /**
          * Returns the bytes of a snapshot.
          *
@@ -74,24 +66,24 @@ package starlogo.collision
             }
             var hasHeights:Boolean = withGround && terrain != null;
             var names:SnapshotNames = new SnapshotNames();
-            var parts:ByteArray = newBytes();
-            SnapshotPlaces.write(parts, agents, table, keepsMotions);
-            writePairs(parts, names, tracker, table, worldAgents);
-            SnapshotPlatforms.write(parts, agents, table);
+            var rest:ByteArray = newBytes();
+            SnapshotPlaces.write(rest, agents, table, keepsMotions);
+            writePairs(rest, names, tracker, table, worldAgents);
+            SnapshotPlatforms.write(rest, agents, table);
             if (hasHeights)
             {
-                SnapshotGround.write(parts, terrain);
+                SnapshotGround.write(rest, terrain);
             }
             if (withTraits)
             {
-                SnapshotTraits.write(parts, agents, names);
+                SnapshotTraits.write(rest, agents, names);
             }
             var bytes:ByteArray = newBytes();
             bytes.writeUnsignedInt(MARK);
             bytes.writeByte(int(withTraits) * TRAITS + int(terrain != null) * GROUND + int(hasHeights) * HEIGHTS);
             bytes.writeInt(agents.length);
             names.write(bytes);
-            bytes.writeBytes(parts);
+            bytes.writeBytes(rest);
             _register.note(bytes, agents);
             bytes.position = 0;
             return bytes;
@@ -115,10 +107,10 @@ package starlogo.collision
             {
                 throw new ArgumentError("bytes are no snapshot: they do not begin as one");
             }
-            var touches:TouchTracker = new TouchTracker();
+            var parts:SnapshotParts = new SnapshotParts();
             try
             {
-                checkAll(copy, agents, terrain, worldAgents, touches);
+                checkAll(copy, agents, terrain, worldAgents, parts);
             }
             catch (error:Error)
             {
@@ -126,31 +118,31 @@ package starlogo.collision
                 check(error is ArgumentError);
                 throw error;
             }
-            restoreAgents(copy, agents, search);
-            copy.position = _platformsAt;
+            restoreAgents(copy, agents, search, parts);
+            copy.position = parts.platformsAt;
             SnapshotPlatforms.read(copy, agents);
-            if ((_contents & HEIGHTS) != 0)
+            if ((parts.contents & HEIGHTS) != 0)
             {
-                copy.position = _groundAt;
+                copy.position = parts.groundAt;
                 SnapshotGround.read(copy, terrain);
             }
-            return touches;
+            return parts.touches;
         }
 
         // Puts the agents back: their traits, if these are in the snapshot, and their places in the last frame. If that fails, the agents have the
         // traits that they had before.
-        private function restoreAgents(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch):void
+        private function restoreAgents(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, parts:SnapshotParts):void
         {
             var namesBefore:SnapshotNames = new SnapshotNames();
             var before:ByteArray = newBytes();
             try
             {
-                if ((_contents & TRAITS) != 0)
+                if ((parts.contents & TRAITS) != 0)
                 {
                     SnapshotTraits.write(before, agents, namesBefore);
-                    readTraits(bytes, agents);
+                    readTraits(bytes, agents, parts);
                 }
-                bytes.position = _placesAt;
+                bytes.position = parts.placesAt;
                 SnapshotPlaces.restore(bytes, agents, search.table);
                 search.forgetSearch();
             }
@@ -165,12 +157,12 @@ package starlogo.collision
             }
         }
 
-        private function readTraits(bytes:ByteArray, agents:Vector.<Agent>):void
+        private static function readTraits(bytes:ByteArray, agents:Vector.<Agent>, parts:SnapshotParts):void
         {
-            bytes.position = _traitsAt;
+            bytes.position = parts.traitsAt;
             try
             {
-                SnapshotTraits.read(bytes, agents, _names);
+                SnapshotTraits.read(bytes, agents, parts.names);
             }
             catch (error:Error)
             {
@@ -207,50 +199,49 @@ package starlogo.collision
             return index;
         }
 
-        // Checks all parts but the traits, finds where they begin, and reads the touching pairs.
-        private function checkAll(bytes:ByteArray, agents:Vector.<Agent>, terrain:Terrain, worldAgents:Vector.<Agent>, touches:TouchTracker):void
+        // Checks all parts but the traits, finds where they begin, and reads the touching pairs. The last argument receives what it has found.
+        private function checkAll(bytes:ByteArray, agents:Vector.<Agent>, terrain:Terrain, worldAgents:Vector.<Agent>, parts:SnapshotParts):void
         {
-            _contents = bytes.readUnsignedByte();
-            check(_contents <= (TRAITS | GROUND | HEIGHTS) && (_contents & (GROUND | HEIGHTS)) != HEIGHTS);
+            var contents:int = parts.contents = bytes.readUnsignedByte();
+            check(contents <= (TRAITS | GROUND | HEIGHTS) && (contents & (GROUND | HEIGHTS)) != HEIGHTS);
             var count:uint = bytes.readUnsignedInt();
             check(count <= bytes.bytesAvailable / BYTES_PER_AGENT);
             var countedAt:uint = bytes.position;
             _register.check(bytes, count, agents);
             bytes.position = countedAt;
-            _names = new SnapshotNames();
-            _names.read(bytes);
-            _placesAt = bytes.position;
+            parts.names.read(bytes);
+            parts.placesAt = bytes.position;
             for (var i:int = 0; i < count; i++)
             {
                 check(bytes.readUnsignedByte() <= 1 && isInWorld(bytes.readDouble(), bytes.readDouble(), bytes.readDouble()));
             }
-            readPairs(bytes, agents.concat(worldAgents, _former), count, touches);
-            _platformsAt = bytes.position;
+            readPairs(bytes, agents.concat(worldAgents, _former), count, parts);
+            parts.platformsAt = bytes.position;
             check(SnapshotPlatforms.areValid(bytes, count));
-            var hasGround:Boolean = (_contents & GROUND) != 0;
+            var hasGround:Boolean = (contents & GROUND) != 0;
             if (hasGround != (terrain != null))
             {
                 var which:String = hasGround ? "without" : "with";
                 throw new ArgumentError("bytes are no snapshot of a Collision " + which + " ground");
             }
-            if ((_contents & HEIGHTS) != 0)
+            if ((contents & HEIGHTS) != 0)
             {
-                _groundAt = bytes.position;
+                parts.groundAt = bytes.position;
                 check(SnapshotGround.areValid(bytes, terrain));
             }
-            _traitsAt = bytes.position;
-            check((_contents & TRAITS) != 0 || _traitsAt == bytes.length);
+            parts.traitsAt = bytes.position;
+            check((contents & TRAITS) != 0 || parts.traitsAt == bytes.length);
         }
 
-        private function readPairs(bytes:ByteArray, agents:Vector.<Agent>, count:int, touches:TouchTracker):void
+        private static function readPairs(bytes:ByteArray, agents:Vector.<Agent>, count:int, parts:SnapshotParts):void
         {
             var pairs:uint = bytes.readUnsignedInt();
             for (var left:uint = pairs; left > 0; left--)
             {
                 var first:uint = bytes.readUnsignedInt();
                 var second:uint = bytes.readUnsignedInt();
-                var firstBreed:int = Breeds.numberOf(_names.nameAt(bytes.readUnsignedInt()));
-                var secondBreed:int = Breeds.numberOf(_names.nameAt(bytes.readUnsignedInt()));
+                var firstBreed:int = Breeds.numberOf(parts.names.nameAt(bytes.readUnsignedInt()));
+                var secondBreed:int = Breeds.numberOf(parts.names.nameAt(bytes.readUnsignedInt()));
                 var flag:int = bytes.readUnsignedByte();
                 check(first < count && second < agents.length && first != second && flag <= 1);
                 if (agents[second] == null)
@@ -258,10 +249,10 @@ package starlogo.collision
                     var missing:String = second == count ? "ground" : "bounds";
                     throw new ArgumentError("bytes are no snapshot of a Collision without " + missing);
                 }
-                touches.start(pairs - left, agents[first], agents[second], firstBreed, secondBreed, flag == 1);
+                parts.touches.start(pairs - left, agents[first], agents[second], firstBreed, secondBreed, flag == 1);
             }
             // each pair is there once
-            check(touches.count == pairs);
+            check(parts.touches.count == pairs);
         }
 
         private static function check(isSnapshot:Boolean):void

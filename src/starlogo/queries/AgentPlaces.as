@@ -16,7 +16,6 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _found:Collector;
         private var _near:NearSearch = new NearSearch();
-        private var _count:CountSearch = new CountSearch();
         private var _cone:Cone = new Cone();
 
         // Answers what an accepts asks while these questions call it.
@@ -123,8 +122,8 @@ package starlogo.queries
                 return find(asker, x, y, z, radius, Collector.ALL, filter, 360).end();
             }
             requireNotNegative("radius", radius);
-            _found.filter.begin(asker, filter);
-            return _count.count(_seen.findPlaces(), x, y, z, radius * radius, _found.filter);
+            _found.begin(Collector.ALL, radius * radius, asker, filter);
+            return _near.count(_seen.findPlaces(), x, y, z, _found);
         }
     }
 }

@@ -3,7 +3,7 @@ package starlogo.queries
     import starlogo.broadphase.Points;
 
     /**
-     * Finds the rows of a tree of places that are near a place. It goes down the tree, at each node to the nearer child
+     * Finds or counts the rows of a tree of places that are near a place. To find rows, it goes down the tree, at each node to the nearer child
      * first. If a filter's <code>accepts</code> decides, it visits the nearest of all nodes first.
      *
      * <p>It compares squared distances, always computed as (x x + y y) + z z. In this order rounding never makes the distance to a box larger
@@ -37,11 +37,7 @@ package starlogo.queries
          */
         public function find(tree:RowTree, x:Number, y:Number, z:Number, found:Collector, cone:Cone = null):void
         {
-            _tree = tree;
-            _found = found;
-            _x = x;
-            _y = y;
-            _z = z;
+            setTo(tree, x, y, z, found);
             var nodes:Vector.<int> = _nodes;
             var squares:Vector.<Number> = _squares;
             var firstLeaf:int = tree.firstLeaf;
@@ -72,6 +68,98 @@ package starlogo.queries
                     visit(tree.starts[int(node - firstLeaf)], tree.starts[int(node + 1 - firstLeaf)], cone);
                 }
             }
+        }
+
+        /**
+         * Counts the rows near a place, without the one that asks. If all rows count, a node that is wholly within the limit is counted without a
+         * look at its rows.
+         *
+         * @param tree a tree of places
+         * @param x the place
+         * @param y the place
+         * @param z the place
+         * @param found says which rows count, and collects none. The filter's accepts is not asked
+         */
+        public function count(tree:RowTree, x:Number, y:Number, z:Number, found:Collector):int
+        {
+            setTo(tree, x, y, z, found);
+            var filter:RowFilter = found.filter;
+            var counted:int = 0;
+            var waiting:int = tree.count > 0 ? measure(1, 0) : 0;
+            while (waiting > 0)
+            {
+                waiting--;
+                var node:int = _nodes[waiting];
+                if (!filter.excludes && isWithin(node))
+                {
+                    counted += tree.countIn(node);
+                }
+                else if (node < tree.firstLeaf)
+                {
+                    waiting = measure((node << 1) + 1, measure(node << 1, waiting));
+                }
+                else
+                {
+                    counted += countLeaf(node - tree.firstLeaf);
+                }
+            }
+            // the agent that asks was counted too
+            return filter.askerRow >= 0 && filter.admits(filter.askerRow) && tree.squareTo(filter.askerRow, x, y, z) <= found.limit ? counted - 1 : counted;
+        }
+
+        private function setTo(tree:RowTree, x:Number, y:Number, z:Number, found:Collector):void
+        {
+            _tree = tree;
+            _found = found;
+            _x = x;
+            _y = y;
+            _z = z;
+        }
+
+        // Whether the whole box of a node is within the limit.
+        private function isWithin(node:int):Boolean
+        {
+            var boxes:Vector.<Number> = _tree.nodeBoxes;
+            var box:int = RowTree.PER_BOX * node;
+            var toX:Number = Math.max(_x - boxes[box], boxes[int(box + 3)] - _x);
+            var toY:Number = Math.max(_y - boxes[int(box + 1)], boxes[int(box + 4)] - _y);
+            var toZ:Number = Math.max(_z - boxes[int(box + 2)], boxes[int(box + 5)] - _z);
+            return toX * toX + toY * toY + toZ * toZ <= _found.limit;
+        }
+
+        private function countLeaf(leaf:int):int
+        {
+            var filter:RowFilter = _found.filter;
+            var xs:Vector.<Number> = _tree.middles.x;
+            var ys:Vector.<Number> = _tree.middles.y;
+            var zs:Vector.<Number> = _tree.middles.z;
+            var x:Number = _x;
+            var y:Number = _y;
+            var z:Number = _z;
+            var limit:Number = _found.limit;
+            var counted:int = 0;
+            var passedOver:int = 0;
+            var end:int = _tree.starts[int(leaf + 1)];
+            for (var slot:int = _tree.starts[leaf]; slot < end; slot++)
+            {
+                var toX:Number = xs[slot] - x;
+                var toY:Number = ys[slot] - y;
+                var toZ:Number = zs[slot] - z;
+                if (toX * toX + toY * toY + toZ * toZ > limit)
+                {
+                    continue;
+                }
+                if (filter.admits(_tree.rows[slot]))
+                {
+                    counted++;
+                }
+                else
+                {
+                    passedOver++;
+                }
+            }
+            _tree.breeds.passOver(passedOver);
+            return counted;
         }
 
         // Puts the first nodes on the waiting list. Returns how many nodes wait.

@@ -5,7 +5,7 @@ package starlogo.queries
     import starlogo.geometry.Tolerances;
 
     /**
-     * A balanced tree of boxes around rows of a table. NearSearch, CountSearch and SweptBoxSearch find rows in it without a test of
+     * A balanced tree of boxes around rows of a table. NearSearch and SweptBoxSearch find rows in it without a test of
      * every row (Bentley, "Multidimensional Binary Search Trees", 1975). In addition, each node has a box around its rows. A place is a box without size.
      *
      * <p>The nodes are numbered as in a heap: the root is node 1, and the children of node i are nodes 2 i and 2 i + 1. All leaves are on one

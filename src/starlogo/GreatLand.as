@@ -259,7 +259,7 @@ package starlogo
         }
 
         /** @private The work that computes the results that the flags ask for. None of its steps is done yet. The results are not added. */
-        engine function newBuilder(model:Model, fitStore:FitStore):ModelResultsBuilder
+        engine function newBuilder(model:Model, store:FitStore):ModelResultsBuilder
         {
             if (model == null)
             {
@@ -268,7 +268,7 @@ package starlogo
             var settings:FitSettings = new FitSettings(loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null);
             var treeBuilder:ModelTreeBuilder = loadHierarchies ? _hierarchies.newBuilder(model.vertices, model.triangles) : null;
             var structuresBuilder:StructuresBuilder = loadTightestFit ? _boundingStructures.newBuilder(model.name, model.vertices) : null;
-            return new ModelResultsBuilder(model, structuresBuilder, treeBuilder, settings, fitStore);
+            return new ModelResultsBuilder(model, structuresBuilder, treeBuilder, settings, store);
         }
     }
 }

@@ -7,8 +7,8 @@ package starlogo.blocks
     import starlogo.geometry.requireGiven;
 
     /**
-     * The blocks that tell how two agents touch: "side that was hit", "touch point", "touch speed", "push away from". In a collision block they are about
-     * the touch of this frame.
+     * The blocks that tell how two agents touch: "side that was hit", "touch point", "touch speed", "push away from". In a collision block they
+     * are about the touch of this frame.
      */
     public class ContactBlocks
     {
@@ -114,8 +114,8 @@ package starlogo.blocks
         }
 
         /**
-         * The block "push away from": moves the agent out of the other one by the shortest way. Both count at their present places. It moves through
-         * whatever is there.
+         * The block "push away from": moves the agent out of the other one by the shortest way. Both count at their present places. It moves
+         * through whatever is there.
          *
          * @param agent the agent that moves
          * @param other the agent that stays. If the two do not touch, nothing moves

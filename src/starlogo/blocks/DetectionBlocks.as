@@ -9,9 +9,9 @@ package starlogo.blocks
     import starlogo.queries.ShapeHit;
 
     /**
-     * The blocks that ask about other agents: "count within", "count with", "nearest within", "nearest with", "touching?", "can see?",
-     * "distance to", "ahead", "distance ahead". An answer never contains the agent that asks. That agent counts at its present place. The others count where they were
-     * when the frame began, or at the last call of <code>moved()</code>.
+     * The blocks that ask about other agents: "count within", "count with", "nearest within", "nearest with", "touching?", "can see?", "distance
+     * to", "ahead", "distance ahead". An answer never contains the agent that asks. That agent counts at its present place. The others count where
+     * they were when the frame began, or at the last call of <code>moved()</code>.
      */
     public class DetectionBlocks
     {

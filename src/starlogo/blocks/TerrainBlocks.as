@@ -9,9 +9,10 @@ package starlogo.blocks
     import starlogo.terrain.WorldBounds;
 
     /**
-     * The blocks for the ground and the edges of the world: "build wall", "build mound", "raise the ground", "terrain height", "reset terrain", "touching ground?",
-     * "touching edge?", "edge I touch", "stop at the edge", "bounce off the edge", "wrap at the edge". The ground is <code>collision.terrain</code> of the collision blocks, and the edges are <code>collision.bounds</code>. The
-     * client gives both to the game. "when touching starts" with <code>Collision.EDGE</code> is the event of the edges.
+     * The blocks for the ground and the edges of the world: "build wall", "build mound", "raise the ground", "terrain height", "reset terrain",
+     * "touching ground?", "touching edge?", "edge I touch", "stop at the edge", "bounce off the edge", "wrap at the edge". The ground is
+     * <code>collision.terrain</code> of the collision blocks, and the edges are <code>collision.bounds</code>. The client gives both to the game.
+     * "when touching starts" with <code>Collision.EDGE</code> is the event of the edges.
      */
     public class TerrainBlocks
     {
@@ -97,8 +98,8 @@ package starlogo.blocks
         }
 
         /**
-         * The block "raise the ground": raises the ground's height that is nearest to a place. It needs no agent, so a level that is built by mouse is
-         * kept as such blocks.
+         * The block "raise the ground": raises the ground's height that is nearest to a place. It needs no agent, so a level that is built by
+         * mouse is kept as such blocks.
          *
          * @param x of the place
          * @param y of the place
@@ -204,8 +205,8 @@ package starlogo.blocks
         }
 
         /**
-         * The block "bounce off the edge": moves the agent back into the world, and turns it as a mirror reflects light, if it is headed out of the
-         * world.
+         * The block "bounce off the edge": moves the agent back into the world, and turns it as a mirror reflects light, if it is headed out of
+         * the world.
          *
          * @param agent the agent that bounces
          * @throws BlockError if there is no agent

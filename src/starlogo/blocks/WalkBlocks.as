@@ -10,8 +10,8 @@ package starlogo.blocks
     import starlogo.queries.WalkOptions;
 
     /**
-     * The blocks that move agents over floors and along walls: "solid", "forward", "walk", "fall", "jump", "standing?", "what I stand on". Floors and walls
-     * are the ground and the agents of solid breeds. An agent that stands on a moving agent is carried by it.
+     * The blocks that move agents over floors and along walls: "solid", "forward", "walk", "fall", "jump", "standing?", "what I stand on". Floors
+     * and walls are the ground and the agents of solid breeds. An agent that stands on a moving agent is carried by it.
      *
      * <p>The upward speed of an agent is a number that the client keeps for each agent, 0 at the beginning. "fall" and "jump" get it and return
      * the new one. A program calls "fall" in every frame.</p>
@@ -99,8 +99,8 @@ package starlogo.blocks
         }
 
         /**
-         * The block "forward", in a game with solid breeds: moves the agent by its heading, at its height. It slides along solid agents. The ground is
-         * not in its way.
+         * The block "forward", in a game with solid breeds: moves the agent by its heading, at its height. It slides along solid agents. The
+         * ground is not in its way.
          *
          * @param agent the agent that moves
          * @param steps how far, in patches; a negative number moves it back

@@ -16,10 +16,10 @@ package starlogo.fitting
      * have the same volume, the first one counts. The very first box is the axis-aligned one. A step tries all rotations about z that
      * follow one rotation about x and y.
      *
-     * <p>Three methods make the search faster. None changes the result, but for the rounding of the hull. First, the whole hull is rotated about x and y once. The rotations
-     * about z that follow do not change the extent along z. The extents along x and y are found in the plane of x and y. This is done in
-     * Numbers, because a Matrix3D's precision depends on the player. Second, the search for a rotation's extreme corners begins at the
-     * extreme corners of the rotation before. It climbs from neighbour to neighbour. On a convex body, the first corner without a better
+     * <p>Three methods make the search faster. None changes the result, but for the rounding of the hull. First, the whole hull is rotated about x
+     * and y once. The rotations about z that follow do not change the extent along z. The extents along x and y are found in the plane of x and y.
+     * This is done in Numbers, because a Matrix3D's precision depends on the player. Second, the search for a rotation's extreme corners begins at
+     * the extreme corners of the rotation before. It climbs from neighbour to neighbour. On a convex body, the first corner without a better
      * neighbour is the best. Third, the search ends if a box is as small as the hull itself.</p>
      */
     internal final class RotationSearch extends StepSequence

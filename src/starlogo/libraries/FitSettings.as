@@ -14,7 +14,7 @@ package starlogo.libraries
      */
     public final class FitSettings
     {
-        /** Increase it whenever an algorithm of the engine gives other results for the same settings. */
+        // Increase it whenever an algorithm of the engine gives other results for the same settings.
         private static const REVISION:int = 11;
 
         // For each section of a cooked file, the settings of what is in it. Null if that is not wanted, or cannot be kept.

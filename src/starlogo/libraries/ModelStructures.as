@@ -26,8 +26,8 @@ package starlogo.libraries
         public var hull:BoundingStructure = null;
 
         /**
-         * The structure with the least volume. Among equal volumes, the one with the cheapest tests. It is the hull only if that is the one structure
-         * that was given.
+         * The structure with the least volume. Among equal volumes, the one with the cheapest tests. It is the hull only if that is the one
+         * structure that was given.
          */
         public var tightest:BoundingStructure = null;
 

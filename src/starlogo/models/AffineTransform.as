@@ -5,8 +5,8 @@ package starlogo.models
     import starlogo.steps.Steps;
 
     /**
-     * An affine transform of points, for example from a node's space to the scene's. x' = m00 x + m01 y + m02 z + m03, and the next two rows give y' and z'.
-     * All numbers are doubles on every player.
+     * An affine transform of points, for example from a node's space to the scene's. x' = m00 x + m01 y + m02 z + m03, and the next two rows give
+     * y' and z'. All numbers are doubles on every player.
      *
      * @private
      */

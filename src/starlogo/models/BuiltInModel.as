@@ -161,7 +161,7 @@ package starlogo.models
             }
         }
 
-        /** Adds some of the rings of a sphere at a height; a ring's number counts the equal angles from below. */
+        // Adds some of the rings of a sphere at a height; a ring's number counts the equal angles from below.
         private static function addCap(vertices:Vector.<Number>, radius:Number, middle:Number, first:int, last:int):void
         {
             for (var ring:int = first; ring <= last; ring++)
@@ -171,7 +171,7 @@ package starlogo.models
             }
         }
 
-        /** Adds a cube of edge 1 around the origin. */
+        // Adds a cube of edge 1 around the origin.
         private static function addCube(vertices:Vector.<Number>, triangles:Vector.<uint>):void
         {
             vertices.length = 72;
@@ -190,7 +190,7 @@ package starlogo.models
             }
         }
 
-        /** Adds a horizontal circle of vertices around the z axis. It begins at +x and is counter-clockwise seen from above. */
+        // Adds a horizontal circle of vertices around the z axis. It begins at +x and is counter-clockwise seen from above.
         private static function addRing(vertices:Vector.<Number>, segments:int, radius:Number, z:Number):void
         {
             for (var segment:int = 0; segment < segments; segment++)
@@ -200,7 +200,7 @@ package starlogo.models
             }
         }
 
-        /** Joins the first vertex to the first ring, the rings to each other, and the last ring to the last vertex. */
+        // Joins the first vertex to the first ring, the rings to each other, and the last ring to the last vertex.
         private static function addPoles(triangles:Vector.<uint>, ringCount:int, ringSize:int, segments:int):void
         {
             var lastRing:int = 1 + (ringCount - 1) * ringSize;
@@ -213,10 +213,7 @@ package starlogo.models
             addBands(triangles, 1, ringCount - 1, ringSize, segments);
         }
 
-        /**
-         * Joins each ring of vertices to the next ring with triangles. The rings follow one another, and the first ring begins at vertex
-         * first.
-         */
+        // Joins each ring of vertices to the next ring with triangles. The rings follow one another, and the first ring begins at vertex first.
         private static function addBands(triangles:Vector.<uint>, first:int, count:int, ringSize:int, segments:int):void
         {
             for (var below:int = first; below < first + count * ringSize; below += ringSize)

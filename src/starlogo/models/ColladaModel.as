@@ -7,14 +7,14 @@ package starlogo.models
     /**
      * A model from a COLLADA document, version 1.4 or 1.5.
      *
-     * <p>The model is the scene that the document shows. All transformations of the nodes are applied. A node may place a geometry
-     * directly, through a node of a library, or through a controller. A skin stays where its bind shape matrix puts it, and its joints do
-     * not move it. A morph is its base shape. Every primitive with a surface is read: triangles, polylist, polygons with holes, tristrips and trifans. If a
+     * <p>The model is the scene that the document shows. All transformations of the nodes are applied. A node may place a geometry directly,
+     * through a node of a library, or through a controller. A skin stays where its bind shape matrix puts it, and its joints do not move it. A
+     * morph is its base shape. Every primitive with a surface is read: triangles, polylist, polygons with holes, tristrips and trifans. If a
      * document has no scene, all geometries of its library are read.</p>
      *
-     * <p>The document's up axis is turned to z. The reader recognises elements by their names, in any namespace or none. Numbers may have
-     * a decimal comma. The unit counts if the model is not scaled (<code>Model.AS_GIVEN</code>). The unit and up axis that single elements have of their own,
-     * lights, cameras, animations, splines and solids are ignored. A reference into another document is an error.</p>
+     * <p>The document's up axis is turned to z. The reader recognises elements by their names, in any namespace or none. Numbers may have a
+     * decimal comma. The unit counts if the model is not scaled (<code>Model.AS_GIVEN</code>). The unit and up axis that single elements have of
+     * their own, lights, cameras, animations, splines and solids are ignored. A reference into another document is an error.</p>
      *
      * <p>Each geometry that a node places is a mesh with the node's name. A material is the one that is bound to the symbol of a primitive, and
      * has its name; if none is bound, the symbol is its name. Names are ids where there are no names. Both are numbered from 0 in the order of

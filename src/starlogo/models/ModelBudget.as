@@ -32,7 +32,7 @@ package starlogo.models
         /** The most bytes of a file. */
         public static const BYTES:int = 67108864;
 
-        /** The most tests of corners while polygons are cut: CORNER_TESTS, and TESTS_PER_BYTE more for each byte. */
+        // The most tests of corners while polygons are cut: CORNER_TESTS, and TESTS_PER_BYTE more for each byte.
         private static const TESTS_PER_BYTE:Number = 40;
         private static const CORNER_TESTS:Number = 100000;
 

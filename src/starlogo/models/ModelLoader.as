@@ -307,7 +307,7 @@ package starlogo.models
             return null;
         }
 
-        /** Does one step. An error ends this load only. */
+        // Does one step. An error ends this load only.
         private function work(load:ModelLoad):void
         {
             var hasMore:Boolean = false;

@@ -7,13 +7,13 @@ package starlogo.models
     /**
      * A model from Wavefront OBJ text.
      *
-     * <p>The reader takes vertices (<code>v</code>) and faces (<code>f</code>), in any order. A weight or colours after a vertex's
-     * coordinates are ignored. A face's corner may be written <code>1</code>, <code>1/2</code>, <code>1//3</code> or <code>1/2/3</code>.
-     * Positive indices count from the first vertex. Negative indices count back from the latest vertex. All groups and objects together
-     * make the model. Polygons may be concave. Comments, continued lines, all line ends, tabs, a byte-order mark and decimal commas are
-     * understood. Each name after <code>usemtl</code> is a material, and each name after <code>o</code> or <code>g</code> a mesh, numbered
-     * from 0 in this order. The latest counts for a face. Everything else is ignored: texture coordinates, normals, material libraries, lines, points, curves, and faces of fewer than
-     * three corners.</p>
+     * <p>The reader takes vertices (<code>v</code>) and faces (<code>f</code>), in any order. A weight or colours after a vertex's coordinates are
+     * ignored. A face's corner may be written <code>1</code>, <code>1/2</code>, <code>1//3</code> or <code>1/2/3</code>. Positive indices count
+     * from the first vertex. Negative indices count back from the latest vertex. All groups and objects together make the model. Polygons may be
+     * concave. Comments, continued lines, all line ends, tabs, a byte-order mark and decimal commas are understood. Each name after
+     * <code>usemtl</code> is a material, and each name after <code>o</code> or <code>g</code> a mesh, numbered from 0 in this order. The latest
+     * counts for a face. Everything else is ignored: texture coordinates, normals, material libraries, lines, points, curves, and faces of fewer
+     * than three corners.</p>
      *
      * <p>If a file has faces, vertices that no face uses are left out. If it has none, all vertices make a model without triangles. Cost:
      * linear in the text; for concave polygons up to quadratic in their corners.</p>

@@ -19,19 +19,12 @@ package starlogo.fitting.hull
     {
         private static const VERTICES_PER_STEP:int = 1000;
 
-        // The hull is scaled by this fraction more than it needs. Rounding may leave a vertex outside, so it is doubled each time.
+        // The hull is scaled by this fraction more than it needs. Rounding may leave a vertex outside, so the fraction is doubled each time.
         private static const LEAST_EXCESS:Number = 1e-15;
-        private static const MOST_ROUNDS:int = 20;
+        private static const MOST_SCALINGS:int = 20;
 
         private var _session:FitSession;
-        private var _reduction:HullReduction;
         private var _hull:Hull;
-        private var _excess:Number = LEAST_EXCESS;
-        private var _rounds:int = 0;
-
-        // the vertices of the present round, and their largest height along the normal of each half-space of the hull
-        private var _vertices:Vector.<Number>;
-        private var _heights:Vector.<Number>;
 
         /**
          * @param session the vertices; their hull may not exist before the first step
@@ -40,8 +33,7 @@ package starlogo.fitting.hull
         public function HullEnclosure(session:FitSession, most:int)
         {
             _session = session;
-            _reduction = new HullReduction(session, most);
-            add(_reduction).call(start);
+            addSteps(new HullReduction(session, most));
         }
 
         /** The hull, when no step is left. */
@@ -51,23 +43,30 @@ package starlogo.fitting.hull
         }
 
         // Most hulls need to be scaled, so the first rounds are those with few vertices.
-        private function start():void
+        private function addSteps(reduction:HullReduction):void
         {
-            _hull = new Hull(_reduction.listCorners());
-            _reduction = null;
-            addRound(_session.hull.points);
+            add(reduction).call(function():void
+                {
+                    _hull = new Hull(reduction.listCorners());
+                    addRound(_session.hull.points, 0);
+                });
         }
 
-        private function addRound(vertices:Vector.<Number>):void
+        private function addRound(vertices:Vector.<Number>, scalings:int):void
         {
-            _vertices = vertices;
-            _heights = new Vector.<Number>(_hull.halfSpaces.length / 4);
-            slices(vertices.length / 3, VERTICES_PER_STEP, measure).call(endRound);
+            var heights:Vector.<Number> = new Vector.<Number>(_hull.halfSpaces.length / 4);
+            slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    measure(vertices, first, end, heights);
+                }).call(function():void
+                {
+                    endRound(vertices, heights, scalings);
+                });
         }
 
-        private function measure(first:int, end:int):void
+        // Increases the heights along the normal of each half-space of the hull to those of some vertices.
+        private function measure(vertices:Vector.<Number>, first:int, end:int, heights:Vector.<Number>):void
         {
-            var vertices:Vector.<Number> = _vertices;
             var halfSpaces:Vector.<Number> = _hull.halfSpaces;
             var centerX:Number = _hull.center.x;
             var centerY:Number = _hull.center.y;
@@ -78,41 +77,40 @@ package starlogo.fitting.hull
                 var x:Number = halfSpaces[i];
                 var y:Number = halfSpaces[i + 1];
                 var z:Number = halfSpaces[i + 2];
-                var most:Number = _heights[i / 4];
+                var most:Number = heights[i / 4];
                 for (var k:int = 3 * first; k < last; k += 3)
                 {
                     var height:Number = x * (vertices[k] - centerX) + y * (vertices[int(k + 1)] - centerY) + z * (vertices[int(k + 2)] - centerZ);
                     most = height > most ? height : most;
                 }
-                _heights[i / 4] = most;
+                heights[i / 4] = most;
             }
         }
 
-        private function endRound():void
+        private function endRound(vertices:Vector.<Number>, heights:Vector.<Number>, scalings:int):void
         {
             var halfSpaces:Vector.<Number> = _hull.halfSpaces;
             var factor:Number = 1;
-            for (var i:int = 0; i < _heights.length; i++)
+            for (var i:int = 0; i < heights.length; i++)
             {
                 var offset:Number = halfSpaces[4 * i + 3];
                 if (offset > 0)
                 {
-                    factor = Math.max(factor, _heights[i] / offset);
+                    factor = Math.max(factor, heights[i] / offset);
                 }
                 else
                 {
-                    _hull.margin = Math.max(_hull.margin, _heights[i] - offset);
+                    _hull.margin = Math.max(_hull.margin, heights[i] - offset);
                 }
             }
-            if (factor > 1 && ++_rounds < MOST_ROUNDS)
+            if (factor > 1 && scalings + 1 < MOST_SCALINGS)
             {
-                scaleBy(factor * (1 + _excess));
-                _excess *= 2;
-                addRound(_vertices);
+                scaleBy(factor * (1 + LEAST_EXCESS * (1 << scalings)));
+                addRound(vertices, scalings + 1);
             }
-            else if (_vertices != _session.vertices)
+            else if (vertices != _session.vertices)
             {
-                addRound(_session.vertices);
+                addRound(_session.vertices, scalings);
             }
         }
 

@@ -27,8 +27,6 @@ package starlogo.models.collada
         private var _document:ColladaDocument;
         private var _mesh:ColladaElement;
         private var _points:Object = {}; // of positions; the key is "#" and the source's id
-        private var _isUsed:Vector.<uint> = new Vector.<uint>();
-        private var _triangulator:Triangulator;
 
         /**
          * @param document the document
@@ -39,13 +37,18 @@ package starlogo.models.collada
             _document = document;
             this.geometry = geometry;
             _mesh = geometry.child("mesh") || geometry.child("convex_mesh");
-            _triangulator = new Triangulator(document.budget, vertices, triangles);
+            addSteps(new Triangulator(document.budget, vertices, triangles));
+        }
+
+        private function addSteps(triangulator:Triangulator):void
+        {
+            var isUsed:Vector.<uint> = new Vector.<uint>();
             var hasPrimitives:Boolean = false;
-            for each (var element:ColladaElement in _mesh == null ? new Vector.<ColladaElement>() : _mesh.children)
+            for each (var element:ColladaElement in _mesh == null ? null : _mesh.children)
             {
                 if (ColladaPrimitive.isSurface(element))
                 {
-                    addPrimitive(element);
+                    addPrimitive(element, triangulator, isUsed);
                     hasPrimitives = true;
                 }
             }
@@ -53,11 +56,15 @@ package starlogo.models.collada
             {
                 begin(readingPoints);
             }
-            begin(droppingUnused).call(release);
+            begin(function():Steps
+                {
+                    hasSurfaces = isUsed.indexOf(1) >= 0;
+                    return hasSurfaces ? new VertexFilter(vertices, triangles, isUsed) : null;
+                });
         }
 
-        /** The work on a primitive. The work on its source comes first, if the source is not read yet. */
-        private function addPrimitive(element:ColladaElement):void
+        // The work on a primitive. The work on its source comes first, if the source is not read yet.
+        private function addPrimitive(element:ColladaElement, triangulator:Triangulator, isUsed:Vector.<uint>):void
         {
             begin(function():Steps
                 {
@@ -65,7 +72,10 @@ package starlogo.models.collada
                     var symbol:String = element.attribute("material");
                     symbols.begin(symbol == "" ? -1 : symbols.numberFor(symbol, symbol), triangles.length / 3);
                     var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(_document, element)), work);
-                    return work.add(new ColladaPrimitive(_document, element, points, _isUsed, triangles, _triangulator));
+                    return work.call(function():void
+                        {
+                            isUsed.length = vertices.length / 3;
+                        }).add(new ColladaPrimitive(_document, element, points, isUsed, triangles, triangulator));
                 });
         }
 
@@ -80,7 +90,7 @@ package starlogo.models.collada
             return work;
         }
 
-        /** The source that an input refers to, directly or through an element "vertices". */
+        // The source that an input refers to, directly or through an element "vertices".
         private function positionSource(input:ColladaElement):ColladaElement
         {
             var target:ColladaElement = _document.target(input, "source", ["vertices", "source"], _mesh);
@@ -94,7 +104,7 @@ package starlogo.models.collada
             return _document.target(input, "source", ["source"], _mesh);
         }
 
-        /** The points of a source. If the source is new, adds the work of reading it. Several primitives may share a source. */
+        // The points of a source. If the source is new, adds the work of reading it. Several primitives may share a source.
         private function pointsOf(source:ColladaElement, work:StepSequence):ColladaSource
         {
             var key:String = "#" + source.id; // the "#" keeps the key different from every property that each Object has
@@ -102,25 +112,9 @@ package starlogo.models.collada
             if (points == null)
             {
                 points = _points[key] = new ColladaSource(_document, source, vertices);
-                work.add(points).call(function():void
-                    {
-                        _isUsed.length = vertices.length / 3;
-                    });
+                work.add(points);
             }
             return points;
-        }
-
-        private function droppingUnused():Steps
-        {
-            hasSurfaces = _isUsed.indexOf(1) >= 0;
-            return hasSurfaces ? new VertexFilter(vertices, triangles, _isUsed) : null;
-        }
-
-        private function release():void
-        {
-            _isUsed.length = 0;
-            _points = null;
-            _triangulator = null;
         }
     }
 }

@@ -76,9 +76,7 @@ package starlogo.models.collada
                 });
         }
 
-        /**
-         * The work that adds a mesh at an instance's place. If the instance's transform mirrors, the triangles' corner order is reversed.
-         */
+        // The work that adds a mesh at an instance's place. If the instance's transform mirrors, the triangles' corner order is reversed.
         private function placing(instance:ColladaInstance, document:ColladaDocument):Steps
         {
             var mesh:ColladaMesh = instance.mesh;

@@ -77,7 +77,7 @@ package starlogo.models.collada
             }
         }
 
-        /** The indices of an accessor's parameters x, y and z: found by name, otherwise the first three. */
+        // The indices of an accessor's parameters x, y and z: found by name, otherwise the first three.
         private function columnsOf(accessor:ColladaElement, stride:Number):Vector.<int>
         {
             var names:Array = [];

@@ -47,7 +47,7 @@ package starlogo.models.collada
             return new AffineTransform(m.slice(0, 12));
         }
 
-        /** A rotation about an axis (three numbers) by degrees (the fourth). An axis of length 0 means no rotation. */
+        // A rotation about an axis (three numbers) by degrees (the fourth). An axis of length 0 means no rotation.
         private static function rotation(document:ColladaDocument, element:ColladaElement):AffineTransform
         {
             var v:Vector.<Number> = document.numbers(element, 4);
@@ -69,7 +69,7 @@ package starlogo.models.collada
                         t * x * z - s * y, t * y * z + s * x, t * z * z + c, 0]);
         }
 
-        /** The node stands at the first point, and its -z axis points at the second. The third vector points up. */
+        // The node stands at the first point, and its -z axis points at the second. The third vector points up.
         private static function lookAt(document:ColladaDocument, element:ColladaElement):AffineTransform
         {
             var v:Vector.<Number> = document.numbers(element, 9);
@@ -84,7 +84,7 @@ package starlogo.models.collada
                         right[2], up[2], back[2], v[2]]);
         }
 
-        /** A skew: an angle, the axis that is turned by it, and the axis along which all points shift. */
+        // A skew: an angle, the axis that is turned by it, and the axis along which all points shift.
         private static function skew(document:ColladaDocument, element:ColladaElement):AffineTransform
         {
             var v:Vector.<Number> = document.numbers(element, 7);
@@ -123,7 +123,7 @@ package starlogo.models.collada
             return new <Number>[a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
         }
 
-        /** The vector scaled to length 1. A vector of length 0 stays 0. */
+        // The vector scaled to length 1. A vector of length 0 stays 0.
         private static function normalise(v:Vector.<Number>):Vector.<Number>
         {
             var length:Number = Math.sqrt(dot(v, v));

@@ -161,7 +161,7 @@ package starlogo.models.collada
             }
         }
 
-        /** The place after the next occurrence of a piece. Throws if there is none. */
+        // The place after the next occurrence of a piece. Throws if there is none.
         private function endOf(piece:String):int
         {
             var place:int = _source.indexOf(piece, _at);

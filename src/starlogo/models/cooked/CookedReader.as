@@ -7,6 +7,7 @@ package starlogo.models.cooked
     import starlogo.geometry.Fingerprint;
     import starlogo.models.Model;
     import starlogo.models.ModelBudget;
+    import starlogo.models.ModelError;
     import starlogo.models.ModelReader;
     import starlogo.models.ModelTransform;
     import starlogo.models.SourceFrame;
@@ -55,7 +56,7 @@ package starlogo.models.cooked
             }
             catch (error:EOFError)
             {
-                refuseIf(true, name, "the cooked file has fewer numbers than it says");
+                throw new ModelError(name, "", "the cooked file has fewer numbers than it says");
             }
             return false;
         }
@@ -137,7 +138,7 @@ package starlogo.models.cooked
             }
             catch (error:RangeError)
             {
-                refuseIf(true, name, error.message);
+                throw new ModelError(name, "", error.message);
             }
             return null;
         }

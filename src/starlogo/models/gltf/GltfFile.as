@@ -198,7 +198,7 @@ package starlogo.models.gltf
             }
             catch (failure:Error)
             {
-                refuseIf(true, budget.name, "its JSON can't be read: " + failure.message);
+                throw new ModelError(budget.name, "", "its JSON can't be read: " + failure.message);
             }
             _meter = null;
             json = new GltfJson(budget.name, root);

@@ -5,7 +5,10 @@ package starlogo.models.gltf
     import starlogo.models.ModelError;
     import starlogo.steps.StepSequence;
 
-    /** Adds the vertices of a primitive to a model, at the place of a node, in steps. They are morphed, and moved by their skin, at rest or in a pose. */
+    /**
+     * Adds the vertices of a primitive to a model, at the place of a node, in steps. They are morphed, and moved by their skin, at rest or in a
+     * pose.
+     */
     internal final class GltfVertices extends StepSequence
     {
         private static const VERTICES_PER_STEP:int = 4000;

@@ -80,11 +80,11 @@ package starlogo.models.loading
             }
         }
 
-        /** Starts to fetch the files that a glTF file names, if there is one. */
+        /** Starts to fetch the files that a glTF file names. */
         public function fetchBuffers(gltf:GltfFile):void
         {
             _all.length = 0;
-            for each (var uri:String in gltf == null ? null : gltf.otherFiles)
+            for each (var uri:String in gltf.otherFiles)
             {
                 if (!hasFolder)
                 {
@@ -94,10 +94,10 @@ package starlogo.models.loading
             }
         }
 
-        /** Gives the files that have come to the glTF file that names them, if there is one. */
+        /** Gives the files that have come to the glTF file that names them. */
         public function giveBuffers(gltf:GltfFile):void
         {
-            for (var i:int = 0; gltf != null && i < gltf.otherFiles.length; i++)
+            for (var i:int = 0; i < gltf.otherFiles.length; i++)
             {
                 gltf.setBuffer(gltf.otherFiles[i], _all[i].bytes, _all[i].problem);
             }
@@ -117,9 +117,9 @@ package starlogo.models.loading
             return added;
         }
 
-        private static function isUnderWay(fetch:ModelDownload, index:int, all:Vector.<ModelDownload>):Boolean
+        private static function isUnderWay(download:ModelDownload, index:int, all:Vector.<ModelDownload>):Boolean
         {
-            return fetch.isUnderWay;
+            return download.isUnderWay;
         }
     }
 }

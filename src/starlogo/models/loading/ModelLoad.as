@@ -187,27 +187,31 @@ package starlogo.models.loading
             setFile(_downloads.file.bytes, null);
         }
 
-        // Opens the text, or bytes in a binary form. A glTF file is opened first, because it may name other files.
+        // Reads the text, or bytes in a binary form. A glTF file is opened first, because it may name other files.
         private function open(bytes:ByteArray, text:String):void
         {
             var format:String = ModelFormat.of(bytes, text, _downloads.url);
-            var gltf:GltfFile = format == ModelFormat.GLTF ? new GltfFile(name, bytes, text) : null;
-            begin(function():Steps
-                {
-                    return gltf;
-                }).call(function():void
+            if (format != ModelFormat.GLTF)
+            {
+                readWith(newReader(format, bytes, text));
+                return;
+            }
+            var gltf:GltfFile = new GltfFile(name, bytes, text);
+            add(gltf).call(function():void
                 {
                     _downloads.fetchBuffers(gltf);
-                }).begin(function():Steps
+                }).call(function():void
                 {
                     _downloads.giveBuffers(gltf);
-                    _downloads.release();
-                    _reader = (gltf == null ? newReader(format, bytes, text) : new GltfReader(name, gltf, _upAxis as ModelTransform)).normalised(_scaling);
-                    // this function lives as long as the reader works
-                    bytes = null;
-                    text = null;
-                    return _reader;
-                }).call(keepModel).begin(receiving);
+                    readWith(new GltfReader(name, gltf, _upAxis as ModelTransform));
+                });
+        }
+
+        private function readWith(reader:ModelReader):void
+        {
+            _downloads.release();
+            _reader = reader.normalised(_scaling);
+            add(_reader).call(keepModel).begin(receiving);
         }
 
         private function newReader(format:String, bytes:ByteArray, text:String):ModelReader

@@ -12,7 +12,7 @@ package starlogo.models.loading
         /** The list's address. */
         public var url:String;
 
-        private var _fetch:ModelDownload = null;
+        private var _download:ModelDownload = null;
         private var _models:Object = null;
 
         /** @param url the list's address */
@@ -24,13 +24,13 @@ package starlogo.models.loading
         /** Fetches the list, if it has not been requested before. @param newLoader <code>function():URLLoader</code> */
         public function fetch(newLoader:Function):void
         {
-            _fetch ||= new ModelDownload(url, newLoader());
+            _download ||= new ModelDownload(url, newLoader());
         }
 
         /** Whether the download is running. */
         public function get isUnderWay():Boolean
         {
-            return _fetch.isUnderWay;
+            return _download.isUnderWay;
         }
 
         /** The address of the cooked file for a model's file; null if the list has none. */
@@ -42,7 +42,7 @@ package starlogo.models.loading
             {
                 return null;
             }
-            _models ||= read(_fetch.bytes);
+            _models ||= read(_download.bytes);
             var name:String = parts[1].substr(folder.length);
             var entry:Object = _models["#" + name];
             var cooked:Object = entry == null ? null : entry["cooked"];

@@ -162,7 +162,7 @@ package starlogo.models.obj
             }
         }
 
-        /** The vertex index in a face's corner: 1, 1/2, 1//3 or 1/2/3. */
+        // The vertex index in a face's corner: 1, 1/2, 1//3 or 1/2/3.
         private function cornerOf(word:String):int
         {
             var slash:int = word.indexOf("/");

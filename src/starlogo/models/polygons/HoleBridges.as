@@ -59,7 +59,7 @@ package starlogo.models.polygons
             return result;
         }
 
-        /** Opens the outline at a corner that sees the hole. The outline then goes around the hole and back. */
+        // Opens the outline at a corner that sees the hole. The outline then goes around the hole and back.
         private function addBridge(hole:int):void
         {
             var corner:int = visibleCorner(hole);
@@ -78,7 +78,7 @@ package starlogo.models.polygons
             previous[hole] = corner;
         }
 
-        /** A corner of the outline that is visible from a hole's rightmost node, or -1. */
+        // A corner of the outline that is visible from a hole's rightmost node, or -1.
         private function visibleCorner(hole:int):int
         {
             var xs:Vector.<Number> = _rings.x;
@@ -111,10 +111,8 @@ package starlogo.models.polygons
             return corner < 0 || ys[corner] == y ? corner : nearestToRay(hole, nearest, corner);
         }
 
-        /**
-         * The corner that is visible from a hole's node. It is the given corner, unless others block the line to it. Then it is the
-         * blocking corner nearest to the ray.
-         */
+        // The corner that is visible from a hole's node. It is the given corner, unless others block the line to it. Then it is the blocking corner
+        // nearest to the ray.
         private function nearestToRay(hole:int, hitX:Number, corner:int):int
         {
             var xs:Vector.<Number> = _rings.x;
@@ -147,7 +145,7 @@ package starlogo.models.polygons
             return result;
         }
 
-        /** Whether the direction from a corner to another node goes into the polygon. */
+        // Whether the direction from a corner to another node goes into the polygon.
         private function seesInside(corner:int, node:int):Boolean
         {
             var previous:int = _rings.previous[corner];

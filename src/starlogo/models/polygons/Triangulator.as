@@ -137,7 +137,7 @@ package starlogo.models.polygons
             }
         }
 
-        /** Whether ac cuts the quad into two triangles of the same direction. */
+        // Whether ac cuts the quad into two triangles of the same direction.
         private function isDiagonal(a:uint, b:uint, c:uint, d:uint):Boolean
         {
             var vertices:Vector.<Number> = _rings.vertices;

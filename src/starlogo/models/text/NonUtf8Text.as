@@ -11,10 +11,8 @@ package starlogo.models.text
     {
         private static const CHUNK:int = 4096;
 
-        /**
-         * The characters of windows-1252 at 0x80 to 0x9f, where ISO 8859-1 has control characters. A byte that windows-1252 does not define
-         * stands for itself.
-         */
+        // The characters of windows-1252 at 0x80 to 0x9f, where ISO 8859-1 has control characters. A byte that windows-1252 does not define stands
+        // for itself.
         private static const WINDOWS:Vector.<int> = new <int>[0x20ac, 0x81, 0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021, 0x02c6, 0x2030,
                 0x0160, 0x2039, 0x0152, 0x8d, 0x017d, 0x8f, 0x90, 0x2018, 0x2019, 0x201c, 0x201d, 0x2022, 0x2013, 0x2014, 0x02dc, 0x2122,
                 0x0161, 0x203a, 0x0153, 0x9d, 0x017e, 0x0178];

@@ -41,7 +41,8 @@ package starlogo.convex
             out.z += by * out.normalZ;
         }
 
-        // Finds both features, first that of the core with fewer points. If it is a corner, it is the common part, and the other feature is left empty.
+        // Finds both features, first that of the core with fewer points. If it is a corner, it is the common part, and the other feature is left
+        // empty.
         private function findFeatures(cores:CorePair, contact:ContactPoint):void
         {
             _a.clear();

@@ -74,8 +74,8 @@ package starlogo.convex
         }
 
         /**
-         * Finds the contact of two shapes that touch or overlap: the shortest displacement of a that separates them, and the middle of what they have in
-         * common. If several displacements are equally short, CoreOverlap says which it is.
+         * Finds the contact of two shapes that touch or overlap: the shortest displacement of a that separates them, and the middle of what they have
+         * in common. If several displacements are equally short, CoreOverlap says which it is.
          *
          * @param motion the motion of a; a is where it is at the motion's time
          * @param out receives the contact

@@ -42,8 +42,8 @@ package starlogo.convex
         public var radius:Number = 0;
 
         /**
-         * How far beyond its surface other shapes still touch it, because its place or its surface is rounded (see Touching). Distances do not include
-         * it. Who sets the shape adds to it afterwards.
+         * How far beyond its surface other shapes still touch it, because its place or its surface is rounded (see Touching). Distances do not
+         * include it. Who sets the shape adds to it afterwards.
          */
         public var margin:Number = 0;
 

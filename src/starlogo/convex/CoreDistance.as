@@ -133,8 +133,8 @@ package starlogo.convex
             return _simplex.add(cores, i, k);
         }
 
-        // Keeps the simplex's nearest point as the result if it is nearer than all before. Sets the direction of the next step. The vector between the
-        // points has that direction, which is the more precise one.
+        // Keeps the simplex's nearest point as the result if it is nearer than all before. Sets the direction of the next step. The vector between
+        // the points has that direction, which is the more precise one.
         private function keep(cores:CorePair, out:CoreWitness):void
         {
             var simplex:Simplex = _simplex;

@@ -233,7 +233,8 @@ package starlogo.convex
             }
         }
 
-        // Tries the direction across two points or parallel segments that points upwards as far as possible, for the shape that was asked about first.
+        // Tries the direction across two points or parallel segments that points upwards as far as possible, for the shape that was asked about
+        // first.
         private function tryUpwards(cores:CorePair, out:ContactPoint):void
         {
             out.setNormal(0, 0, 0);

@@ -4,8 +4,8 @@ package starlogo.convex
     internal final class CoreWitness
     {
         /**
-         * The vector from b's closest point to a's, and its length. If the cores overlap, the length is 0, and the vector means nothing. If the search
-         * ended early, the length is only more than CorePair.maxDistance, or too much for the time that is left.
+         * The vector from b's closest point to a's, and its length. If the cores overlap, the length is 0, and the vector means nothing. If the
+         * search ended early, the length is only more than CorePair.maxDistance, or too much for the time that is left.
          */
         public var x:Number = 0;
         public var y:Number = 0;

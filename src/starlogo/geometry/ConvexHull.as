@@ -14,9 +14,10 @@ package starlogo.geometry
      * vertices at their corners only. Vertices that span no volume are allowed. The hull is a polygon for vertices in a plane, two points
      * for vertices on a line, and one point for vertices in one place.</p>
      *
-     * <p>The vertices are rounded to a grid of 2^25 steps along each of three axes. On this grid the hull is convex without rounding, but
-     * vertices that are less than two steps above a triangle of it are left out. In most cases the axes are the coordinate axes. If the vertices are thin in another direction, the grid has axes along the vertices. The results are the
-     * vertices themselves, not rounded. They are complete after the last step. Read only.</p>
+     * <p>The vertices are rounded to a grid of 2^25 steps along each of three axes. On this grid the hull is convex without rounding, but vertices
+     * that are less than two steps above a triangle of it are left out. In most cases the axes are the coordinate axes. If the vertices are thin in
+     * another direction, the grid has axes along the vertices. The results are the vertices themselves, not rounded. They are complete after the last
+     * step. Read only.</p>
      *
      * <p>The cost is n log n for n vertices. The work can be done in steps, each of about one pass over the vertices.</p>
      */

@@ -145,9 +145,8 @@ package starlogo.geometry
 
         /**
          * The rounding of the distance of two convex cores, as a fraction of the sum of their sizes. It is part of the distance at which they
-         * touch: see Touching.
-         * Smaller than 4e-16: shapes that touch do not collide if one of them is much larger than the gaps of the two. Larger: shapes with a gap
-         * collide.
+         * touch: see Touching. Smaller than 4e-16: shapes that touch do not collide if one of them is much larger than the gaps of the two. Larger:
+         * shapes with a gap collide.
          */
         public static const CORES:Number = 1e-15;
 
@@ -192,9 +191,9 @@ package starlogo.geometry
         public static const DIRECTION:Number = 1e-9;
 
         /**
-         * If two convex cores are farther apart than this fraction of their sizes, the direction of the gap between them is the normal of their contact.
-         * The gap is perpendicular to the edges and faces that it ends at. Smaller than 1e-12: rounding turns the normal by more than 4e-4. Larger:
-         * depths have an error of that fraction.
+         * If two convex cores are farther apart than this fraction of their sizes, the direction of the gap between them is the normal of their
+         * contact. The gap is perpendicular to the edges and faces that it ends at. Smaller than 1e-12: rounding turns the normal by more than 4e-4.
+         * Larger: depths have an error of that fraction.
          */
         public static const GAP:Number = 1e-11;
 

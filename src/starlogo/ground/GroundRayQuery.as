@@ -6,7 +6,7 @@ package starlogo.ground
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
-    import starlogo.intersection.ray.RayTriangleTest;
+    import starlogo.solid.RayTriangleTest;
 
     use namespace engine;
 

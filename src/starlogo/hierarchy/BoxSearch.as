@@ -1,7 +1,6 @@
 package starlogo.hierarchy
 {
     import starlogo.convex.RelativeMotion;
-    import starlogo.intersection.LeafTest;
     import starlogo.intersection.ray.Ray;
 
     /**

@@ -5,7 +5,6 @@ package starlogo.hierarchy
     import starlogo.bounding.Box;
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
-    import starlogo.intersection.LeafTest;
     import starlogo.intersection.PairTable;
 
     use namespace engine;

@@ -3,7 +3,6 @@ package starlogo.hierarchy
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.engine;
-    import starlogo.intersection.LeafTest;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.crossStructure;

@@ -86,6 +86,7 @@ package starlogo.intersection
             localMotion.startZ = _z + _signZ * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
             localMotion.z = _signZ * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             out.radiusA = capsule.radius;
+            out.radiusB = 0;
             out.size = _alongX + _alongY + _alongZ + box.halfX + box.halfY + box.halfZ + out.radiusA;
         }
 
@@ -165,8 +166,8 @@ package starlogo.intersection
             _z = _signZ * (axis.x * x + axis.y * y + axis.z * z);
         }
 
-        // Finds the nearest place of the segment's line; it may be beyond the segment's ends. If the line passes through the box, it is where the line
-        // enters the last slab. First, find where the line enters and leaves each slab of the box.
+        // Finds the nearest place of the segment's line; it may be beyond the segment's ends. If the line passes through the box, it is where the
+        // line enters the last slab. First, find where the line enters and leaves each slab of the box.
         private function findShare(box:Box):void
         {
             var px:Number = _x;

@@ -31,7 +31,7 @@ package starlogo.intersection
          * @param b of the pair's second kind, in the same space; kept
          * @param motion the motion of a
          * @param localMotion receives the motion in the finder's axes: where a's core is at time 0 as seen from b's, and how it moves from there
-         * @param out receives the size and the radii; the radius of a box is left as it is, which must be 0
+         * @param out receives the size and the radii
          */
         public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, localMotion:RelativeMotion, out:CoreGap):void
         {

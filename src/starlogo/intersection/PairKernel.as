@@ -52,9 +52,9 @@ package starlogo.intersection
          * between their closest points. If they overlap, and for two boxes, the normal is perpendicular to a face of one or to an edge of each:
          * the direction along which they overlap least (Gottschalk, Lin and Manocha, "OBBTree", 1996).</p>
          *
-         * <p>If several displacements are equally short, one is chosen. Spheres with the same centre separate along z. If a sphere's centre is
-         * on a capsule's axis, or the axes of two capsules overlap on one line, the normal is perpendicular to the axis and points upwards as far as possible. In
-         * the middle of a box any face is chosen.</p>
+         * <p>If several displacements are equally short, one is chosen. Spheres with the same centre separate along z. If a sphere's centre is on a
+         * capsule's axis, or the axes of two capsules overlap on one line, the normal is perpendicular to the axis and points upwards as far as
+         * possible. In the middle of a box any face is chosen.</p>
          *
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space

@@ -113,13 +113,14 @@ package starlogo.intersection
         }
 
         /*
-         * Finds when the gap is as long as the sum of the radii, by Newton's method, from its first step on. The method never steps over the first zero when it starts to the left of it. Each step shrinks the product of the gap
-         * and its slope to a quarter, and both are numbers of 53 bits. So 80 steps are enough. Should rounding need more, the time of the last step is
-         * the time of impact: the structures do not touch before, and their gap is at most rounding.
+         * Finds when the gap is as long as the sum of the radii, by Newton's method, from its first step on. The method never steps over the first
+         * zero when it starts to the left of it. Each step shrinks the product of the gap and its slope to a quarter, and both are numbers of 53
+         * bits. So 80 steps are enough. Should rounding need more, the time of the last step is the time of impact: the structures do not touch
+         * before, and their gap is at most rounding.
          *
-         * If the cores are very close, rounding hides the direction of the gap, and with it the slope. Then a chord takes the place of the tangent: it
-         * goes through this distance and that of the step before, and does not step over the first zero either. A step that went too far because of
-         * rounding is halved.
+         * If the cores are very close, rounding hides the direction of the gap, and with it the slope. Then a chord takes the place of the tangent:
+         * it goes through this distance and that of the step before, and does not step over the first zero either. A step that went too far because
+         * of rounding is halved.
          */
         private function findZero(motion:RelativeMotion):void
         {

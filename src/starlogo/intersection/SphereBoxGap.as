@@ -41,6 +41,7 @@ package starlogo.intersection
             localMotion.startZ = axis.x * x + axis.y * y + axis.z * z;
             localMotion.z = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
             out.radiusA = sphere.radius;
+            out.radiusB = 0;
             out.size = box.halfX + box.halfY + box.halfZ + out.radiusA;
         }
 

@@ -112,8 +112,8 @@ package starlogo.intersection
         }
 
         /**
-         * Replaces a contact with this triangle, which is of the outside of a solid, if the normal points into the solid. The new contact leads out of
-         * the triangle's plane.
+         * Replaces a contact with this triangle, which is of the outside of a solid, if the normal points into the solid. The new contact leads out
+         * of the triangle's plane.
          *
          * @param motion the motion of <code>findContact()</code>
          * @param contact the contact that it found
@@ -138,8 +138,8 @@ package starlogo.intersection
          * Finds how far the shape is behind the triangle's plane.
          *
          * @param motion of the shape; the shape is where it is at the motion's time
-         * @param out receives the depth, the triangle's normal, and the middle of the overlap at the shape's deepest point. All are NaN if the triangle
-         *     has no area
+         * @param out receives the depth, the triangle's normal, and the middle of the overlap at the shape's deepest point. All are NaN if the
+         *     triangle has no area
          * @return whether the point of the plane that is nearest to the deepest point is in the triangle
          */
         public function findBehind(motion:RelativeMotion, out:ContactPoint):Boolean

@@ -95,7 +95,8 @@ package starlogo.intersection
             return first * second > 0 ? 2 : first * third > 0 ? 1 : 0;
         }
 
-        // Whether a direction perpendicular to an edge of each keeps the triangles apart. The edges u and v begin at a corner of a, f and g at one of b.
+        // Whether a direction perpendicular to an edge of each keeps the triangles apart. The edges u and v begin at a corner of a, f and g at one of
+        // b.
         private static function areEdgesApart(a:Vector.<Number>, at:int, cornerA:int, b:ConvexShape, cornerB:int):Boolean
         {
             var p:Vector.<Number> = b.points;

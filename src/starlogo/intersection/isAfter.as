@@ -3,8 +3,8 @@ package starlogo.intersection
     import flash.geom.Vector3D;
 
     /**
-     * Whether a place comes after another one: by x, then by y, then by z. A symmetric test puts its arguments in this order, so that it gives the same
-     * answer for (a, b) and (b, a), rounding included.
+     * Whether a place comes after another one: by x, then by y, then by z. A symmetric test puts its arguments in this order, so that it gives the
+     * same answer for (a, b) and (b, a), rounding included.
      *
      * @private
      */

@@ -3,9 +3,9 @@ package starlogo.solid
     import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BoxSearch;
-    import starlogo.intersection.LeafTest;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.LeafTest;
 
     use namespace engine;
 

@@ -4,7 +4,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxSearch;
-    import starlogo.intersection.LeafTest;
+    import starlogo.hierarchy.LeafTest;
 
     use namespace engine;
 

@@ -8,7 +8,6 @@ package starlogo.solid
     import starlogo.hierarchy.NodeRayTest;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
-    import starlogo.intersection.ray.RayTriangleTest;
 
     use namespace engine;
 

@@ -4,9 +4,9 @@ package starlogo.solid
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
     import starlogo.hierarchy.BoxSearch;
+    import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.intersection.LeafTest;
     import starlogo.intersection.TriangleKernel;
 
     use namespace engine;

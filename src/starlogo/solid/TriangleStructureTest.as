@@ -8,9 +8,9 @@ package starlogo.solid
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxSearch;
+    import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.intersection.LeafTest;
     import starlogo.intersection.TriangleKernel;
     import starlogo.intersection.Zonotope;
 

@@ -10,7 +10,6 @@ package starlogo.solid
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.intersection.ray.Ray;
-    import starlogo.intersection.ray.RayTriangleTest;
     import starlogo.intersection.ray.rayStructure;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ColladaModel;

@@ -29,8 +29,8 @@ package starlogo.intersection.sweep
         private static const STANDING_PAIR:BoxPairMotion = new BoxPairMotion();
 
         /**
-         * Whether two boxes touch where they stand. It takes longer than <code>boxBox()</code>, but its axes across edges do not cancel if the edges are
-         * nearly parallel.
+         * Whether two boxes touch where they stand. It takes longer than <code>boxBox()</code>, but its axes across edges do not cancel if the edges
+         * are nearly parallel.
          */
         public static function areTouching(a:Box, b:Box):Boolean
         {
@@ -141,7 +141,8 @@ package starlogo.intersection.sweep
             pair.time = areTouching ? (_times.touch < _times.last ? _times.touch : _times.last) : RelativeMotion.NEVER;
         }
 
-        // Narrows the interval by the cross products of edge p of b and the edges of a. q and r are b's other edges. Returns whether anything is left.
+        // Narrows the interval by the cross products of edge p of b and the edges of a. q and r are b's other edges. Returns whether anything is
+        // left.
         private function narrowAcross(pair:BoxPairMotion, p:int, q:int, r:int):Boolean
         {
             var times:ContactInterval = _times;

@@ -1,11 +1,13 @@
-package starlogo.intersection.ray
+package starlogo.solid
 {
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.LeafTest;
+    import starlogo.hierarchy.LeafTest;
+    import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossings;
 
     /**
-     * Finds the first triangle that a ray meets, or all of them, from either side (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", Journal
-     * of Computer Graphics Techniques 2(1), 2013, in double precision).
+     * Finds the first triangle that a ray meets, or all of them, from either side (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection",
+     * Journal of Computer Graphics Techniques 2(1), 2013, in double precision).
      *
      * <p>The corners are sheared so that the ray runs along an axis. Then the sign of one expression says on which side the ray passes an
      * edge. For the two triangles of an edge the two values are opposite, or both 0, to the last bit. So no ray slips through between the
@@ -193,8 +195,8 @@ package starlogo.intersection.ray
             }
         }
 
-        // Finds where the ray first and last passes the edges of a triangle that it sees edge on. Returns where it first meets the triangle; NaN if no
-        // edge is near, or none before the ray begins.
+        // Finds where the ray first and last passes the edges of a triangle that it sees edge on. Returns where it first meets the triangle; NaN if
+        // no edge is near, or none before the ray begins.
         private function passEdges(corner:int):Number
         {
             _first = Infinity;

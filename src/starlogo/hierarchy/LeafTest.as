@@ -1,4 +1,4 @@
-package starlogo.intersection
+package starlogo.hierarchy
 {
     /**
      * Tests leaves of a tree, in the order in which a motion or a ray may meet them, or from the nearest on. Abstract.

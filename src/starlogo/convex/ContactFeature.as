@@ -63,7 +63,7 @@ package starlogo.convex
             }
         }
 
-        /** Puts the corners in order around a contact's normal, and drops those between others (gift wrapping). */
+        /** Puts the corners in order around a contact's normal, counter-clockwise seen against it, and drops those between others (gift wrapping). */
         public function order(contact:ContactPoint):void
         {
             var found:Vector.<Number> = points;

@@ -22,7 +22,6 @@ package starlogo.convex
         private var _common:CommonPoint = new CommonPoint();
         private var _cores:CorePair = new CorePair();
         private var _witness:CoreWitness = new CoreWitness();
-        private var _gap:CoreGap = new CoreGap();
 
         /** Whether two shapes touch or overlap. */
         public function areTouching(a:ConvexShape, b:ConvexShape):Boolean
@@ -86,9 +85,9 @@ package starlogo.convex
             _distance.find(_cores, _witness);
             if (_witness.distance > Tolerances.GAP * (a.size + b.size))
             {
-                out.normalX = _witness.x / _witness.distance;
-                out.normalY = _witness.y / _witness.distance;
-                out.normalZ = _witness.z / _witness.distance;
+                out.normalX = _witness.gap.x / _witness.distance;
+                out.normalY = _witness.gap.y / _witness.distance;
+                out.normalZ = _witness.gap.z / _witness.distance;
                 out.depth = -_witness.distance;
             }
             else
@@ -96,7 +95,7 @@ package starlogo.convex
                 _overlap.find(_cores, out);
                 if (_witness.distance > 0)
                 {
-                    _overlap.tryGap(_cores, _witness, out);
+                    _overlap.tryGap(_cores, _witness.gap, out);
                 }
             }
             finishContact(motion, out);
@@ -141,17 +140,15 @@ package starlogo.convex
         // Writes the distance and the points of the surfaces.
         private function writePoints(out:ClosestPoints):void
         {
-            var witness:CoreWitness = _witness;
             var a:ConvexShape = _cores.a;
-            var gap:CoreGap = _gap;
-            // the vector means nothing if the cores overlap
-            var side:int = witness.distance > 0 ? 1 : 0;
-            gap.x = side * witness.x;
-            gap.y = side * witness.y;
-            gap.z = side * witness.z;
-            gap.pointX = a.x + witness.pointX;
-            gap.pointY = a.y + witness.pointY;
-            gap.pointZ = a.z + witness.pointZ;
+            var gap:CoreGap = _witness.gap;
+            if (!(_witness.distance > 0))
+            {
+                gap.x = gap.y = gap.z = 0;
+            }
+            gap.pointX += a.x;
+            gap.pointY += a.y;
+            gap.pointZ += a.z;
             gap.radiusA = a.radius;
             gap.radiusB = _cores.b.radius;
             out.setFromGap(gap);

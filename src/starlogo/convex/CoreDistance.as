@@ -148,10 +148,11 @@ package starlogo.convex
                 var squared:Number = _along.x * _along.x + _along.y * _along.y + _along.z * _along.z;
                 // of a vector as short as rounding nothing may be left across an edge
                 var factor:Number = squared > 0 ? Math.sqrt(_least / squared) : 0;
-                out.x = factor > 0 ? factor * _along.x : simplex.x;
-                out.y = factor > 0 ? factor * _along.y : simplex.y;
-                out.z = factor > 0 ? factor * _along.z : simplex.z;
-                simplex.writePoint(cores, out);
+                var gap:CoreGap = out.gap;
+                gap.x = factor > 0 ? factor * _along.x : simplex.x;
+                gap.y = factor > 0 ? factor * _along.y : simplex.y;
+                gap.z = factor > 0 ? factor * _along.z : simplex.z;
+                simplex.writePoint(cores, gap);
             }
         }
     }

@@ -51,7 +51,7 @@ package starlogo.convex
          *
          * @param out has the displacement that find() has found
          */
-        public function tryGap(cores:CorePair, gap:CoreWitness, out:ContactPoint):void
+        public function tryGap(cores:CorePair, gap:CoreGap, out:ContactPoint):void
         {
             _along.setTo(gap.x, gap.y, gap.z);
             tryDirection(cores, out);

@@ -1,21 +1,16 @@
 package starlogo.convex
 {
-    /** The closest points of two cores, and a direction that keeps the cores apart, as a record. The shapes' radii do not count. */
+    /** The gap between two cores, and a direction that keeps the cores apart, as a record. The shapes' radii do not count. */
     internal final class CoreWitness
     {
-        /**
-         * The vector from b's closest point to a's, and its length. If the cores overlap, the length is 0, and the vector means nothing. If the
-         * search ended early, the length is only more than CorePair.maxDistance, or too much for the time that is left.
-         */
-        public var x:Number = 0;
-        public var y:Number = 0;
-        public var z:Number = 0;
-        public var distance:Number = 0;
+        /** The gap. The closest point of a is relative to a's origin. If the cores overlap, the vector means nothing. */
+        public var gap:CoreGap = new CoreGap();
 
-        /** The closest point of a, relative to its origin. */
-        public var pointX:Number = 0;
-        public var pointY:Number = 0;
-        public var pointZ:Number = 0;
+        /**
+         * The length of the gap: 0 if the cores overlap. If the search ended early, it is only more than CorePair.maxDistance, or too much for the
+         * time that is left.
+         */
+        public var distance:Number = 0;
 
         /** A unit vector from b to a along which the cores are apart, and how far they are apart along it: at most the distance. */
         public var normalX:Number = 0;

@@ -1,6 +1,5 @@
 package starlogo.convex
 {
-    import flash.geom.Vector3D;
     import starlogo.geometry.Tolerances;
 
     /** Clips a segment or a convex polygon to another convex polygon (Sutherland and Hodgman, "Reentrant polygon clipping", 1974). */
@@ -13,9 +12,6 @@ package starlogo.convex
         // The corners before a cut.
         private var _before:Vector.<Number> = new Vector.<Number>();
 
-        // The mean of the other polygon's corners, which is inside of it.
-        private var _mean:Vector3D = new Vector3D();
-
         // How far outside of the other polygon a corner still counts as inside.
         private var _slack:Number = 0;
 
@@ -23,15 +19,14 @@ package starlogo.convex
          * Clips a feature.
          *
          * @param inner a segment or a polygon, in the plane of the other or in a parallel one
-         * @param outer a polygon
+         * @param outer a polygon, in order around the normal
          * @param contact has the normal of the planes
          */
         public function clip(inner:ContactFeature, outer:ContactFeature, contact:ContactPoint):void
         {
             var p:Vector.<Number> = outer.points;
-            setMean(outer);
-            _slack = Tolerances.DIRECTION * (Math.abs(p[0] - _mean.x) + Math.abs(p[1] - _mean.y) + Math.abs(p[2] - _mean.z)
-                    + Math.abs(p[3] - _mean.x) + Math.abs(p[4] - _mean.y) + Math.abs(p[5] - _mean.z));
+            _slack = Tolerances.DIRECTION * (Math.abs(p[3] - p[0]) + Math.abs(p[4] - p[1]) + Math.abs(p[5] - p[2])
+                    + Math.abs(p[6] - p[3]) + Math.abs(p[7] - p[4]) + Math.abs(p[8] - p[5]));
             for (end = 0; end < inner.end; end++)
             {
                 points[end] = inner.points[end];
@@ -44,37 +39,17 @@ package starlogo.convex
             }
         }
 
-        private function setMean(outer:ContactFeature):void
-        {
-            var p:Vector.<Number> = outer.points;
-            _mean.setTo(0, 0, 0);
-            for (var at:int = 0; at < outer.end; at += 3)
-            {
-                _mean.x += p[at];
-                _mean.y += p[int(at + 1)];
-                _mean.z += p[int(at + 2)];
-            }
-            _mean.scaleBy(3 / outer.end);
-        }
-
         // Keeps the part on the inner side of an edge of the other polygon.
         private function cut(edges:Vector.<Number>, edgeFrom:int, edgeTo:int, contact:ContactPoint):void
         {
             var edgeX:Number = edges[edgeTo] - edges[edgeFrom];
             var edgeY:Number = edges[int(edgeTo + 1)] - edges[int(edgeFrom + 1)];
             var edgeZ:Number = edges[int(edgeTo + 2)] - edges[int(edgeFrom + 2)];
-            // The vector points inwards, in the plane.
-            var inX:Number = edgeY * contact.normalZ - edgeZ * contact.normalY;
-            var inY:Number = edgeZ * contact.normalX - edgeX * contact.normalZ;
-            var inZ:Number = edgeX * contact.normalY - edgeY * contact.normalX;
+            // to the left of the edge, which is inwards
+            var inX:Number = contact.normalY * edgeZ - contact.normalZ * edgeY;
+            var inY:Number = contact.normalZ * edgeX - contact.normalX * edgeZ;
+            var inZ:Number = contact.normalX * edgeY - contact.normalY * edgeX;
             var from:Number = inX * edges[edgeTo] + inY * edges[int(edgeTo + 1)] + inZ * edges[int(edgeTo + 2)];
-            if (inX * _mean.x + inY * _mean.y + inZ * _mean.z < from)
-            {
-                inX = -inX;
-                inY = -inY;
-                inZ = -inZ;
-                from = -from;
-            }
             from -= _slack * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
             var kept:Vector.<Number> = _before;
             var before:Vector.<Number> = points;

@@ -118,8 +118,8 @@ package starlogo.convex
             return false;
         }
 
-        /** Writes a's point at the nearest place. */
-        public function writePoint(cores:CorePair, out:CoreWitness):void
+        /** Writes a's point at the nearest place, relative to a's origin. */
+        public function writePoint(cores:CorePair, out:CoreGap):void
         {
             var p:Vector.<Number> = cores.a.points;
             var pointX:Number = 0;

@@ -196,17 +196,28 @@ package starlogo.convex
             assertTrue(hits + " hits, " + misses + " misses", hits > 200 && misses > 200);
         }
 
-        /** The corners of the world are 3e9 apart. Squares of such distances have no digits left for a shape of size 1. */
+        /**
+         * The corners of the world are 3e9 apart. Squares of such distances have no digits left for a shape of size 1. Shapes must meet that overlap
+         * by more than their places are rounded.
+         */
         [Test]
         public function shapesThatComeFromFarAwayAreMet():void
         {
             var motion:RelativeMotion = new RelativeMotion();
+            var count:int = 0;
             for each (var distance:Number in [1e3, 1e7, 4e8, 9e8, 3e9])
             {
-                forAll(Effort.choose(1, 20), function():void
+                forAll(Effort.choose(2, 20), function():void
                     {
                         var direction:Vector3D = _structures.direction();
-                        var a:ConvexShape = RandomConvex.moved(_a, _b.x - _a.x - distance * direction.x, _b.y - _a.y - distance * direction.y, _b.z - _a.z - distance * direction.z);
+                        _a = RandomConvex.moved(_a, _b.x - _a.x, _b.y - _a.y, _b.z - _a.z);
+                        _pair.findContact(_a, _b, new RelativeMotion(0), _contact);
+                        if (!(_contact.depth > 1e-15 * (distance + Math.abs(_b.x))))
+                        {
+                            return;
+                        }
+                        count++;
+                        var a:ConvexShape = RandomConvex.moved(_a, -distance * direction.x, -distance * direction.y, -distance * direction.z);
                         motion.x = 2 * distance * direction.x;
                         motion.y = 2 * distance * direction.y;
                         motion.z = 2 * distance * direction.z;
@@ -215,6 +226,7 @@ package starlogo.convex
                     });
             }
             _wrong.assertNone();
+            assertTrue(count + " pairs", count > Effort.choose(75, 750));
         }
 
         /** Shapes with faces and edges along the axes, which come near each other at any angle: rounding hides the direction of a short gap. */

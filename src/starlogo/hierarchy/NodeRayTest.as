@@ -30,6 +30,12 @@ package starlogo.hierarchy
         // The node that the ray meets first, or -1.
         private var _first:int = -1;
 
+        public function NodeRayTest()
+        {
+            // Nodes are enlarged as it is. A node that is only touched would be entered before a larger node around it.
+            _part.touchingFactor = 1;
+        }
+
         /**
          * Narrows a ray to the part behind its first hit.
          *
@@ -45,8 +51,11 @@ package starlogo.hierarchy
             {
                 return false;
             }
-            ray.faceBack();
-            rayBox(ray, tree.writeBox(_first, _box));
+            _part.copyFrom(ray);
+            _part.faceBack();
+            rayBox(_part, tree.writeBox(_first, _box));
+            ray.from = _part.from;
+            ray.setNormal(_part.normalX, _part.normalY, _part.normalZ);
             return true;
         }
 

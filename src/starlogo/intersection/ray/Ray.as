@@ -58,6 +58,9 @@ package starlogo.intersection.ray
         /** The axis across the slab that the line enters last. */
         public var entered:Vector3D = null;
 
+        /** The factor on a shape's size at which the line still touches it. */
+        public var touchingFactor:Number = Tolerances.TOUCHING;
+
         /** Where the line enters the shape without the tolerance of touching. Input of narrowExactly. */
         public var entry:Number = 0;
 
@@ -159,8 +162,8 @@ package starlogo.intersection.ray
         }
 
         /**
-         * Narrows near and far to the part inside of a slab, the space between two parallel planes, or touching it (Tolerances.TOUCHING). If
-         * near changes, <code>entered</code> becomes the axis. Where the line enters the slab itself limits <code>entry</code>.
+         * Narrows near and far to the part inside of a slab, the space between two parallel planes, or touching it. If near
+         * changes, <code>entered</code> becomes the axis. Where the line enters the slab itself limits <code>entry</code>.
          *
          * @param axis a unit vector across the slab
          * @param middle a point halfway between the planes
@@ -178,7 +181,7 @@ package starlogo.intersection.ray
             {
                 entry = exact;
             }
-            ahead *= Tolerances.TOUCHING;
+            ahead *= touchingFactor;
             var place:Number = (ahead - offset) / speed;
             far = place < far ? place : far;
             place = (-ahead - offset) / speed;

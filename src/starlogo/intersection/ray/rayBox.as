@@ -4,7 +4,7 @@ package starlogo.intersection.ray
 
     /**
      * Narrows a ray to the part inside of a box, which is the part between its three pairs of faces (Kay and Kajiya, "Ray tracing complex
-     * scenes", SIGGRAPH 1986). Touching counts, to within Tolerances.TOUCHING. Allocates nothing.
+     * scenes", SIGGRAPH 1986). Touching counts, to within <code>ray.touchingFactor</code>. Allocates nothing.
      *
      * @param ray in the space of the box; its part is narrowed, and its normal is set if it enters the box
      * @param box half-extents may be 0

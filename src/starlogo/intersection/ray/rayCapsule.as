@@ -6,7 +6,7 @@ package starlogo.intersection.ray
 
     /**
      * Narrows a ray to the part inside of a capsule: two balls, and the cylinder between them. Touching counts, to
-     * within Tolerances.TOUCHING. Allocates nothing.
+     * within <code>ray.touchingFactor</code>. Allocates nothing.
      *
      * @param ray in the space of the capsule; its part is narrowed, and its normal is set if it enters the capsule
      * @param capsule the radius and the length may be 0
@@ -17,7 +17,7 @@ package starlogo.intersection.ray
     {
         var start:Vector3D = capsule.start;
         var end:Vector3D = capsule.end;
-        var radius:Number = capsule.radius * Tolerances.TOUCHING;
+        var radius:Number = capsule.radius * ray.touchingFactor;
         ray.near = Infinity;
         ray.far = -Infinity;
         ray.addBall(start, radius);

@@ -3,13 +3,12 @@ package starlogo.intersection.ray
     import flash.geom.Vector3D;
     import starlogo.bounding.Hull;
     import starlogo.engine;
-    import starlogo.geometry.Tolerances;
 
     use namespace engine;
 
     /**
      * Narrows a ray to the part inside of a hull, which is the part inside of all its half-spaces. Touching counts, to within
-     * Tolerances.TOUCHING of a plane's distance from the centre. Allocates nothing, except at the first ray that meets the hull where it is.
+     * <code>ray.touchingFactor</code> of a plane's distance from the centre. Allocates nothing, except at the first ray that meets the hull where it is.
      *
      * @param ray in the space of the hull; its part is narrowed, and its normal is set if it enters the hull
      * @param hull may be flat
@@ -35,7 +34,7 @@ package starlogo.intersection.ray
             {
                 ray.entry = -height / speed;
             }
-            height -= (Tolerances.TOUCHING - 1) * planes[int(i + 3)];
+            height -= (ray.touchingFactor - 1) * planes[int(i + 3)];
             if (speed < 0 && -height / speed > ray.near)
             {
                 ray.near = -height / speed;

@@ -2,10 +2,9 @@ package starlogo.intersection.ray
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Sphere;
-    import starlogo.geometry.Tolerances;
 
     /**
-     * Narrows a ray to the part inside of a sphere. Touching counts, to within Tolerances.TOUCHING. The distance of the centre is computed
+     * Narrows a ray to the part inside of a sphere. Touching counts, to within <code>ray.touchingFactor</code>. The distance of the centre is computed
      * perpendicular to the line, so that no digits cancel. Allocates nothing.
      *
      * @param ray in the space of the sphere; its part is narrowed, and its normal is set if it enters the sphere
@@ -18,7 +17,7 @@ package starlogo.intersection.ray
         var center:Vector3D = sphere.center;
         ray.near = Infinity;
         ray.far = -Infinity;
-        ray.addBall(center, sphere.radius * Tolerances.TOUCHING);
+        ray.addBall(center, sphere.radius * ray.touchingFactor);
         var at:Number = ray.near;
         if (at > ray.from && at < Infinity && sphere.radius > 0)
         {

@@ -1,7 +1,7 @@
 /** Compare: shows which collisions each system finds, for two agents, and for a game of many. */
 import { Agent, CollisionBlocks } from "starlogo-collision";
 import { AGENTS, TOUCHING, VERDICTS } from "../shared/colours.js";
-import { listing } from "../shared/copying.js";
+import { copyLink, listing } from "../shared/copying.js";
 import { button, choice, field, fileButton, h, modes, short } from "../shared/dom.js";
 import { MODEL_FILE } from "../shared/files.js";
 import { Lab } from "../shared/lab.js";
@@ -167,16 +167,9 @@ class CompareView {
 	}
 
 	async #share() {
-		const address = new URL(location.href);
-		address.hash = `compare/${this.#link}`;
-		try {
-			await navigator.clipboard.writeText(address.href);
-			this.shared.textContent = texts.play.shared;
-		} catch {
-			const place = h("input.address", { type: "text", readonly: true, value: address.href, "aria-label": texts.play.link });
-			this.shared.replaceChildren(place);
-			place.select();
-		}
+		const place = await copyLink(`compare/${this.#link}`);
+		this.shared.replaceChildren(place ?? texts.play.shared);
+		place?.select();
 	}
 
 	#controls(agent, i) {

@@ -81,8 +81,8 @@ export const texts = {
 			howToDelete: "Ziehe einen Block auf den Papierkorb, um ihn zu löschen. Oder klicke zuerst auf den Block und dann auf den Papierkorb.",
 		},
 		javascript: {
-			title: "Dieses Programm als JavaScript", note: "Ein Modul auf dem npm-Paket starlogo-collision, das dasselbe Spiel spielt, ohne Bild. „Seite herunterladen“ gibt eine, die three.js zeichnet. Seine ersten Zeilen sagen, wie man das Paket installiert und das Modul startet; seine Modelle sind darin.",
-			page: "Seite herunterladen", pageNote: "Eine Seite, die das Spiel mit three.js zeichnet. Sie braucht zwei Pakete neben sich und einen Server. Ohne sie geöffnet, sagt sie, wie man sie bekommt.",
+			title: "Dieses Programm als JavaScript", note: "Ein Modul auf dem npm-Paket starlogo-collision, das dasselbe Spiel spielt, ohne Bild. Seine ersten Zeilen sagen, wie man das Paket installiert und das Modul startet; seine Modelle sind darin. „Seite herunterladen“ gibt eine Seite, die three.js zeichnet. Sie braucht zwei Pakete neben sich und einen Server. Ohne sie geöffnet, sagt sie, wie man sie bekommt.",
+			page: "Seite herunterladen",
 			needs: (install, address) => `Diese Seite braucht three.js, das Paket starlogo-collision und einen Server. Gib in ihrem Ordner ein:\n\n${install}\nnpx http-server\n\nPROJECT ist der Ordner mit der ausgepackten Veröffentlichung starlogo-collision-*.zip. Öffne dann ${address}`,
 			download: "Herunterladen", documentation: "Dokumentation (englisch)", examples: "Beispiele (englisch)",
 		},

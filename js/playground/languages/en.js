@@ -86,8 +86,8 @@ export const texts = {
 			howToDelete: "Drag a block to the trash can to delete it. Or click on the block first and then on the trash can.",
 		},
 		javascript: {
-			title: "This program as JavaScript", note: "A module that plays the same game with the npm package starlogo-collision. Its first lines say how to install it and how to run it, and its models are in it. It has no picture. “Download a page” gives one that three.js draws.",
-			page: "Download a page", pageNote: "A page that draws the game with three.js. It needs two packages beside it and a server. Opened without them, it says how to get them.",
+			title: "This program as JavaScript", note: "A module that plays the same game with the npm package starlogo-collision. Its first lines say how to install it and how to run it, and its models are in it. It has no picture. “Download a page” gives a page that three.js draws. That page needs two packages beside it and a server. Opened without them, it says how to get them.",
+			page: "Download a page",
 			needs: (install, address) => `This page needs three.js, the package starlogo-collision and a server. Type in its folder:\n\n${install}\nnpx http-server\n\nPROJECT is the folder of the unpacked release starlogo-collision-*.zip. Then open ${address}`,
 			download: "Download", documentation: "Documentation", examples: "Examples",
 		},

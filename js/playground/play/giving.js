@@ -1,5 +1,5 @@
 /** Gives the open program away: as a file, a link, a module, a page to print; or all of the user's work to a teacher. */
-import { h } from "../shared/dom.js";
+import { copyLink } from "../shared/copying.js";
 import { hand } from "../shared/hand.js";
 import { learn, texts } from "../shared/language.js";
 import { fileName, toLink } from "./storage.js";
@@ -14,19 +14,13 @@ export function download({ view, whole }) {
 
 /** Copies a link to the program. If the browser refuses, the link is shown. */
 export async function share({ view, whole }) {
-	const address = new URL(location.href);
-	address.hash = `play/${await toLink(whole)}`;
+	const place = await copyLink(`play/${await toLink(whole)}`);
 	const models = Object.keys(view.own.in(whole));
 	const but = location.protocol === "file:" ? ` ${words.sharedFile}` : models.length > 0 ? ` ${words.sharedWithout(models.join(", "))}` : "";
-	try {
-		await navigator.clipboard.writeText(address.href);
-		view.say(words.shared + but);
-	} catch {
-		const link = h("input.address", { type: "text", readonly: true, value: address.href, "aria-label": words.link });
-		view.say(words.sharedHere);
-		view.status.append(" ", link, but);
-		link.select();
-	}
+	if (place === null) return view.say(words.shared + but);
+	view.say(words.sharedHere);
+	view.status.append(" ", place, but);
+	return place.select();
 }
 
 /** Shows the program as a module of JavaScript. */

@@ -1,4 +1,5 @@
 /** Hands in a pupil's work: lessons, games, programs and models, as a file or a code for the teacher. Makes room for the next pupil. */
+import { toClipboard } from "../shared/copying.js";
 import { button, field, h, openDialog } from "../shared/dom.js";
 import { hand } from "../shared/hand.js";
 import { toCode, toFile } from "../shared/handed.js";
@@ -61,13 +62,9 @@ export function handIn(programs) {
 		place.value = code;
 		place.hidden = false;
 		place.select();
-		try {
-			await navigator.clipboard.writeText(code);
-			said.textContent = words.copied(code.length);
-			leave.textContent = texts.gallery.close;
-		} catch {
-			said.textContent = words.notCopied;
-		}
+		const isCopied = await toClipboard(code);
+		said.textContent = isCopied ? words.copied(code.length) : words.notCopied;
+		if (isCopied) leave.textContent = texts.gallery.close;
 	};
 	// who has handed in has nothing to cancel
 	const leave = button(texts.play.ask.leave, () => dialog.close());

@@ -512,7 +512,7 @@ class PlayView {
 	#celebrate(text) {
 		this.sound.done();
 		this.say(text);
-		const confetti = h("div.confetti", { "aria-hidden": "true" }, ...Array.from({ length: PIECES }, () => h("i")));
+		const confetti = h("div.confetti", { "aria-hidden": "true" }, ...Array.from({ length: PIECES }, (_, i) => pieceOf(i)));
 		this.screen.append(confetti);
 		setTimeout(() => confetti.remove(), CELEBRATED);
 	}
@@ -579,4 +579,11 @@ class PlayView {
 		this.editor?.close();
 		this.stage.close();
 	}
+}
+
+/** A piece of confetti, which falls at a place, at a time and at a speed of its own. */
+function pieceOf(i) {
+	const piece = h("i");
+	Object.assign(piece.style, { left: `${(29 * i) % 97}%`, animationDelay: `${(137 * i) % 700}ms`, animationDuration: `${1.7 + 0.4 * (i % 3)}s` });
+	return piece;
 }

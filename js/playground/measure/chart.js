@@ -70,7 +70,7 @@ export function chart(words, counts, systems, others, width, height) {
 	(others ?? []).forEach((each, i) => line(each, i, true));
 	systems.forEach((each, i) => line(each, i, false));
 	if (isNarrow) list(picture, systems, LEFT, HEIGHT - BOTTOM + 62, label);
-	else names(picture, systems, x, y, label);
+	else names(picture, systems, x, y, HEIGHT - BOTTOM, label);
 	return picture;
 }
 
@@ -82,15 +82,16 @@ function list(picture, systems, left, top, label) {
 	});
 }
 
-/** Writes the names at the ends of the lines, so that none covers another. */
-function names(picture, systems, x, y, label) {
+/** Writes the names at the ends of the lines, so that none covers another, or is below the bottom, where the numbers of agents are. */
+function names(picture, systems, x, y, bottom, label) {
 	const ends = systems.map(({ name, points }, i) => ({ name, i, at: points.at(-1) })).filter(({ at }) => at).map(({ name, i, at: [count, ms] }) => ({ name, i, left: x(count), top: y(ms) }));
 	ends.sort((a, b) => a.top - b.top);
-	let last = -Infinity;
-	for (const { name, i, left, top } of ends) {
-		last = Math.max(top, last + LINE);
-		picture.append(s("path", { d: SIGNS[i], transform: `translate(${left + 14} ${last})`, fill: i === 4 ? "none" : "currentColor", stroke: "currentColor" }), s("text", { x: left + 24, y: last + 4, ...label }, name));
-	}
+	const tops = [];
+	for (const { top } of ends) tops.push(Math.max(top, (tops.at(-1) ?? -Infinity) + LINE));
+	for (let k = tops.length - 1; k >= 0; k--) tops[k] = Math.min(tops[k], (tops[k + 1] ?? bottom + LINE) - LINE);
+	ends.forEach(({ name, i, left }, k) => {
+		picture.append(s("path", { d: SIGNS[i], transform: `translate(${left + 14} ${tops[k]})`, fill: i === 4 ? "none" : "currentColor", stroke: "currentColor" }), s("text", { x: left + 24, y: tops[k] + 4, ...label }, name));
+	});
 }
 
 /** The chart as a file's text, black on white. */

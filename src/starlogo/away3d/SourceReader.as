@@ -9,34 +9,17 @@ package starlogo.away3d
     import starlogo.models.AffineTransform;
     import starlogo.models.ModelError;
     import starlogo.models.ModelReader;
-    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /** Reads the source of an Away3dModel, in steps of about a millisecond. */
     internal final class SourceReader extends ModelReader
     {
-        private static const INDICES_PER_STEP:int = 900;
-
         // swaps y and z, which mirrors
         private static const SWAP:AffineTransform = new AffineTransform(new <Number>[1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0]);
 
         private var _source:Object;
-
-        // the parts, and the transform of each to the engine's space
-        private var _parts:Vector.<ISubGeometry> = new Vector.<ISubGeometry>();
-        private var _places:Vector.<AffineTransform> = new Vector.<AffineTransform>();
-        private var _hasTriangles:Boolean = false;
-        private var _points:PointTable;
-
-        // _part is the index of the present part. The others belong to it: its data, and for each vertex the index of its point, or -1 if it
-        // has none yet.
-        private var _part:int = -1;
-        private var _geometry:ISubGeometry;
-        private var _data:Vector.<Number>;
-        private var _indices:Vector.<uint>;
-        private var _pointOf:Vector.<int>;
-        private var _point:Vector.<Number> = new Vector.<Number>(3, true);
+        private var _parts:Vector.<PartReader> = new Vector.<PartReader>();
 
         /**
          * @param name what agents call the shape
@@ -46,26 +29,42 @@ package starlogo.away3d
         {
             super(name || "");
             _source = source;
-            begin(collect);
+            begin(readingParts);
         }
 
-        private function collect():Steps
+        private function readingParts():Steps
         {
             addSource(_source);
-            var most:int = 0;
-            for each (var part:ISubGeometry in _parts)
+            var vertexCount:int = 0;
+            var hasTriangles:Boolean = false;
+            for each (var part:PartReader in _parts)
             {
-                most += part.numVertices;
-                _hasTriangles ||= part.numTriangles > 0;
+                vertexCount += part.vertexCount;
+                hasTriangles ||= part.triangleCount > 0;
             }
-            _points = new PointTable(most);
-            data.vertices = _points.coordinates;
-            var reading:StepSequence = new StepSequence();
-            for each (part in _parts)
-            {
-                reading.call(open).slices(itemCountOf(part), INDICES_PER_STEP, _hasTriangles ? readTriangles : readVertices);
-            }
-            return reading;
+            var points:PointTable = new PointTable(vertexCount);
+            data.vertices = points.coordinates;
+            var next:int = 0;
+            return new StepSequence().beginEach(function():Steps
+                {
+                    if (next == _parts.length)
+                    {
+                        return null;
+                    }
+                    return readingPart(next++, hasTriangles, points);
+                });
+        }
+
+        private function readingPart(index:int, hasTriangles:Boolean, points:PointTable):Steps
+        {
+            var part:PartReader = _parts[index];
+            var work:Steps = hasTriangles ? part.readingTriangles(points, data.triangles) : part.readingVertices(points);
+            return new StepSequence().repeat(function():Boolean
+                {
+                    var hasMore:Boolean = work.step();
+                    progress = (index + part.progress) / _parts.length;
+                    return hasMore;
+                });
         }
 
         private function addSource(source:Object):void
@@ -96,106 +95,30 @@ package starlogo.away3d
             }
         }
 
-        private function addTree(node:ObjectContainer3D, place:AffineTransform):void
+        private function addTree(node:ObjectContainer3D, transform:AffineTransform):void
         {
             if (node is Mesh)
             {
-                addGeometry(Mesh(node).geometry, place);
+                addGeometry(Mesh(node).geometry, transform);
             }
             for (var i:int = 0; i < node.numChildren; i++)
             {
                 var child:ObjectContainer3D = node.getChildAt(i);
-                addTree(child, place.after(NodeTransform.of(child)));
+                addTree(child, transform.after(NodeTransform.of(child)));
             }
         }
 
-        private function addGeometry(geometry:Geometry, place:AffineTransform):void
+        private function addGeometry(geometry:Geometry, transform:AffineTransform):void
         {
             for each (var part:ISubGeometry in geometry == null ? null : geometry.subGeometries)
             {
-                addPart(part, place);
+                addPart(part, transform);
             }
         }
 
-        private function addPart(part:ISubGeometry, place:AffineTransform):void
+        private function addPart(part:ISubGeometry, transform:AffineTransform):void
         {
-            _parts.push(part);
-            _places.push(place);
-        }
-
-        // Begins with the next part.
-        private function open():void
-        {
-            var geometry:ISubGeometry = _parts[++_part];
-            _geometry = geometry;
-            var count:int = geometry.numVertices;
-            _data = geometry.vertexData || new Vector.<Number>();
-            _indices = geometry.indexData || new Vector.<uint>();
-            refuseIf(count > 0 && geometry.vertexOffset + (count - 1) * geometry.vertexStride + 3 > _data.length, name,
-                    "a sub-geometry has " + count + " vertices, but only " + _data.length + " numbers for them");
-            refuseIf(_indices.length < 3 * geometry.numTriangles, name,
-                    "a sub-geometry has " + geometry.numTriangles + " triangles, but only " + _indices.length + " indices");
-            _pointOf = new Vector.<int>(count);
-            for (var i:int = 0; i < count; i++)
-            {
-                _pointOf[i] = -1;
-            }
-        }
-
-        // With triangles, only the vertices that they use count, because others are not drawn. Without triangles, all vertices count.
-        private function itemCountOf(part:ISubGeometry):int
-        {
-            return _hasTriangles ? 3 * part.numTriangles : part.numVertices;
-        }
-
-        // Notes that the items of the present part up to one are read.
-        private function noteProgress(end:int):void
-        {
-            progress = (_part + end / itemCountOf(_geometry)) / _parts.length;
-        }
-
-        private function readVertices(first:int, end:int):void
-        {
-            for (var i:int = first; i < end; i++)
-            {
-                pointOf(i);
-            }
-            noteProgress(end);
-        }
-
-        private function readTriangles(first:int, end:int):void
-        {
-            var isMirror:Boolean = _places[_part].isMirror;
-            var count:uint = _pointOf.length;
-            for (var i:int = first; i < end; i += 3)
-            {
-                var a:uint = _indices[i];
-                var b:uint = _indices[i + (isMirror ? 2 : 1)];
-                var c:uint = _indices[i + (isMirror ? 1 : 2)];
-                if (Math.max(a, b, c) >= count)
-                {
-                    throw new ModelError(name, "", "triangle " + i / 3 + " of a sub-geometry names vertex " + Math.max(a, b, c) + ", the last one is "
-                            + (count - 1));
-                }
-                data.triangles.push(pointOf(a), pointOf(b), pointOf(c));
-            }
-            noteProgress(end);
-        }
-
-        private function pointOf(vertex:int):int
-        {
-            if (_pointOf[vertex] < 0)
-            {
-                var at:int = _geometry.vertexOffset + vertex * _geometry.vertexStride;
-                var point:Vector.<Number> = _point;
-                for (var i:int = 0; i < 3; i++)
-                {
-                    point[i] = _data[at + i];
-                }
-                _places[_part].transformPoints(point, 0, 1, point, 0);
-                _pointOf[vertex] = _points.indexOf(point[0], point[1], point[2]);
-            }
-            return _pointOf[vertex];
+            _parts.push(new PartReader(name, part, transform));
         }
     }
 }

@@ -59,7 +59,7 @@ package starlogo.debug
                     drawRound(pen, capsule.start, capsule.end, capsule.radius, true);
                     break;
                 case BoundingStructure.HULL:
-                    drawCore(pen, structure);
+                    drawHull(pen, structure);
                     break;
                 default:
                     var cylinder:Cylinder = structure as Cylinder;
@@ -168,8 +168,8 @@ package starlogo.debug
             drawEdges(pen, box.center, box.axisZ, box.halfZ, box.axisX, box.halfX, box.axisY, box.halfY);
         }
 
-        // Draws the edges of a convex structure, without the radius around them.
-        private static function drawCore(pen:LinePen, structure:BoundingStructure):void
+        // Draws the edges of a hull, without its margin.
+        private static function drawHull(pen:LinePen, structure:BoundingStructure):void
         {
             var hull:RoundedHull = new RoundedHull();
             structure.roundedHullInto(hull);

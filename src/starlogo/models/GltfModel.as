@@ -4,7 +4,7 @@ package starlogo.models
     import starlogo.engine;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfReader;
-    import starlogo.models.text.TextTokens;
+    import starlogo.models.text.TextWords;
     import starlogo.steps.finish;
 
     use namespace engine;
@@ -66,7 +66,7 @@ package starlogo.models
             finish(file);
             for each (var uri:String in file.otherFiles)
             {
-                file.setBuffer(uri, buffers != null && uri in buffers ? buffers[uri] as ByteArray : null, "\"" + TextTokens.shorten(uri) +
+                file.setBuffer(uri, buffers != null && uri in buffers ? buffers[uri] as ByteArray : null, "\"" + TextWords.shorten(uri) +
                         "\" is another file and was not given: a ModelLoader's load() fetches it");
             }
             return file;

@@ -3,7 +3,7 @@ package starlogo.models.collada
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
     import starlogo.models.text.Decimal;
-    import starlogo.models.text.TextTokens;
+    import starlogo.models.text.TextWords;
 
     /** A COLLADA document. It finds elements by id, reads their numbers, and names their places in errors. */
     internal final class ColladaDocument
@@ -59,7 +59,7 @@ package starlogo.models.collada
         {
             var url:String = element.attribute(attribute);
             refuseIf(url.charAt(0) != "#", "expected a " + attribute + " like \"#id\", of an element in this file, but found \"" +
-                    TextTokens.shorten(url) + "\"", element);
+                    TextWords.shorten(url) + "\"", element);
             var id:String = url.substr(1);
             for each (var name:String in names)
             {
@@ -69,7 +69,7 @@ package starlogo.models.collada
                     return found;
                 }
             }
-            throw new ModelError(budget.name, String(element), "there is no <" + names[0] + "> with the id \"" + TextTokens.shorten(id) + "\"");
+            throw new ModelError(budget.name, String(element), "there is no <" + names[0] + "> with the id \"" + TextWords.shorten(id) + "\"");
         }
 
         /** The material that an instance of a geometry binds to a symbol; null if it binds none, or one that is not in this file. */
@@ -108,10 +108,10 @@ package starlogo.models.collada
         /** The number that a word of an element's text stands for. @throws ModelError if it is not finite */
         public function toNumber(element:ColladaElement, word:String):Number
         {
-            var number:Number = TextTokens.toNumber(word);
+            var number:Number = TextWords.toNumber(word);
             if (number - number != 0)
             {
-                throw new ModelError(budget.name, String(element), "expected finite numbers, but found \"" + TextTokens.shorten(word) + "\"");
+                throw new ModelError(budget.name, String(element), "expected finite numbers, but found \"" + TextWords.shorten(word) + "\"");
             }
             return number;
         }
@@ -124,9 +124,9 @@ package starlogo.models.collada
         public function integer(element:ColladaElement, attribute:String, missing:Number):Number
         {
             var text:String = element.attribute(attribute);
-            var number:Number = text == "" ? missing : Decimal.of(TextTokens.of(text).join(" "));
+            var number:Number = text == "" ? missing : Decimal.of(TextWords.of(text).join(" "));
             refuseIf(!(number >= 0 && number == Math.floor(number) && number < Infinity), "expected " +
-                    attribute + " to be a whole number, not negative, but found \"" + TextTokens.shorten(text) + "\"", element);
+                    attribute + " to be a whole number, not negative, but found \"" + TextWords.shorten(text) + "\"", element);
             return number;
         }
 
@@ -134,7 +134,7 @@ package starlogo.models.collada
         public function checkCount(element:ColladaElement, counted:int, what:String):void
         {
             refuseIf(integer(element, "count", counted) != counted, "its count is " +
-                    TextTokens.shorten(element.attribute("count")) + ", but it has " + counted + " " + what, element);
+                    TextWords.shorten(element.attribute("count")) + ", but it has " + counted + " " + what, element);
         }
     }
 }

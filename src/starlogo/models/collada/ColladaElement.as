@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.AffineTransform;
-    import starlogo.models.text.TextTokens;
+    import starlogo.models.text.TextWords;
 
     /** An element of a COLLADA document. Its name and its attributes' names have no namespace prefix. */
     internal final class ColladaElement
@@ -111,7 +111,7 @@ package starlogo.models.collada
         /** Splits the element's own text into words. For long texts, ColladaWords does the same in steps. */
         public function splitText():Array
         {
-            return TextTokens.of(texts.join(" "));
+            return TextWords.of(texts.join(" "));
         }
 
         /** The path from the root: names, with ids. Elements without an id that have siblings of the same name get numbers from 1. */
@@ -128,7 +128,7 @@ package starlogo.models.collada
         private function get place():String
         {
             var alike:Vector.<ColladaElement> = parent.childrenNamed(name);
-            return name + (id != "" ? "#" + TextTokens.shorten(id) : (alike.length == 1 ? "" : "[" + (alike.indexOf(this) + 1) + "]"));
+            return name + (id != "" ? "#" + TextWords.shorten(id) : (alike.length == 1 ? "" : "[" + (alike.indexOf(this) + 1) + "]"));
         }
     }
 }

@@ -3,7 +3,7 @@ package starlogo.models.collada
     import starlogo.models.ModelError;
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.text.Decimal;
-    import starlogo.models.text.TextTokens;
+    import starlogo.models.text.TextWords;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -164,7 +164,7 @@ package starlogo.models.collada
                 if (!(size >= 0 && size <= most && size == int(size)))
                 {
                     throw new ModelError(_document.budget.name, String(_element.child("vcount")), "expected the number of a polygon's corners, but found \"" +
-                            TextTokens.shorten(sizes[i]) + "\"");
+                            TextWords.shorten(sizes[i]) + "\"");
                 }
                 sum += size;
             }
@@ -252,7 +252,7 @@ package starlogo.models.collada
             if (index != value || index < 0 || index >= _positions.count)
             {
                 throw new ModelError(_document.budget.name, String(_element), "expected a position's index, 0 to " + (_positions.count - 1) +
-                        ", but found \"" + TextTokens.shorten(word) + "\"");
+                        ", but found \"" + TextWords.shorten(word) + "\"");
             }
             index += _positions.first;
             _isUsed[index] = 1;

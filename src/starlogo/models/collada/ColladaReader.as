@@ -5,7 +5,7 @@ package starlogo.models.collada
     import starlogo.models.TriangleLabels;
     import starlogo.models.refuseIf;
     import starlogo.models.text.Decimal;
-    import starlogo.models.text.TextTokens;
+    import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -144,7 +144,7 @@ package starlogo.models.collada
         private static function unitOf(asset:ColladaElement):Number
         {
             var element:ColladaElement = asset == null ? null : asset.child("unit");
-            var metres:Number = element == null ? 1 : Decimal.of(TextTokens.of(element.attribute("meter")).join(" "));
+            var metres:Number = element == null ? 1 : Decimal.of(TextWords.of(element.attribute("meter")).join(" "));
             return metres > 0 && metres < Infinity ? metres : 1;
         }
 
@@ -156,7 +156,7 @@ package starlogo.models.collada
                 return "y";
             }
             var text:String = element.splitText().join(" ");
-            refuseIf(!/^[XYZ]_UP$/.test(text), name, "expected X_UP, Y_UP or Z_UP, but found \"" + TextTokens.shorten(text) +
+            refuseIf(!/^[XYZ]_UP$/.test(text), name, "expected X_UP, Y_UP or Z_UP, but found \"" + TextWords.shorten(text) +
                     "\"", element);
             return text.charAt(0).toLowerCase();
         }

@@ -2,7 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.models.AffineTransform;
     import starlogo.models.ModelBudget;
-    import starlogo.models.text.TextTokens;
+    import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
 
     /** Visits the nodes of a COLLADA scene and finds their geometries. If there is no scene, it takes all geometries of the library. */
@@ -105,7 +105,7 @@ package starlogo.models.collada
         {
             var target:ColladaElement = _document.target(element, "url", ["node"]);
             _document.refuseIf(node.isWithin(target), "recursive instance_node: it places the node \"" +
-                    TextTokens.shorten(target.id) + "\" within itself", element);
+                    TextWords.shorten(target.id) + "\" within itself", element);
             return target;
         }
 

@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.text.NextOfTwo;
-    import starlogo.models.text.TextTokens;
+    import starlogo.models.text.TextWords;
     import starlogo.steps.Steps;
 
     /** The words in the own texts of some elements, one after the other, in steps. */
@@ -41,7 +41,7 @@ package starlogo.models.collada
         public function step():Boolean
         {
             var end:int = _text.length - _start > CHARACTERS_PER_STEP ? _ends.after(_start + CHARACTERS_PER_STEP) : _text.length;
-            var more:Array = TextTokens.of(_text.substring(_start, end));
+            var more:Array = TextWords.of(_text.substring(_start, end));
             for (var i:int = 0; i < more.length && _start > 0; i++)
             {
                 words.push(more[i]);

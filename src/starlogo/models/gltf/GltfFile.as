@@ -7,7 +7,7 @@ package starlogo.models.gltf
     import starlogo.models.loading.ModelAddress;
     import starlogo.models.refuseIf;
     import starlogo.models.text.ModelText;
-    import starlogo.models.text.TextTokens;
+    import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
 
     /**
@@ -65,7 +65,7 @@ package starlogo.models.gltf
             {
                 text = bytes != null && isBinary(bytes) ? openChunks(name, bytes) : ModelText.decode(name, bytes, "glTF");
             }
-            text = TextTokens.withoutByteOrderMark(text);
+            text = TextWords.withoutByteOrderMark(text);
             budget = new ModelBudget(name, text.length);
             _meter = new JsonMeter(text, budget);
             add(_meter).call(parse);
@@ -206,7 +206,7 @@ package starlogo.models.gltf
             // a file of a later 2.x can be read, unless it says that it needs one
             var version:String = asset == null ? "none" : String(asset.minVersion || asset.version);
             json.refuseIf(!/^2\.\d/.test(version) || asset.minVersion && !/^2\.0/.test(version),
-                    "expected glTF 2.0, but found \"" + TextTokens.shorten(version) + "\": save the model as 2.0", "asset.version");
+                    "expected glTF 2.0, but found \"" + TextWords.shorten(version) + "\": save the model as 2.0", "asset.version");
             for each (var extension:* in json.listIn(root, "extensionsRequired", ""))
             {
                 checkExtension(String(extension));
@@ -218,7 +218,7 @@ package starlogo.models.gltf
         {
             json.refuseIf(extension == DRACO, "its meshes are " + DRACO_PROBLEM, "extensionsRequired");
             json.refuseIf(MESHOPT.test(extension), "its data are " + MESHOPT_PROBLEM, "extensionsRequired");
-            json.refuseIf(!SUPPORTED.test(extension), "it needs the extension \"" + TextTokens.shorten(extension) +
+            json.refuseIf(!SUPPORTED.test(extension), "it needs the extension \"" + TextWords.shorten(extension) +
                     "\", which is not known: save the model without it", "extensionsRequired");
         }
 
@@ -263,7 +263,7 @@ package starlogo.models.gltf
                 return;
             }
             json.refuseIf(!ModelAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found \"" +
-                    TextTokens.shorten(uri) + "\"", place + ".uri");
+                    TextWords.shorten(uri) + "\"", place + ".uri");
             if (!_buffersAt.hasOwnProperty("#" + uri))
             {
                 budget.take(ModelBudget.FILES, 1, place + ".uri");

@@ -1,7 +1,7 @@
 package starlogo.models.gltf
 {
     import starlogo.models.ModelError;
-    import starlogo.models.text.TextTokens;
+    import starlogo.models.text.TextWords;
 
     /** The JSON of a glTF file. Each value is checked when it is read. An error names the place in the JSON. */
     internal final class GltfJson
@@ -147,7 +147,7 @@ package starlogo.models.gltf
             }
             if (value is String)
             {
-                return "\"" + TextTokens.shorten(value) + "\"";
+                return "\"" + TextWords.shorten(value) + "\"";
             }
             return value is Array ? "a list" : (isObject(value) ? "an object" : String(value));
         }

@@ -4,7 +4,7 @@ package starlogo.models.loading
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.stl.StlReader;
-    import starlogo.models.text.TextTokens;
+    import starlogo.models.text.TextWords;
 
     /**
      * Detects the format of a file from its content. If the content does not tell, the file's name does.
@@ -43,7 +43,7 @@ package starlogo.models.loading
             {
                 return ofBytes(bytes);
             }
-            text = TextTokens.withoutByteOrderMark(text);
+            text = TextWords.withoutByteOrderMark(text);
             if (TAG.test(text.substr(0, 1000)))
             {
                 return COLLADA;

@@ -9,7 +9,7 @@ package starlogo.models.obj
     import starlogo.models.refuseIf;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.LineReader;
-    import starlogo.models.text.TextTokens;
+    import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -112,10 +112,10 @@ package starlogo.models.obj
             var rest:Array = _lines.restOfStatement();
             for (var i:int = 0; i < 3; i++)
             {
-                var coordinate:Number = i < rest.length ? TextTokens.toNumber(rest[i]) : NaN;
+                var coordinate:Number = i < rest.length ? TextWords.toNumber(rest[i]) : NaN;
                 if (coordinate - coordinate != 0)
                 {
-                    throw errorAt(first, "expected a vertex, three finite numbers, but found \"v " + TextTokens.shorten(rest.join(" ")) + "\"");
+                    throw errorAt(first, "expected a vertex, three finite numbers, but found \"v " + TextWords.shorten(rest.join(" ")) + "\"");
                 }
                 data.vertices.push(coordinate);
             }
@@ -171,12 +171,12 @@ package starlogo.models.obj
             if (index != value || index == 0)
             {
                 throw errorAt(_lines.line, "expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
-                        TextTokens.shorten(word) + "\"");
+                        TextWords.shorten(word) + "\"");
             }
             index = index > 0 ? index - 1 : data.vertices.length / 3 + index;
             if (index < 0)
             {
-                throw errorAt(_lines.line, "the corner \"" + TextTokens.shorten(word) +
+                throw errorAt(_lines.line, "the corner \"" + TextWords.shorten(word) +
                         "\" counts back beyond the first vertex: there are " + data.vertices.length / 3 + " before it");
             }
             if (index > _highestIndex)

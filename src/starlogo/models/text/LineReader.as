@@ -50,7 +50,7 @@ package starlogo.models.text
         public function LineReader(name:String, source:String)
         {
             _name = name;
-            _source = TextTokens.withoutByteOrderMark(source);
+            _source = TextWords.withoutByteOrderMark(source);
             _ends = new NextOfTwo(_source, "\n", "\r");
         }
 
@@ -178,12 +178,12 @@ package starlogo.models.text
             _end = Math.min(_end, _source.length);
             refuseIf(_end - _start > MAX_PIECE, _name, "a line and its continuation lines have more than " + MAX_PIECE + " characters", placeOf(line + 1));
             var text:String = (_start == 0 ? "\n" : "") + _source.substring(_start, _end) + (_end == _source.length ? "\n" : "");
-            text = TextTokens.replaceAll(text, "\r\n", "\n");
-            text = TextTokens.replaceAll(text, "\r", "\n");
-            text = TextTokens.replaceAll(text, "\t", " ");
-            text = TextTokens.replaceAll(text, "\\\n", " " + CONTINUED + " ");
-            text = TextTokens.replaceAll(text, "\n", " " + END + " ");
-            words = TextTokens.singleSpaced(" " + text + " ").split(" ");
+            text = TextWords.replaceAll(text, "\r\n", "\n");
+            text = TextWords.replaceAll(text, "\r", "\n");
+            text = TextWords.replaceAll(text, "\t", " ");
+            text = TextWords.replaceAll(text, "\\\n", " " + CONTINUED + " ");
+            text = TextWords.replaceAll(text, "\n", " " + END + " ");
+            words = TextWords.singleSpaced(" " + text + " ").split(" ");
             next = 1;
         }
     }

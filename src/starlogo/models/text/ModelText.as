@@ -26,7 +26,7 @@ package starlogo.models.text
             refuseIf(bytes == null || bytes.length == 0, name, "the file is empty");
             checkSize(name, bytes);
             refuseIf(isArchive(bytes), name, "this is a zip archive (.zae is one too): unpack it, and load the model file that is in it");
-            return TextTokens.withoutByteOrderMark(decoded(name, bytes, format));
+            return TextWords.withoutByteOrderMark(decoded(name, bytes, format));
         }
 
         /** Throws if a file has too many bytes. */

@@ -5,7 +5,7 @@ package starlogo.models.text
      *
      * @private
      */
-    public final class TextTokens
+    public final class TextWords
     {
         /** The words of a text, separated by any white space. Empty for a text without words. */
         public static function of(text:String):Array

@@ -1,0 +1,129 @@
+package starlogo.away3d
+{
+    import away3d.core.base.ISubGeometry;
+    import starlogo.geometry.PointTable;
+    import starlogo.models.AffineTransform;
+    import starlogo.models.ModelError;
+    import starlogo.models.refuseIf;
+    import starlogo.steps.Slices;
+    import starlogo.steps.Steps;
+
+    /**
+     * Reads one sub-geometry of an Away3dModel's source. Only the vertices that triangles use become points of the model, because others are
+     * not drawn. If the whole source has no triangles, all vertices become points.
+     */
+    internal final class PartReader
+    {
+        private static const INDICES_PER_STEP:int = 900;
+
+        /** The number of vertices. */
+        public var vertexCount:int;
+
+        /** The number of triangles. */
+        public var triangleCount:int;
+
+        /** The share that is read, from 0 to 1. */
+        public var progress:Number = 0;
+
+        private var _name:String;
+        private var _part:ISubGeometry;
+        private var _transform:AffineTransform;
+
+        // While it is read: the part's numbers, and the index of each vertex's point, -1 if the vertex is not read yet.
+        private var _numbers:Vector.<Number>;
+        private var _pointOf:Vector.<int>;
+
+        /**
+         * @param name the model's name
+         * @param part the sub-geometry
+         * @param transform takes its vertices to the engine's space
+         */
+        public function PartReader(name:String, part:ISubGeometry, transform:AffineTransform)
+        {
+            _name = name;
+            _part = part;
+            _transform = transform;
+            vertexCount = part.numVertices;
+            triangleCount = part.numTriangles;
+        }
+
+        /**
+         * The work that reads all vertices.
+         *
+         * @param points receives them
+         */
+        public function readingVertices(points:PointTable):Steps
+        {
+            open();
+            return new Slices(vertexCount, INDICES_PER_STEP, function(first:int, end:int):void
+                {
+                    for (var i:int = first; i < end; i++)
+                    {
+                        pointOf(i, points);
+                    }
+                    progress = end / Math.max(1, vertexCount);
+                });
+        }
+
+        /**
+         * The work that reads the triangles, and the vertices that they use.
+         *
+         * @param points receives the vertices
+         * @param triangles receives three indices of points for each triangle
+         */
+        public function readingTriangles(points:PointTable, triangles:Vector.<uint>):Steps
+        {
+            var indices:Vector.<uint> = _part.indexData || new Vector.<uint>();
+            open();
+            refuseIf(indices.length < 3 * triangleCount, _name,
+                    "a sub-geometry has " + triangleCount + " triangles, but only " + indices.length + " indices");
+            return new Slices(3 * triangleCount, INDICES_PER_STEP, function(first:int, end:int):void
+                {
+                    readTriangles(indices, first, end, points, triangles);
+                    progress = end / Math.max(1, 3 * triangleCount);
+                });
+        }
+
+        private function open():void
+        {
+            _numbers = _part.vertexData || new Vector.<Number>();
+            refuseIf(vertexCount > 0 && _part.vertexOffset + (vertexCount - 1) * _part.vertexStride + 3 > _numbers.length, _name,
+                    "a sub-geometry has " + vertexCount + " vertices, but only " + _numbers.length + " numbers for them");
+            _pointOf = new Vector.<int>(vertexCount);
+            for (var i:int = 0; i < vertexCount; i++)
+            {
+                _pointOf[i] = -1;
+            }
+        }
+
+        private function readTriangles(indices:Vector.<uint>, first:int, end:int, points:PointTable, triangles:Vector.<uint>):void
+        {
+            var isMirror:Boolean = _transform.isMirror;
+            for (var i:int = first; i < end; i += 3)
+            {
+                var a:uint = indices[i];
+                var b:uint = indices[i + (isMirror ? 2 : 1)];
+                var c:uint = indices[i + (isMirror ? 1 : 2)];
+                var most:uint = Math.max(a, b, c);
+                if (most >= vertexCount)
+                {
+                    throw new ModelError(_name, "", "triangle " + i / 3 + " of a sub-geometry names vertex " + most + ", the last one is " + (vertexCount - 1));
+                }
+                triangles.push(pointOf(a, points), pointOf(b, points), pointOf(c, points));
+            }
+        }
+
+        // The index of a vertex's point.
+        private function pointOf(vertex:int, points:PointTable):int
+        {
+            if (_pointOf[vertex] < 0)
+            {
+                var at:int = _part.vertexOffset + vertex * _part.vertexStride;
+                var point:Vector.<Number> = _numbers.slice(at, at + 3);
+                _transform.transformPoints(point, 0, 1, point, 0);
+                _pointOf[vertex] = points.indexOf(point[0], point[1], point[2]);
+            }
+            return _pointOf[vertex];
+        }
+    }
+}

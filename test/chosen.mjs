@@ -4,6 +4,9 @@ import { definitionIn, packageOf, read, sourcesBelow, usesIn } from './structure
 /** Fewer tests than these say little of a source. */
 const ENOUGH = 5;
 
+/** More tests than these take minutes in the interpreter. */
+const MANY = 100;
+
 const simpleName = (name) => name.split('.').pop();
 
 /** The texts of the test classes, and of the files that they use, by qualified name. Tests call the stand-ins for flash.* standin.flash.*. */
@@ -34,13 +37,14 @@ export function testsIn(text) {
  *
  * The tests of a source file are the classes that use it. If none does, they are those that use a file that uses it, and so on. The tests with the
  * names of the files that use it are taken too: of its own package always, of other packages if there are fewer than five tests, and so on. If no
- * test class uses the source itself, those that stand in its package and use it are taken too.
+ * test class uses the source itself, those that stand in its package and use it are taken too. If more than a hundred tests use the source, they
+ * count as farther.
  *
  * @param {string} pattern what -Dtest has
  * @param {Map<string, string>} classes the texts of the test classes, by qualified name
  * @param {Map<string, string>} sources the texts of the other files that tests use, by qualified name
  * @returns {{ tests: Map<string, string[] | null>, used: Set<string>, farther: Set<string>, said: string[] }} the tests of each class, null for all of
- *     them; the classes that are in it for what they use alone; those of them that are in it because the nearest have too few tests; and why each is in it
+ *     them; the classes that are in it for what they use alone; those of them that are in it because the nearest have too few tests, or many; and why each is in it
  */
 export function choose(pattern, classes, sources) {
 	const choice = { tests: new Map(), used: new Set(), farther: new Set(), said: [] };
@@ -73,7 +77,10 @@ function chooseOne(pattern, classes, sources, { tests, used, farther, said }) {
 	if (isFile || !ofClass.some(isOwn)) {
 		for (const source of [...sources.keys()].filter((name) => simpleName(name).toLowerCase() === wanted)) {
 			const nearest = nearestTests(source, classes, sources);
-			for (const name of take(`classes that use ${source}`, nearest)) used.add(name);
+			for (const name of take(`classes that use ${source}`, nearest)) {
+				used.add(name);
+				if (countOf(nearest, classes) > MANY) farther.add(name);
+			}
 			const beside = testsOfPackage(source, classes, sources).filter((name) => !nearest.includes(name));
 			for (const name of take(`tests beside ${source}, which no test uses itself`, beside)) {
 				used.add(name);

@@ -67,6 +67,14 @@ test('tests are read as they are declared', () => {
 	assert.equal(count, declared);
 });
 
+test('where more than a hundred tests use a source, all but its own are farther', () => {
+	const tests = (count) => `${'[Test]\n public function one\n'.repeat(count)} import a.low;`;
+	const sources = new Map([['a.low', 'package a { public function low() {} }']]);
+	const chosen = (count) => choose('low.as', new Map([['a.LowTest', tests(1)], ['c.OneTest', tests(60)], ['c.TwoTest', tests(count)]]), sources);
+	assert.deepEqual([...chosen(40).farther], ['c.OneTest', 'c.TwoTest']);
+	assert.deepEqual([...chosen(39).farther], []);
+});
+
 test('what a source uses is followed no farther than it takes, and reasons are given', () => {
 	const sources = new Map([['a.low', 'package a { public function low() {} }'], ['b.High', 'import a.low; low();'], ['support.Help', 'import a.low; low();']]);
 	const classes = new Map([

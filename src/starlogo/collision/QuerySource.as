@@ -20,6 +20,12 @@ package starlogo.collision
             throw errorAbout(this);
         }
 
+        /** Whether all questions may be asked. The shapes of a level are for rays, places and motions. */
+        engine function get isForAllQuestions():Boolean
+        {
+            return true;
+        }
+
         /** The error about something whose agents questions cannot see. */
         engine static function errorAbout(system:Object):ArgumentError
         {

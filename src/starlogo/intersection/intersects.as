@@ -3,8 +3,8 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
 
     /**
-     * Whether two structures touch or overlap (thesis §3.6). Symmetric. Allocates nothing. It asks the PairTable, which calls the function for the
-     * pair's kinds. This package has one for each pair of spheres, capsules and boxes. From the fastest to the slowest, these are: sphereSphere,
+     * Whether two structures touch or overlap (thesis §3.6). Symmetric. Allocates nothing. It calls the function for the pair's kinds. This package has
+     * one for each pair of spheres, capsules and boxes. From the fastest to the slowest, these are: sphereSphere,
      * sphereCapsule, sphereBox, capsuleCapsule, capsuleBox, boxBox. A test with a hull finds the distance of two convex shapes.
      *
      * @param a a Sphere, Capsule, Box or Hull

@@ -5,6 +5,7 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.collision.Contact;
+    import starlogo.collision.QuerySource;
     import starlogo.engine;
     import starlogo.search.StructurePairTests;
     import starlogo.terrain.Terrain;
@@ -60,7 +61,8 @@ package starlogo.queries
          */
         public function AgentQueries(collisionOrSystem:Object)
         {
-            if (collisionOrSystem is LevelShapes)
+            var source:QuerySource = collisionOrSystem as QuerySource;
+            if (source != null && !source.isForAllQuestions)
             {
                 throw new ArgumentError("the shapes of a level are for AgentRays and AgentWalks: an AgentQueries needs a Collision or a collision system");
             }

@@ -93,6 +93,12 @@ package starlogo.queries
         }
 
         /** @private */
+        override engine function get isForAllQuestions():Boolean
+        {
+            return false;
+        }
+
+        /** @private */
         override engine function findNarrowPhase():NarrowPhase
         {
             return _narrowPhase;

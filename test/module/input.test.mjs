@@ -172,7 +172,7 @@ test("handlers and listeners are functions", () => {
 	const collision = new Collision(new BinCollider());
 	for (const method of ["onCollision", "onCollisionStart", "onCollisionEnd", "removeHandler"]) {
 		for (const handler of ["f", {}, 1, [], { call() {} }]) refused(() => collision[method]("a", "b", handler), `Collision.${method}: handler must be a function`);
-		for (const handler of [null, undefined]) refused(() => collision[method]("a", "b", handler), "a handler");
+		for (const handler of [null, undefined]) refused(() => collision[method]("a", "b", handler), "handler must be a function");
 		refused(() => collision[method](1, "b", () => 0), "breed must be a string, not 1");
 		refused(() => collision[method]("a", {}, () => 0), "otherBreed must be a string, not a plain object");
 	}
@@ -519,8 +519,8 @@ test("errors name structures, elements of lists, functions and settings as their
 	assert.equal(String(sphere), "a Sphere of radius 0.5 at Vector3D(1, 2, 3)");
 	assert.equal(String(new Box(new Vector3D(), ...turned, 1, 2, 3)), "a Box of half-extents (1, 2, 3) at Vector3D(0, 0, 0)");
 	assert.equal(String(new engine.Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 2)), "a Cylinder of radius 2 from Vector3D(0, 0, 0) to Vector3D(0, 0, 1)");
-	refused(() => questions.overlapping(new Ring(7)), "a sphere, box, capsule or hull is needed, not a structure of kind 7");
-	refused(() => engine.Wireframes.ofStructure(new Ring(7)), "this kind of structure can't be drawn: a structure of kind 7");
+	refused(() => questions.overlapping(new Ring(7)), "a sphere, box, capsule or hull is needed, not a structure of kind 4");
+	refused(() => engine.Wireframes.ofStructure(new Ring(7)), "this kind of structure can't be drawn: a structure of kind 4");
 	const filter = new AgentFilter();
 	refused(() => (filter.breeds = [3]), "AgentFilter.breeds[0] must be a string, not 3");
 	refused(() => (filter.breeds = "bears"), 'AgentFilter.breeds must be an array of strings, not "bears"');

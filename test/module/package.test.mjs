@@ -57,7 +57,7 @@ function check(result) {
 	assert.deepEqual(result.kept, ["11288", "true", "null"]);
 	assert.match(result.errors[0], /^ArgumentError: a new agent: shape must be a name, not ""/);
 	assert.match(result.errors[1], /^ModelError: model "broken", line 1: expected a vertex/);
-	assert.match(result.errors[2], /^ModelError: model "broken": this is not well-formed XML/);
+	assert.match(result.errors[2], /^ModelError: model "broken", line 1: this is not well-formed XML/);
 	assert.match(result.errors[4], /^IllegalOperationError: at this moment/);
 	assert.match(result.errors[5], /^ModelError: model "broken", asset\.version: expected glTF 2\.0/);
 	assert.match(result.errors[6], /^ModelError: model "broken"/);

@@ -138,18 +138,19 @@ package starlogo.queries
         }
 
         [Test]
-        public function trianglesAndBalls():void
+        public function ballsAndTreesOrTriangles():void
         {
             var choice:AgentShapes = new TreeShapes(sGreatLand, new TightestShapes(sGreatLand));
             var pairs:NarrowPhase = new NarrowPhase(choice);
             StructurePairTests.bringTo(pairs);
             TreePairTests.bringTo(pairs);
-            pairs.treeLimits.exact = true;
             var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
             var fit:BoundingStructure = sGreatLand.boundingStructures.tightestFit("sphere");
-            for (var i:int = 0; i < Effort.choose(60, 3000); i++)
+            for (var i:int = 0; i < Effort.choose(120, 6000); i++)
             {
+                pairs.treeLimits.exact = i % 2 == 0;
+                pairs.treeLimits.maxDepth = _random.integer(1, 6);
                 var a:Agent = agent(["cube", "kelp"].concat(SolidModels.NAMES));
                 var ball:Agent = agent(["sphere"]);
                 a.hierarchical = true;
@@ -157,7 +158,9 @@ package starlogo.queries
                 if (!asked.areTouching)
                 {
                     var placed:Sphere = Sphere(fit.place(ball.worldPlacement()));
-                    assertNear("pair " + i, reference.fromTriangles(a, placed.center) - placed.radius, asked.closest.distance, a, ball);
+                    var fromCenter:Number = pairs.treeLimits.exact ? reference.fromTriangles(a, placed.center)
+                        : reference.fromNodes(a, pairs.treeLimits.maxDepth, placed.center);
+                    assertNear("pair " + i, fromCenter - placed.radius, asked.closest.distance, a, ball);
                 }
             }
             assertMixed();

@@ -97,20 +97,20 @@ package starlogo.collision
         override public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent> = null):Vector.<Agent>
         {
             requireGiven("agents", agents);
-            var asked:CollisionSearch = search;
+            var by:CollisionSearch = search;
             if (_owner != null && _phase != SEARCHING)
             {
                 // the game's own call must not change where the next frame's motions begin
                 _extraSearch ||= new CollisionSearch(narrowPhase);
-                asked = _extraSearch;
+                by = _extraSearch;
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
             _input.agents = agents;
             _input.interests = interests;
-            find(asked, _input, _found, false);
+            find(by, _input, _found, false);
             if (_phase != HANDLING)
             {
-                _contactSearch = asked;
+                _contactSearch = by;
             }
             if (found.length > 2 * _found.count)
             {
@@ -162,9 +162,9 @@ package starlogo.collision
         }
 
         /** @private Gives the collider to a Collision, or takes it back with null. For a new owner no agent has a motion. */
-        engine function set owner(value:Object):void
+        engine function giveTo(owner:Object):void
         {
-            if (value != null && value !== _owner)
+            if (owner != null && owner !== _owner)
             {
                 if (_owner != null)
                 {
@@ -173,7 +173,7 @@ package starlogo.collision
                 }
                 search.table.places.forgetMotions();
             }
-            _owner = value;
+            _owner = owner;
         }
 
         /** @private From now on contactOf sees the last frame. */

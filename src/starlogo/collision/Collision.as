@@ -123,7 +123,7 @@ package starlogo.collision
             var inner:Collider = system.innerCollider;
             if (inner != null)
             {
-                inner.owner = this;
+                inner.giveTo(this);
             }
             var before:BaseCollider = _system;
             _collisionSystem = value;
@@ -265,15 +265,15 @@ package starlogo.collision
             _input.ground = terrain == null ? null : terrain.agent;
             _input.edges = bounds == null ? null : bounds.agent;
             _handlers.begin();
-            var asked:AgentPredicate = filter;
+            var predicate:AgentPredicate = filter;
             var collider:Collider = system.innerCollider;
             _updatingSystem = system;
             try
             {
-                var listed:Vector.<Agent> = asked == null ? agents : _filteredList.ask(asked, agents);
+                var listed:Vector.<Agent> = predicate == null ? agents : _filteredList.ask(predicate, agents);
                 lastFrame.hasFailed = true;
                 _input.agents = listed;
-                _input.takePart = asked == null ? null : _filteredList.takePart;
+                _input.takePart = predicate == null ? null : _filteredList.takePart;
                 if (collider != null)
                 {
                     collider.beginFrame();
@@ -376,7 +376,7 @@ package starlogo.collision
             var collider:Collider = system == null ? null : system.innerCollider;
             if (collider != null && collider !== _system.innerCollider && (_updatingSystem == null || collider !== _updatingSystem.innerCollider))
             {
-                collider.owner = null;
+                collider.giveTo(null);
             }
         }
 

@@ -113,11 +113,11 @@ package starlogo.handlers
         {
             var index:int = _indices.valueOf(breed, otherBreed);
             var found:PairHandlers = index < 0 ? pairOf(breed, otherBreed) : _pairs[index];
-            return found.revision == _revision ? found : find(found);
+            return found.revision == _revision ? found : refresh(found);
         }
 
         // Finds the handlers of a pair, as they were when the frame began.
-        private function find(pair:PairHandlers):PairHandlers
+        private function refresh(pair:PairHandlers):PairHandlers
         {
             pair.setHandlers(between(pair.breed, pair.otherBreed), between(pair.otherBreed, pair.breed));
             pair.revision = _revision;

@@ -75,7 +75,7 @@ package starlogo.handlers
             _removedCount++;
             if (2 * _removedCount > added.length)
             {
-                leaveOut(knownCount);
+                dropRemoved(knownCount);
             }
             while (_firstKept < added.length && added[_firstKept].isRemoved)
             {
@@ -90,12 +90,12 @@ package starlogo.handlers
             {
                 handler.isRemoved = true;
             }
-            leaveOut(knownCount);
+            dropRemoved(knownCount);
             _firstKept = added.length;
         }
 
         // Takes the removed handlers out of the list that the frame does not know.
-        private function leaveOut(knownCount:int):void
+        private function dropRemoved(knownCount:int):void
         {
             added = added.filter(function(one:CollisionHandler, index:int, all:Vector.<CollisionHandler>):Boolean
                 {

@@ -39,6 +39,7 @@ package starlogo.search
         private var _largestHalf:Number = 0;
         private var _tolerance:Number = 0;
 
+        private var _supportSearch:SupportSearch = new SupportSearch();
         private var _farthest:SupportPoint = new SupportPoint();
         private var _contact:ContactPoint = new ContactPoint();
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
@@ -99,11 +100,10 @@ package starlogo.search
                 _penetration[edge] -= left * along(edge, motion.x, motion.y, motion.z);
                 _deepest = _penetration[edge] > _penetration[_deepest] ? edge : _deepest;
             }
-            _farthest.setTo(a, _narrowPhase.treeLimits);
-            _farthest.findPoint(_outwards[_deepest], _largestHalf);
-            out.x = _farthest.point.x - left * motion.x;
-            out.y = _farthest.point.y - left * motion.y;
-            out.z = _farthest.point.z - left * motion.z;
+            _supportSearch.findPoint(a, _narrowPhase.treeLimits, _outwards[_deepest], _largestHalf, _farthest);
+            out.x = _farthest.x - left * motion.x;
+            out.y = _farthest.y - left * motion.y;
+            out.z = _farthest.z - left * motion.z;
             _halfSpaces.begin();
             for (edge = 0; edge < 6; edge += 2)
             {
@@ -157,8 +157,7 @@ package starlogo.search
                 _penetration[edge] = beyond;
                 if (body.form == ModelShape.TREE && (isForAll || beyond >= -_tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -_tolerance))
                 {
-                    _farthest.setTo(body, _narrowPhase.treeLimits);
-                    _farthest.find(_outwards[edge]);
+                    _supportSearch.find(body, _narrowPhase.treeLimits, _outwards[edge], _farthest);
                     _penetration[edge] = _farthest.support - _places[edge];
                 }
             }

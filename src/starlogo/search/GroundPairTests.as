@@ -26,6 +26,7 @@ package starlogo.search
 
         // The columns of one body.
         private var _extents:Extents = new Extents();
+        private var _supportSearch:SupportSearch = new SupportSearch();
         private var _farthest:SupportPoint = new SupportPoint();
         private var _inwards:Vector3D = new Vector3D();
         private var _separation:PenetrationSearch;
@@ -154,8 +155,7 @@ package starlogo.search
         {
             var plane:Number = exit.normalX * exit.x + exit.normalY * exit.y + exit.normalZ * exit.z + exit.depth / 2;
             _inwards.setTo(-exit.normalX, -exit.normalY, -exit.normalZ);
-            _farthest.setTo(a, _narrowPhase.treeLimits);
-            _farthest.find(_inwards);
+            _supportSearch.find(a, _narrowPhase.treeLimits, _inwards, _farthest);
             exit.depth = plane + _farthest.support;
         }
 

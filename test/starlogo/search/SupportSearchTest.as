@@ -23,7 +23,7 @@ package starlogo.search
     use namespace engine;
 
     /** How far trees reach towards the edges of the world. */
-    public class SupportPointTest
+    public class SupportSearchTest
     {
         public static const FIXTURES:Array = ["/assets/dragon.dae", "/assets/seagull.dae"];
 
@@ -71,13 +71,13 @@ package starlogo.search
             body.readAgent(new Agent("chain"), shape);
             var limits:TreeLimits = new TreeLimits();
             limits.maxDepth = int.MAX_VALUE;
+            var search:SupportSearch = new SupportSearch();
             var farthest:SupportPoint = new SupportPoint();
-            farthest.setTo(body, limits);
             for each (var side:int in [-1, 1])
             {
-                farthest.findPoint(new Vector3D(side, 0, 0), count);
-                assertTrue(farthest.support + " and " + farthest.point, Math.abs(farthest.support - (side > 0 ? count - 1 : 0)) < 1e-3);
-                assertTrue(Math.abs(farthest.point.x - side * farthest.support) < 1e-3);
+                search.findPoint(body, limits, new Vector3D(side, 0, 0), count, farthest);
+                assertTrue(farthest.support + " and " + farthest.x, Math.abs(farthest.support - (side > 0 ? count - 1 : 0)) < 1e-3);
+                assertTrue(Math.abs(farthest.x - side * farthest.support) < 1e-3);
             }
         }
 

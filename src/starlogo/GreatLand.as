@@ -159,7 +159,7 @@ package starlogo
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model
                     var entry:ModelEntry = _models.entryFor(model.name);
-                    entry.setHierarchy(builder.treeBuilder);
+                    entry.setTreeBuilder(builder.treeBuilder);
                     entry.setStructures(builder.structures);
                     entry.setModel(model);
                 });
@@ -222,7 +222,7 @@ package starlogo
             }
             var entry:ModelEntry = _models.of(name);
             entry.setModel(null);
-            entry.setHierarchy(null);
+            entry.setTreeBuilder(null);
             entry.setStructures(null);
             return true;
         }

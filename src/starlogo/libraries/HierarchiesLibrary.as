@@ -100,7 +100,7 @@ package starlogo.libraries
             refuse(name, hasTriangles ? VertexData.triangleProblem(triangles, vertices.length / 3) : null);
             var builder:ModelTreeBuilder = newBuilder(vertices.concat(), hasTriangles ? triangles.concat() : null);
             finish(builder);
-            models.entryFor(name).setHierarchy(builder);
+            models.entryFor(name).setTreeBuilder(builder);
         }
 
         /** Whether the library has a hierarchy for a shape. */

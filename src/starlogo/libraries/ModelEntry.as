@@ -90,7 +90,7 @@ package starlogo.libraries
         }
 
         /** Sets the builder that has the hierarchy, or that builds it when it is first needed; null for none. */
-        public function setHierarchy(builder:ModelTreeBuilder):void
+        public function setTreeBuilder(builder:ModelTreeBuilder):void
         {
             countChange(_builder || _hierarchy);
             _builder = builder == null || builder.isDone ? null : builder;

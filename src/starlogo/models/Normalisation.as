@@ -33,9 +33,9 @@ package starlogo.models
         {
             _data = data;
             var vertices:Vector.<Number> = data.vertices;
-            check(data.name == "" ? "a model needs a name that is not empty" : null);
-            check(vertices.length == 0 ? "no vertices: a model needs at least one" : null);
-            check(vertices.length % 3 == 0 ? null : VertexData.vertexProblem(vertices));
+            refuse(data.name == "" ? "a model needs a name that is not empty" : null);
+            refuse(vertices.length == 0 ? "no vertices: a model needs at least one" : null);
+            refuse(vertices.length % 3 == 0 ? null : VertexData.vertexProblem(vertices));
             vertices.fixed = true;
             var unit:Number = data.scaling == Model.AS_GIVEN ? data.unit : 1;
             var factors:Vector3D = data.transform == null ? new Vector3D(unit, unit, unit) : data.transform.scale;
@@ -52,13 +52,13 @@ package starlogo.models
                     turnAll().scaleAll(factors).begin(translating);
                     break;
                 default:
-                    check("the scaling must be Model.FOOTPRINT, VOLUME or AS_GIVEN, not \"" + data.scaling + "\"");
+                    refuse("the scaling must be Model.FOOTPRINT, VOLUME or AS_GIVEN, not \"" + data.scaling + "\"");
             }
             data.frame ||= _frame;
             var triangleCount:int = data.triangles.length / 3;
             data.materials = data.materials.trimmed(triangleCount);
             data.meshes = data.meshes.trimmed(triangleCount);
-            check(VertexData.triangleProblem(data.triangles, vertices.length / 3, 0, 0));
+            refuse(VertexData.triangleProblem(data.triangles, vertices.length / 3, 0, 0));
             data.triangles = triangleCount == 0 ? null : data.triangles;
             if (triangleCount > 0)
             {
@@ -71,7 +71,8 @@ package starlogo.models
             }
         }
 
-        private function check(problem:String):void
+        // Throws a ModelError if there is a problem.
+        private function refuse(problem:String):void
         {
             if (problem != null)
             {
@@ -117,7 +118,7 @@ package starlogo.models
         {
             _bounds = first == 0 ? new VertexBounds() : _bounds;
             _bounds.add(_data.vertices, first, end);
-            check(_bounds.areFinite ? null : VertexData.vertexProblem(_data.vertices));
+            refuse(_bounds.areFinite ? null : VertexData.vertexProblem(_data.vertices));
         }
 
         private function placingFootprint():Steps
@@ -152,7 +153,7 @@ package starlogo.models
         private function placing(lowX:Number, lowY:Number, lowZ:Number, halfX:Number, halfY:Number, halfZ:Number, divisor:Number):Steps
         {
             var size:Number = _bounds.extentX + _bounds.extentY + _bounds.extentZ;
-            check(size < Infinity ? null : "the coordinates are too large: the model's extent is not a finite number");
+            refuse(size < Infinity ? null : "the coordinates are too large: the model's extent is not a finite number");
             _frame.add(lowX + halfX, lowY + halfY, lowZ + halfZ, divisor);
             return new Slices(_data.vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
@@ -179,7 +180,7 @@ package starlogo.models
 
         private function checkCorners(first:int, end:int):void
         {
-            check(VertexData.triangleProblem(_data.triangles, _data.vertices.length / 3, first, end));
+            refuse(VertexData.triangleProblem(_data.triangles, _data.vertices.length / 3, first, end));
         }
 
         // A mirror image's triangles get the reverse corner order, so that they still face outwards. Their own order is reversed too.

@@ -55,7 +55,7 @@ package starlogo.queries
         {
             var entry:ModelEntry = _models.entryFor(name);
             entry.setModel(model);
-            entry.setHierarchy(builder);
+            entry.setTreeBuilder(builder);
             entry.setStructures(structures);
         }
 

@@ -119,7 +119,8 @@ package starlogo.models
                 deep += "[";
             }
             refusesText("nested deeper than 100", '{"asset":{"version":"2.0"},"extras":' + deep);
-            refusesText("can't be read", '{"asset":{"version":"2.0"}');
+            refusesText("character 26: its JSON can't be read: it is cut off", '{"asset":{"version":"2.0"}');
+            refusesText("character 28: its JSON can't be read: a bracket closes nothing", '{"asset":{"version":"2.0"}}]');
             refusesText("can't be read", '{"asset":{"version":"2.0"},"a":"');
             refusesText("can't be read", '{"asset":{"version":"2.0"},"a":"\\');
             refusesText("no object", "[]");

@@ -46,14 +46,10 @@ package starlogo.models.gltf
                         where + ".target");
                 var number:int = json.whole(channel, "sampler", where, samplers.length - 1, -1);
                 var sampler:Object = json.elementOf(samplers, number, place + ".samplers");
-                _samplers[node + " " + target.path] = addSampler(new GltfSampler(file, sampler, place + ".samplers[" + number + "]", target.path));
+                var reader:GltfSampler = new GltfSampler(file, sampler, place + ".samplers[" + number + "]", target.path);
+                _samplers[node + " " + target.path] = reader;
+                add(reader);
             }
-        }
-
-        private function addSampler(sampler:GltfSampler):GltfSampler
-        {
-            add(sampler);
-            return sampler;
         }
 
         /** The time of the last key, in seconds. 0 without keys. */

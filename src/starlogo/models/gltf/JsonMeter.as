@@ -1,13 +1,14 @@
 package starlogo.models.gltf
 {
     import starlogo.models.ModelBudget;
+    import starlogo.models.ModelError;
     import starlogo.models.refuseIf;
     import starlogo.models.text.Decimal;
     import starlogo.steps.StepSequence;
 
     /**
-     * Checks the size of JSON before the player parses it, in steps. Parsers are recursive, so deep nesting could overflow the stack, and
-     * they create an object for every value. Players parse some numbers differently. Such numbers are marked as strings, and restored()
+     * Checks the size and the brackets of JSON before the player parses it, in steps. Parsers are recursive, so deep nesting could overflow the
+     * stack, and they create an object for every value. Players parse some numbers differently. Such numbers are marked as strings, and restored()
      * gives their values.
      */
     internal final class JsonMeter extends StepSequence
@@ -86,6 +87,10 @@ package starlogo.models.gltf
                 else if (code == 0x7D || code == 0x5D)
                 {
                     _depth--;
+                    if (_depth < 0)
+                    {
+                        throw new ModelError(_budget.name, "character " + i, "its JSON can't be read: a bracket closes nothing");
+                    }
                 }
                 else if (code == COMMA)
                 {
@@ -94,6 +99,7 @@ package starlogo.models.gltf
             }
             _next = i;
             _budget.take(ModelBudget.THINGS, THINGS_PER_VALUE * values, "character " + i);
+            refuseIf(_next == length && _depth > 0, _budget.name, "its JSON can't be read: it is cut off", "character " + length);
             return _next < length;
         }
 

@@ -31,10 +31,11 @@ package starlogo.hierarchy
         public var halfY:Number = 0;
         public var halfZ:Number = 0;
 
-        // The motion, and the earliest time.
-        private var _motionX:Number = 0;
-        private var _motionY:Number = 0;
-        private var _motionZ:Number = 0;
+        // 1 divided by the motion along each axis, whether there is none, and the earliest time.
+        private var _inverseX:Number = SLOWEST;
+        private var _inverseY:Number = SLOWEST;
+        private var _inverseZ:Number = SLOWEST;
+        private var _stands:Boolean = true;
         private var _from:Number = 0;
 
         // The nodes still to visit, and where the box meets them, or how far it is from them.
@@ -95,10 +96,21 @@ package starlogo.hierarchy
 
         private function setVector(x:Number, y:Number, z:Number, from:Number):void
         {
-            _motionX = x;
-            _motionY = y;
-            _motionZ = z;
+            _inverseX = inverseOf(x);
+            _inverseY = inverseOf(y);
+            _inverseZ = inverseOf(z);
+            _stands = x == 0 && y == 0 && z == 0;
             _from = from;
+        }
+
+        private static function inverseOf(motion:Number):Number
+        {
+            var inverse:Number = 1 / motion;
+            if (inverse > -SLOWEST && inverse < SLOWEST)
+            {
+                return inverse;
+            }
+            return SLOWEST;
         }
 
         /**
@@ -117,12 +129,9 @@ package starlogo.hierarchy
             var widerX:Number = halfX + margin;
             var widerY:Number = halfY + margin;
             var widerZ:Number = halfZ + margin;
-            var inverseX:Number = 1 / _motionX;
-            var inverseY:Number = 1 / _motionY;
-            var inverseZ:Number = 1 / _motionZ;
-            inverseX = inverseX > -SLOWEST && inverseX < SLOWEST ? inverseX : SLOWEST;
-            inverseY = inverseY > -SLOWEST && inverseY < SLOWEST ? inverseY : SLOWEST;
-            inverseZ = inverseZ > -SLOWEST && inverseZ < SLOWEST ? inverseZ : SLOWEST;
+            var inverseX:Number = _inverseX;
+            var inverseY:Number = _inverseY;
+            var inverseZ:Number = _inverseZ;
             var absX:Number = inverseX < 0 ? -inverseX : inverseX;
             var absY:Number = inverseY < 0 ? -inverseY : inverseY;
             var absZ:Number = inverseZ < 0 ? -inverseZ : inverseZ;
@@ -133,7 +142,10 @@ package starlogo.hierarchy
             var enters:Vector.<Number> = _enters;
             var begin:Number = _from;
             var latest:Number = test.least < LATEST ? test.least : LATEST;
-            var stands:Boolean = _motionX == 0 && _motionY == 0 && _motionZ == 0;
+            var enter:Number;
+            var leave:Number;
+            var middle:Number;
+            var half:Number;
             var visits:int = 0;
             var top:int = 0;
             var node:int = 0;
@@ -149,39 +161,11 @@ package starlogo.hierarchy
                 {
                     var left:int = children[node];
                     var at:int = 6 * left;
-                    var middle:Number;
-                    var half:Number;
-                    var place:Number;
-                    var enter:Number = begin;
-                    var leave:Number = latest;
-                    middle = (boxes[at] - fromX) * inverseX;
-                    half = (boxes[int(at + 3)] + widerX) * absX;
-                    enter = middle - half > enter ? middle - half : enter;
-                    leave = middle + half < leave ? middle + half : leave;
-                    middle = (boxes[int(at + 1)] - fromY) * inverseY;
-                    half = (boxes[int(at + 4)] + widerY) * absY;
-                    enter = middle - half > enter ? middle - half : enter;
-                    leave = middle + half < leave ? middle + half : leave;
-                    middle = (boxes[int(at + 2)] - fromZ) * inverseZ;
-                    half = (boxes[int(at + 5)] + widerZ) * absZ;
-                    enter = middle - half > enter ? middle - half : enter;
-                    leave = middle + half < leave ? middle + half : leave;
+                    include "boxTimes.inc";
                     var enterLeft:Number = enter;
                     var leaveLeft:Number = leave;
-                    enter = begin;
-                    leave = latest;
-                    middle = (boxes[int(at + 6)] - fromX) * inverseX;
-                    half = (boxes[int(at + 9)] + widerX) * absX;
-                    enter = middle - half > enter ? middle - half : enter;
-                    leave = middle + half < leave ? middle + half : leave;
-                    middle = (boxes[int(at + 7)] - fromY) * inverseY;
-                    half = (boxes[int(at + 10)] + widerY) * absY;
-                    enter = middle - half > enter ? middle - half : enter;
-                    leave = middle + half < leave ? middle + half : leave;
-                    middle = (boxes[int(at + 8)] - fromZ) * inverseZ;
-                    half = (boxes[int(at + 11)] + widerZ) * absZ;
-                    enter = middle - half > enter ? middle - half : enter;
-                    leave = middle + half < leave ? middle + half : leave;
+                    at += 6;
+                    include "boxTimes.inc";
                     if (enterLeft <= leaveLeft)
                     {
                         if (enter > leave)
@@ -189,22 +173,7 @@ package starlogo.hierarchy
                             node = left;
                             continue;
                         }
-                        var isRightFirst:Boolean = enter < enterLeft;
-                        if (stands)
-                        {
-                            place = 2 * fromZ - boxes[int(at + 8)] - boxes[int(at + 2)];
-                            var axis:int = tree.axisOf(node);
-                            if (axis == 0)
-                            {
-                                place = 2 * fromX - boxes[int(at + 6)] - boxes[at];
-                            }
-                            else if (axis == 1)
-                            {
-                                place = 2 * fromY - boxes[int(at + 7)] - boxes[int(at + 1)];
-                            }
-                            isRightFirst = place >= 0;
-                        }
-                        if (isRightFirst)
+                        if (_stands ? isRightNearer(tree, node) : enter < enterLeft)
                         {
                             nodes[top] = left;
                             enters[top] = enterLeft;
@@ -237,6 +206,23 @@ package starlogo.hierarchy
                 while (enters[top] > latest);
                 node = nodes[top];
             }
+        }
+
+        // Whether the box's middle is nearer to the right child of a node than to the left one, along the axis of their split.
+        private function isRightNearer(tree:BoxTree, node:int):Boolean
+        {
+            var axis:int = tree.axisOf(node);
+            var at:int = 6 * tree.left[node] + axis;
+            var place:Number = z;
+            if (axis == 0)
+            {
+                place = x;
+            }
+            else if (axis == 1)
+            {
+                place = y;
+            }
+            return 2 * place - tree.boxes[int(at + 6)] - tree.boxes[at] >= 0;
         }
 
         /**

@@ -48,11 +48,11 @@ package starlogo.ground
         // Where the model stands at the current time.
         private var _placed:Placement = new Placement();
 
-        // Whether the structure is still to be visited; the nodes that are, and their number; the triangles of the last node that are.
+        // What is still to be visited: whether the structure is; the nodes, and their number; and the triangles of the last node, a range.
         private var _isWhole:Boolean = false;
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _nodeCount:int = 0;
-        private var _triangle:int = 0;
+        private var _first:int = 0;
         private var _end:int = 0;
 
         // A point of the current piece. The margin of the model's place and surface, and that of the piece without that of a triangle.
@@ -115,7 +115,7 @@ package starlogo.ground
             if (hasTree)
             {
                 _isWhole = false;
-                _corners = _isExact ? _tree.corners : null;
+                _corners = _isExact ? _tree.prepareCorners() : null;
                 addNode(0);
             }
         }
@@ -124,7 +124,7 @@ package starlogo.ground
         public function beginWhole(motion:RelativeMotion, maxDistance:Number):void
         {
             _triangles.stop();
-            _nodeCount = _triangle = _end = 0;
+            _nodeCount = _first = _end = 0;
             _isWhole = true;
             box.motion = motion;
             box.latest = 1;
@@ -149,7 +149,7 @@ package starlogo.ground
         /** Goes on to the next piece. Returns false if there is none. */
         public function nextPiece():Boolean
         {
-            while (_triangle == _end)
+            while (_first == _end)
             {
                 if (_isWhole)
                 {
@@ -167,8 +167,8 @@ package starlogo.ground
                     return true;
                 }
             }
-            piece.setShapeToTriangle(_corners, 9 * _triangle, _placed);
-            _triangle++;
+            piece.setShapeToTriangle(_corners, 9 * _first, _placed);
+            _first++;
             finishPiece();
             _triangles.begin(grid, box);
             return true;
@@ -227,7 +227,7 @@ package starlogo.ground
             placeAround(_node);
             if (!isDivided)
             {
-                _triangle = tree.first[node];
+                _first = tree.first[node];
                 _end = tree.end[node];
                 return false;
             }

@@ -24,7 +24,7 @@ package starlogo.hierarchy
      */
     public final class BoxDistanceTraversal extends NodePairTraversal
     {
-        /** The closest points of the nearest pair, and their distance, in the first model's space. */
+        /** The closest points of the nearest pair, and their distance, in the first model's space. A test of leaves writes them too. */
         public var points:ClosestPoints = new ClosestPoints();
 
         // An estimate is smaller than the distances below it by this fraction, which is more than the errors of rounding and nesting.
@@ -63,6 +63,7 @@ package starlogo.hierarchy
             _pose = pose;
             _boxesA = a.boxes;
             _boxesB = b.boxes;
+            points.distance = Infinity;
             _directionX = _directionY = _directionZ = 0;
             _radii = a.radius + b.radius * pose.placement.size;
             _axes.readAxes(pose.placement, pose.placement.size);
@@ -184,32 +185,25 @@ package starlogo.hierarchy
         /** @inheritDoc */
         override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafPairTest, out:NodePairBounds):void
         {
-            var found:ClosestPoints = _measured;
-            if (leaves == null)
+            if (leaves == null ? isNearer(treeA, a, treeB, b, out) : leaves.testLeaves(treeA, a, treeB, b, out))
             {
-                measure(treeA, a, treeB, b, out);
-            }
-            else
-            {
-                leaves.least = out.least;
-                out.current = leaves.testLeaves(treeA, a, treeB, b) ? leaves.least : Infinity;
-                found = leaves.points;
-            }
-            if (out.current < out.least)
-            {
-                points.copyFrom(found);
-                _directionX = found.bX - found.aX;
-                _directionY = found.bY - found.aY;
-                _directionZ = found.bZ - found.aZ;
+                _directionX = points.bX - points.aX;
+                _directionY = points.bY - points.aY;
+                _directionZ = points.bZ - points.aZ;
             }
         }
 
-        // Measures the distance of two nodes.
-        private function measure(treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:NodePairBounds):void
+        // Whether the boxes of two nodes are nearer than all pairs before. If so, keeps their closest points.
+        private function isNearer(treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:NodePairBounds):Boolean
         {
             PairTable.findClosest(treeA.writeBox(a, _boxA), _pose.placeWidened(treeB.writeBox(b, _boxB)), _measured);
             reduce(_measured, treeA.levelOf(a), treeB.levelOf(b), _radii);
             out.current = _measured.distance;
+            if (out.current < out.least)
+            {
+                points.copyFrom(_measured);
+            }
+            return out.current < out.least;
         }
 
         /**

@@ -12,9 +12,10 @@ package starlogo.hierarchy
      *
      * <p>In the first model's space, its own boxes are axis-aligned, and all boxes of the second have the same rotation. So a pair of boxes
      * takes a few products (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996; Ericson, "Real-Time Collision Detection", §4.4.1). If
-     * two nodes overlap, the larger one is divided, or both if the overlap is deep. The child nearer to the other node is visited first. The axes of the edges are
-     * tried only for pairs whose boxes decide. Higher up, the next boxes separate most of what these axes would separate (van den Bergen,
-     * "Efficient collision detection of complex deformable models using AABB trees", 1997).</p>
+     * two nodes overlap, the larger one is divided, or both if the overlap is deep. The child nearer to the other node is visited first.</p>
+     *
+     * <p>The axes of the edges are tried only for pairs whose boxes decide. Higher up, the next boxes separate most of what these axes would
+     * separate (van den Bergen, "Efficient collision detection of complex deformable models using AABB trees", 1997).</p>
      *
      * @private
      */
@@ -42,8 +43,10 @@ package starlogo.hierarchy
          * nine pairs of edges. A face of a separates most pairs, mostly its top or bottom, so the other steps take little time.</p>
          *
          * <p>The entries of b's rotation (m00 ...) and their absolute values (abs00 ...) contain b's scale. b's half-extents (bX ...) do not, except
-         * for the edges. The absolute values are larger by a rounding error, because cross products of nearly parallel edges cancel. All values are locals,
-         * and the calls are to the test of leaves and for the axis of a node.</p>
+         * for the edges. The absolute values are larger by a rounding error, because cross products of nearly parallel edges cancel.</p>
+         *
+         * <p>The method is long because a pair takes less time than a few calls: all values are locals, and only the test of leaves and the axis
+         * of a node are calls.</p>
          *
          * @param pose the pose of the second tree's nodes in the first model's space
          * @param treeA the first tree
@@ -162,7 +165,7 @@ package starlogo.hierarchy
                     var bEnds:Boolean = stopB[b] >= depthB;
                     if (aEnds && bEnds)
                     {
-                        if (leaves == null || leaves.testLeaves(treeA, a, treeB, b))
+                        if (leaves == null || leaves.testLeaves(treeA, a, treeB, b, null))
                         {
                             _counts.nodeVisits += visits;
                             return true;

@@ -16,11 +16,11 @@ package starlogo.hierarchy
      */
     public final class NodeStructureTest extends LeafTest
     {
-        // Finds the nodes near the structure.
-        private var _boxes:BoxSearch;
-
         /** The node that the structure touches first; -1 if it touches none. */
         public var firstNode:int = -1;
+
+        // Finds the nodes near the structure.
+        private var _boxes:BoxSearch;
 
         private var _tree:BoxTree;
         private var _structure:BoundingStructure;

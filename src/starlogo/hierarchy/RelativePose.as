@@ -44,43 +44,24 @@ package starlogo.hierarchy
          */
         public function relate(a:Placement, b:Placement):void
         {
-            var a00:Number = a.r00;
-            var a01:Number = a.r01;
-            var a10:Number = a.r10;
-            var a11:Number = a.r11;
-            var b00:Number = b.r00;
-            var b01:Number = b.r01;
-            var b10:Number = b.r10;
-            var b11:Number = b.r11;
-            var scale:Number = b.size / a.size;
+            var relative:Placement = placement;
             var x:Number = (b.x - a.x) / a.size;
             var y:Number = (b.y - a.y) / a.size;
             var z:Number = (b.z - a.z) / a.size;
-            var relative:Placement = placement;
-            relative.size = scale;
             tolerance = (Touching.marginOfPlace(a.x, a.y, a.z) + Touching.marginOfPlace(b.x, b.y, b.z)) / a.size;
-            var a02:Number = a.r02;
-            var a12:Number = a.r12;
-            var a20:Number = a.r20;
-            var a21:Number = a.r21;
-            var a22:Number = a.r22;
-            var b02:Number = b.r02;
-            var b12:Number = b.r12;
-            var b20:Number = b.r20;
-            var b21:Number = b.r21;
-            var b22:Number = b.r22;
-            relative.x = a00 * x + a10 * y + a20 * z;
-            relative.y = a01 * x + a11 * y + a21 * z;
-            relative.z = a02 * x + a12 * y + a22 * z;
-            relative.r00 = a00 * b00 + a10 * b10 + a20 * b20;
-            relative.r01 = a00 * b01 + a10 * b11 + a20 * b21;
-            relative.r02 = a00 * b02 + a10 * b12 + a20 * b22;
-            relative.r10 = a01 * b00 + a11 * b10 + a21 * b20;
-            relative.r11 = a01 * b01 + a11 * b11 + a21 * b21;
-            relative.r12 = a01 * b02 + a11 * b12 + a21 * b22;
-            relative.r20 = a02 * b00 + a12 * b10 + a22 * b20;
-            relative.r21 = a02 * b01 + a12 * b11 + a22 * b21;
-            relative.r22 = a02 * b02 + a12 * b12 + a22 * b22;
+            relative.size = b.size / a.size;
+            relative.x = a.r00 * x + a.r10 * y + a.r20 * z;
+            relative.y = a.r01 * x + a.r11 * y + a.r21 * z;
+            relative.z = a.r02 * x + a.r12 * y + a.r22 * z;
+            relative.r00 = a.r00 * b.r00 + a.r10 * b.r10 + a.r20 * b.r20;
+            relative.r01 = a.r00 * b.r01 + a.r10 * b.r11 + a.r20 * b.r21;
+            relative.r02 = a.r00 * b.r02 + a.r10 * b.r12 + a.r20 * b.r22;
+            relative.r10 = a.r01 * b.r00 + a.r11 * b.r10 + a.r21 * b.r20;
+            relative.r11 = a.r01 * b.r01 + a.r11 * b.r11 + a.r21 * b.r21;
+            relative.r12 = a.r01 * b.r02 + a.r11 * b.r12 + a.r21 * b.r22;
+            relative.r20 = a.r02 * b.r00 + a.r12 * b.r10 + a.r22 * b.r20;
+            relative.r21 = a.r02 * b.r01 + a.r12 * b.r11 + a.r22 * b.r21;
+            relative.r22 = a.r02 * b.r02 + a.r12 * b.r12 + a.r22 * b.r22;
         }
 
         /**

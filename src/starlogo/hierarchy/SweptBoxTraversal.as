@@ -60,10 +60,11 @@ package starlogo.hierarchy
             if (leaves == null)
             {
                 sweep(a, b, true, out);
-                return;
             }
-            leaves.least = out.least < 1 ? out.least : 1;
-            out.current = leaves.testLeaves(treeA, a, treeB, b) ? leaves.least : RelativeMotion.NEVER;
+            else
+            {
+                leaves.testLeaves(treeA, a, treeB, b, out);
+            }
         }
 
         // Sets the bound to the first time at which no face separates two boxes. If withEdges is true, no edge separates them then either.

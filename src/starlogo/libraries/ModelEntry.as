@@ -51,7 +51,7 @@ package starlogo.libraries
         {
             if (_builder != null)
             {
-                _hierarchy = _builder.finished;
+                _hierarchy = _builder.finishTree();
                 _builder = null;
             }
             return _hierarchy;

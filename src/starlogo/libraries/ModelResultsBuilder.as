@@ -88,7 +88,7 @@ package starlogo.libraries
         {
             if (treeBuilder != null)
             {
-                treeBuilder.finished.prepare();
+                treeBuilder.finishTree().prepare();
             }
             return write(wanted, CookedWriter.of(_model));
         }
@@ -166,7 +166,7 @@ package starlogo.libraries
             }
             if (treeBuilder != null)
             {
-                var made:ModelTree = treeBuilder.finished;
+                var made:ModelTree = treeBuilder.finishTree();
                 contents[CookedFile.HIERARCHY] = CookedFile.newBytes();
                 TreeWriter.write(made.tree, contents[CookedFile.HIERARCHY]);
                 if (made.isPrepared)

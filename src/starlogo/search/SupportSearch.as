@@ -55,7 +55,7 @@ package starlogo.search
         {
             var tree:ModelTree = body.shape.hierarchy;
             var at:Placement = body.placement;
-            _corners = tree != null && limits.exact && tree.hasTriangles ? tree.corners : null;
+            _corners = tree != null && limits.exact && tree.hasTriangles ? tree.prepareCorners() : null;
             _depth = _corners != null ? int.MAX_VALUE : tree == null ? 0 : limits.depthOf(body);
             _direction.x = at.r00 * direction.x + at.r10 * direction.y + at.r20 * direction.z;
             _direction.y = at.r01 * direction.x + at.r11 * direction.y + at.r21 * direction.z;

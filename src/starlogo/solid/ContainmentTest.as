@@ -42,9 +42,8 @@ package starlogo.solid
             {
                 return false;
             }
-            // A getter is a call, and every pair that does not touch comes here.
-            var insideA:Interior = a.readyInterior == null ? a.interior : a.readyInterior;
-            var insideB:Interior = b.readyInterior == null ? b.interior : b.readyInterior;
+            var insideA:Interior = a.prepareInterior();
+            var insideB:Interior = b.prepareInterior();
             var treeA:BoxTree = a.tree;
             var treeB:BoxTree = b.tree;
             var size:Number = pose.placement.size;
@@ -89,8 +88,8 @@ package starlogo.solid
         }
 
         // Finds a point of a part of the inner model that is inside of the outer one. If isOfFirst, the inner model is the first one, otherwise
-        // the second one. Returns whether there is such a point. The numbers transform a point of the inner model into the outer model's space, relative to the middle of its root's
-        // box.
+        // the second one. Returns whether there is such a point. The numbers (m00 ..., move) transform a point of the inner model into the outer
+        // model's space, relative to the middle of its root's box.
         private function findPartInside(tree:BoxTree, outer:Interior, inner:Interior, relative:Placement, isOfFirst:Boolean):Boolean
         {
             var scale:Number = isOfFirst ? 1 / relative.size : relative.size;

@@ -44,10 +44,10 @@ package starlogo.solid
         /** How often each shell winds around the point of the last <code>countWindings()</code>. */
         public var windings:Vector.<int>;
 
-        /** The shells that may wind around that point. */
+        /** The shells that may wind around that point. Shells of points before may come after them. */
         public var crossed:Vector.<int> = new Vector.<int>();
 
-        /** The number of shells in <code>crossed</code>. */
+        /** How many of them there are. */
         public var crossedCount:int = 0;
 
         private var _boxes:BoxSearch = new BoxSearch();

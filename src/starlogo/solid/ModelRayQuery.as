@@ -12,8 +12,8 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Finds where a ray first meets a model, or all places where it does: its tree, visited to a depth, or its triangles. A ray that begins inside of a closed
-     * surface meets the model at once.
+     * Finds where a ray first meets a model, or all places where it does: its tree, visited to a depth, or its triangles. A ray that begins inside
+     * of a closed surface meets the model at once.
      *
      * <p>The answers are nested: no depth finds a hit farther away than a greater depth or the triangles do. The inside is tested at every
      * depth, because the leaves cover only the surface. Nothing is allocated once the stacks have grown and the model's triangles are
@@ -111,7 +111,7 @@ package starlogo.solid
         // Tests the triangles near a ray: finds the first that it meets, or adds all crossings.
         private function searchTriangles(model:ModelTree, ray:Ray, all:RayCrossings):void
         {
-            var mesh:TriangleMesh = model.mesh;
+            var mesh:TriangleMesh = model.prepareMesh();
             _triangles.begin(ray, mesh.corners, model.tree.boundingRadius, all);
             _boxes.setRay(ray);
             _boxes.find(mesh.tree, int.MAX_VALUE, _triangles);

@@ -29,68 +29,59 @@ package starlogo.solid
         /** @private The surface, or null if nothing is known of it. */
         engine var surface:SurfaceTopology = null;
 
-        /** The value of <code>interior</code>, or null if that is not prepared yet. Once it is prepared, <code>readyMesh</code> is too. */
-        internal var readyInterior:Interior = null;
+        /** @private The root, as clients see it. */
+        engine var root:HierarchyNode;
 
-        /** The value of <code>mesh</code>, or null if that is not prepared yet. */
-        internal var readyMesh:TriangleMesh = null;
+        /** What is inside of the triangles; null before it is prepared. Then the mesh is prepared too. */
+        internal var interior:Interior = null;
 
-        // Null until a client asks for it.
-        private var _root:HierarchyNode = null;
+        /** The triangles; null before they are prepared. */
+        internal var mesh:TriangleMesh = null;
 
         /** @param tree the tree of the model's triangles or vertices. Its nodes may be made later */
         public function ModelTree(tree:BoxTree)
         {
             this.tree = tree;
-        }
-
-        /** @private The root, as clients see it. */
-        engine function get root():HierarchyNode
-        {
-            _root ||= HierarchyNode.of(tree, 0);
-            return _root;
+            root = HierarchyNode.of(tree, 0);
         }
 
         /** @private Whether the tree is one of triangles; otherwise it is one of vertices. */
         engine function get hasTriangles():Boolean
         {
-            return tree.triangles != null;
+            return tree.hasTriangles;
         }
 
-        /**
-         * What is inside of the triangles. If the builder has not prepared them, the first call does, which is
-         * slow. Only for models with triangles.
-         */
-        internal function get interior():Interior
+        /** Returns what is inside of the triangles. If it is not prepared, prepares it, which is slow. Only for models with triangles. */
+        internal function prepareInterior():Interior
         {
             prepare();
-            return readyInterior;
+            return interior;
         }
 
-        /** The triangles. Preparing them is faster than <code>interior</code>. */
-        internal function get mesh():TriangleMesh
+        /** Returns the triangles. If they are not prepared, prepares them, which is faster than preparing what is inside of them. */
+        internal function prepareMesh():TriangleMesh
         {
-            if (readyMesh == null)
+            if (mesh == null)
             {
                 finish(new SolidBuilder(this, false));
             }
-            return readyMesh;
+            return mesh;
         }
 
         /**
          * Whether a ball is inside. The ball must not touch the surface. False if there are no triangles, or if no piece of the surface is
-         * closed.
+         * closed. The inside is only prepared if the ball is in the box around the model and has no open side.
          */
         internal function isInside(middle:Vector3D, radius:Number):Boolean
         {
             var box:Vector.<Number> = tree.boxes;
             var isOutside:Boolean = !hasTriangles || Math.abs(middle.x - box[0]) > box[3] - radius || Math.abs(middle.y - box[1]) > box[4] - radius
                 || Math.abs(middle.z - box[2]) > box[5] - radius;
-            if (!isOutside && readyInterior == null)
+            if (!isOutside && interior == null)
             {
                 isOutside = ESCAPE.hasOpenSide(middle, tree);
             }
-            return !isOutside && interior.isClosed && readyInterior.isInside(middle);
+            return !isOutside && prepareInterior().isClosed && interior.isInside(middle);
         }
 
         /**
@@ -126,18 +117,18 @@ package starlogo.solid
         }
 
         /**
-         * @private The corners of the triangles, in the order of the tree: nine numbers each. Only for models with triangles. The first call
-         *     prepares them.
+         * @private Returns the corners of the triangles, in the order of the tree: nine numbers each. If they are not prepared, prepares them.
+         *     Only for models with triangles.
          */
-        engine function get corners():Vector.<Number>
+        engine function prepareCorners():Vector.<Number>
         {
-            return mesh.corners;
+            return prepareMesh().corners;
         }
 
         /** @private Prepares the triangles for exact tests if they are not prepared yet. */
         engine function prepare():void
         {
-            if (hasTriangles && readyInterior == null)
+            if (hasTriangles && interior == null)
             {
                 finish(new SolidBuilder(this, true));
             }
@@ -150,23 +141,23 @@ package starlogo.solid
         engine function refit():void
         {
             surface = null;
-            readyInterior = null;
-            _root = null;
+            interior = null;
+            root = HierarchyNode.of(tree, 0);
             if (tree.isMade)
             {
                 tree.refit();
             }
-            if (readyMesh != null)
+            if (mesh != null)
             {
-                writeCorners(0, tree.order.length, null, readyMesh.corners, 0);
-                readyMesh.refit();
+                writeCorners(0, tree.order.length, null, mesh.corners, 0);
+                mesh.refit();
             }
         }
 
         /** @private Whether the triangles are prepared for exact tests. */
         engine function get isPrepared():Boolean
         {
-            return readyInterior != null;
+            return interior != null;
         }
     }
 }

@@ -83,8 +83,8 @@ package starlogo.solid
             return !isDone;
         }
 
-        /** The complete tree. The first call does all remaining work. */
-        public function get finished():ModelTree
+        /** Does all work that is left, and returns the complete tree. */
+        public function finishTree():ModelTree
         {
             if (!isDone)
             {

@@ -1,14 +1,21 @@
 package starlogo.solid
 {
+    import starlogo.convex.ConvexPair;
+    import starlogo.convex.ConvexShape;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.TreeCounts;
 
     use namespace engine;
 
-    /** Two models' triangles in one space: those of the first model as they are, and those of one leaf of the second model, moved. */
+    /**
+     * Two models' triangles in one space: those of the first model as they are, and those of one leaf of the second model, moved. A triangle of each
+     * is a shape, and ConvexPair decides about the two.
+     */
     internal final class MovedTriangles
     {
         /** The second model's pose in the first model's space. */
@@ -32,7 +39,24 @@ package starlogo.solid
         /** The extents of these triangles: minX, minY, minZ, maxX, maxY, maxZ of each. */
         public var extents:Vector.<Number> = new Vector.<Number>();
 
+        /** A triangle of the first model, a triangle of the second, and what decides about them. */
+        public var a:ConvexShape = new ConvexShape();
+        public var b:ConvexShape = new ConvexShape();
+        public var pair:ConvexPair = new ConvexPair();
+
+        /** Counts the pairs of triangles that are tested or measured. */
+        public var counts:TreeCounts;
+
+        // How far off a plane corners have to be to be certainly on one side of it.
+        private var _off:Number = 0;
+
         private var _first:int = -1;
+
+        /** @param counts counts the pairs of triangles */
+        public function MovedTriangles(counts:TreeCounts)
+        {
+            this.counts = counts;
+        }
 
         /** Begins with two models that have triangles. The pose must relate them already. */
         public function begin(a:ModelTree, b:ModelTree, pose:RelativePose):void
@@ -42,11 +66,13 @@ package starlogo.solid
             {
                 this.pose = pose;
             }
-            meshA = a.mesh;
-            meshB = b.mesh;
+            meshA = a.prepareMesh();
+            meshB = b.prepareMesh();
+            meshA.prepareExtents();
             _first = -1;
             tolerance = pose.tolerance + Touching.marginOfSurface(a.tree.radius + b.tree.radius * pose.placement.size);
             outerTolerance = 2 * tolerance + Tolerances.EXTENTS * (Math.abs(pose.motion.x) + Math.abs(pose.motion.y) + Math.abs(pose.motion.z));
+            _off = outerTolerance + meshA.flatness;
         }
 
         /** Computes the triangles of a leaf of the second model, and returns their number. If the leaf is the same as the last one, they are kept. */
@@ -71,6 +97,46 @@ package starlogo.solid
                 writeTriangleExtents(corners, 9 * i, spans, 6 * i);
             }
             return count;
+        }
+
+        /**
+         * Whether a triangle of the second model stays on one side of the plane of a triangle of the first one until the motion's latest time. A quick
+         * test. The first model's planes must be prepared.
+         *
+         * @param first the first model's triangle
+         * @param second the second model's, by its number in the leaf
+         * @param motion of the second model; RelativeMotion.NONE if it stands
+         */
+        public function staysOnOneSide(first:int, second:int, motion:RelativeMotion):Boolean
+        {
+            var planes:Vector.<Number> = meshA.planes;
+            var corners:Vector.<Number> = moved;
+            var at:int = 4 * first;
+            var corner:int = 9 * second;
+            var x:Number = planes[at];
+            var y:Number = planes[int(at + 1)];
+            var z:Number = planes[int(at + 2)];
+            var place:Number = planes[int(at + 3)];
+            var p:Number = x * corners[corner] + y * corners[int(corner + 1)] + z * corners[int(corner + 2)] - place;
+            var q:Number = x * corners[int(corner + 3)] + y * corners[int(corner + 4)] + z * corners[int(corner + 5)] - place;
+            var r:Number = x * corners[int(corner + 6)] + y * corners[int(corner + 7)] + z * corners[int(corner + 8)] - place;
+            var displacement:Number = motion.latest * (x * motion.x + y * motion.y + z * motion.z);
+            var low:Number = displacement < 0 ? _off - displacement : _off;
+            var high:Number = displacement > 0 ? -_off - displacement : -_off;
+            return p > low && q > low && r > low || p < high && q < high && r < high;
+        }
+
+        /** Sets the shape of the first model's triangle. */
+        public function setFirst(triangle:int):void
+        {
+            a.setTriangle(meshA.corners, 9 * triangle);
+        }
+
+        /** Sets the shape of the second model's triangle, by its number in the leaf. It has the margin of both. */
+        public function setSecond(triangle:int):void
+        {
+            b.setTriangle(moved, 9 * triangle);
+            b.margin += tolerance;
         }
     }
 }

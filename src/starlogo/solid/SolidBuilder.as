@@ -47,7 +47,7 @@ package starlogo.solid
             _model = model;
             _order = model.tree.order;
             _surface = model.surface;
-            _mesh = model.readyMesh;
+            _mesh = model.mesh;
             if (_mesh == null)
             {
                 _mesh = new TriangleMesh(model.tree);
@@ -75,7 +75,7 @@ package starlogo.solid
 
         private function keepTriangles():void
         {
-            _model.readyMesh = _mesh;
+            _model.mesh = _mesh;
         }
 
         private function newSurface():Steps
@@ -189,7 +189,7 @@ package starlogo.solid
             {
                 _interior.leastPartExtent = Math.min(_interior.leastPartExtent, _extremes.extentAt(at));
             }
-            _model.readyInterior = _interior;
+            _model.interior = _interior;
             _model.surface = _surface;
         }
     }

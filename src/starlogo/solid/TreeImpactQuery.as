@@ -28,8 +28,8 @@ package starlogo.solid
     {
         private var _overlaps:TreeOverlapQuery;
 
-        // The first model's placement at the beginning, and the second model's pose there.
-        private var _start:Placement = new Placement();
+        // Where the first model's motion has brought it at a time, and the second model's pose as seen from there.
+        private var _placed:Placement = new Placement();
         private var _displaced:TreePair = new TreePair();
         private var _pose:RelativePose = new RelativePose();
 
@@ -141,18 +141,18 @@ package starlogo.solid
 
         private function overlapAt(pair:TreePair, motion:RelativeMotion, time:Number):Boolean
         {
-            setStart(pair, motion, time);
+            placeFirst(pair, motion, time);
             _displaced.copyFrom(pair);
-            _displaced.placementA = _start;
+            _displaced.placementA = _placed;
             return _overlaps.areOverlapping(_displaced);
         }
 
-        private function setStart(pair:TreePair, motion:RelativeMotion, time:Number):void
+        private function placeFirst(pair:TreePair, motion:RelativeMotion, time:Number):void
         {
-            _start.copyFrom(pair.placementA);
-            _start.x += motion.startX + time * motion.x;
-            _start.y += motion.startY + time * motion.y;
-            _start.z += motion.startZ + time * motion.z;
+            _placed.copyFrom(pair.placementA);
+            _placed.x += motion.startX + time * motion.x;
+            _placed.y += motion.startY + time * motion.y;
+            _placed.z += motion.startZ + time * motion.z;
         }
 
         // Finds the first two triangles or nodes that touch while the first model moves. Writes the time to the pose's motion.
@@ -161,8 +161,8 @@ package starlogo.solid
             var a:ModelTree = pair.a;
             var b:ModelTree = pair.b;
             var isExact:Boolean = pair.isExact;
-            setStart(pair, motion, 0);
-            _pose.relate(_start, pair.placementB);
+            placeFirst(pair, motion, 0);
+            _pose.relate(_placed, pair.placementB);
             _pose.relateMotion(pair.placementA, motion);
             if (b != null)
             {

@@ -46,7 +46,7 @@ package starlogo.solid
          */
         public function find(model:ModelTree, structure:BoundingStructure, pose:RelativePose, out:ClosestPoints):int
         {
-            _mesh = model.mesh;
+            _mesh = model.prepareMesh();
             _test.setStructure(structure, pose.placement);
             _test.structure.extentsInto(_extents);
             _nearest = out;

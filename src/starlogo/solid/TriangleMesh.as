@@ -20,9 +20,16 @@ package starlogo.solid
         /** How much the places of a triangle's corners along its normal may differ. */
         public var flatness:Number;
 
-        // Null before they are first needed.
-        private var _planes:Vector.<Number> = null;
-        private var _extents:Vector.<Number> = null;
+        /**
+         * The triangles' planes: x, y, z of the unit normal, and the distance from the origin along the normal. The distance is NaN if the
+         * corners' distances differ by more than <code>flatness</code>. For a triangle without area the normal is 0 and the distance NaN. Null
+         * before <code>preparePlanes()</code>, because rays need none.
+         */
+        public var planes:Vector.<Number> = null;
+
+        /** The triangles' extents: minX, minY, minZ, maxX, maxY, maxZ of each. Null before <code>prepareExtents()</code>: only pairs of trees need them. */
+        public var extents:Vector.<Number> = null;
+
         private var _face:FaceNormal = new FaceNormal();
         private var _extent:Interval = new Interval();
 
@@ -43,41 +50,35 @@ package starlogo.solid
         public function refit():void
         {
             measure();
-            if (_planes != null)
+            if (planes != null)
             {
                 placePlanes(0, corners.length / 9);
             }
-            if (_extents != null)
+            if (extents != null)
             {
                 placeExtents();
             }
         }
 
-        /**
-         * The triangles' planes: x, y, z of the unit normal, and the distance from the origin along the normal. The distance is NaN if the
-         * corners' distances differ by more than <code>flatness</code>. For a triangle without area the normal is 0 and the distance NaN. Rays
-         * need no planes, so the first call may have to place them.
-         */
-        public function get planes():Vector.<Number>
+        /** Returns the planes. If they are not placed yet, places them. */
+        public function preparePlanes():Vector.<Number>
         {
-            if (_planes == null)
+            if (planes == null)
             {
                 placePlanes(0, corners.length / 9);
             }
-            return _planes;
+            return planes;
         }
 
-        /**
-         * The triangles' extents: minX, minY, minZ, maxX, maxY, maxZ of each. Only pairs of trees need them. The first call places them.
-         */
-        public function get extents():Vector.<Number>
+        /** Returns the extents. If they are not placed yet, places them. */
+        public function prepareExtents():Vector.<Number>
         {
-            if (_extents == null)
+            if (extents == null)
             {
-                _extents = new Vector.<Number>(6 * corners.length / 9, true);
+                extents = new Vector.<Number>(6 * corners.length / 9, true);
                 placeExtents();
             }
-            return _extents;
+            return extents;
         }
 
         private function placeExtents():void
@@ -85,15 +86,15 @@ package starlogo.solid
             var count:int = corners.length / 9;
             for (var i:int = 0; i < count; i++)
             {
-                writeTriangleExtents(corners, 9 * i, _extents, 6 * i);
+                writeTriangleExtents(corners, 9 * i, extents, 6 * i);
             }
         }
 
         /** Places the planes of a range of triangles. Must be called for all triangles before the planes are read. */
         public function placePlanes(first:int, end:int):void
         {
-            _planes ||= new Vector.<Number>(4 * corners.length / 9, true);
-            var into:Vector.<Number> = _planes;
+            planes ||= new Vector.<Number>(4 * corners.length / 9, true);
+            var into:Vector.<Number> = planes;
             for (var i:int = first; i < end; i++)
             {
                 var at:int = 9 * i;

@@ -1,11 +1,10 @@
 package starlogo.solid
 {
     import starlogo.convex.ClosestPoints;
-    import starlogo.convex.ConvexPair;
-    import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.LeafPairTest;
+    import starlogo.hierarchy.NodePairBounds;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
 
@@ -14,12 +13,10 @@ package starlogo.solid
     /** Finds the distance of the triangles in leaves. It measures only pairs whose extents are nearer than the nearest pair so far. */
     internal final class TrianglePairDistance extends LeafPairTest
     {
-        private var _triangles:MovedTriangles = new MovedTriangles();
-        private var _pair:ConvexPair = new ConvexPair();
-        private var _a:ConvexShape = new ConvexShape();
-        private var _b:ConvexShape = new ConvexShape();
+        private var _triangles:MovedTriangles;
 
-        // The squared distance of the nearest pair so far, which is in <code>points</code>.
+        // The closest points of the nearest pair so far, and their squared distance.
+        private var _points:ClosestPoints;
         private var _squared:Number = 0;
 
         // The vector from the first model's point to the second's in the nearest pair, and the place along it beyond which a triangle of
@@ -29,34 +26,35 @@ package starlogo.solid
         private var _alongZ:Number;
         private var _begin:Number;
 
-        private var _counts:TreeCounts;
-
         /** @param counts counts the pairs of triangles that are measured */
         public function TrianglePairDistance(counts:TreeCounts)
         {
-            _counts = counts;
-            points = new ClosestPoints();
+            _triangles = new MovedTriangles(counts);
         }
 
-        /** Begins with two models that have triangles. The pose must relate them already. Returns this. */
-        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose):LeafPairTest
+        /**
+         * Begins with two models that have triangles. The pose must relate them already. Returns this.
+         *
+         * @param points receives the closest points, and their distance; kept
+         */
+        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, points:ClosestPoints):LeafPairTest
         {
             _triangles.begin(a, b, pose);
-            points.distance = _squared = Infinity;
+            _points = points;
+            _squared = Infinity;
             return this;
         }
 
         /** @inheritDoc */
-        override public function testLeaves(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
+        override public function testLeaves(treeA:BoxTree, a:int, treeB:BoxTree, b:int, bounds:NodePairBounds):Boolean
         {
             var count:int = _triangles.move(treeB, b);
-            for (var i:int = 0; i < count && points.distance > 0; i++)
+            for (var i:int = 0; i < count && _points.distance > 0; i++)
             {
                 addTriangle(treeA.first[a], treeA.end[a], i);
             }
-            var isNearer:Boolean = points.distance < least;
-            least = points.distance;
-            return isNearer;
+            bounds.current = _points.distance;
+            return bounds.current < bounds.least;
         }
 
         // Adds each triangle of a range of the first model, paired with a triangle of the second.
@@ -76,7 +74,7 @@ package starlogo.solid
             var limit:Number = _squared;
             var isProjected:Boolean = false;
             extents = mesh.extents;
-            _b.setTriangle(corners, at);
+            _triangles.setSecond(triangle);
             for (var i:int = first; i < end; i++)
             {
                 extent = 6 * i;
@@ -119,11 +117,11 @@ package starlogo.solid
                 }
                 if (!isBeyond(mesh.corners, 9 * i))
                 {
-                    _counts.triangleTests++;
-                    _a.setTriangle(mesh.corners, 9 * i);
-                    if (_pair.findCloser(_a, _b, points))
+                    _triangles.counts.triangleTests++;
+                    _triangles.setFirst(i);
+                    if (_triangles.pair.findCloser(_triangles.a, _triangles.b, _points))
                     {
-                        limit = _squared = points.distance * points.distance;
+                        limit = _squared = _points.distance * _points.distance;
                         isProjected = false;
                     }
                 }
@@ -133,9 +131,9 @@ package starlogo.solid
         // Measures a triangle of the second model along the line between the closest points so far.
         private function projectTo(corners:Vector.<Number>, at:int):void
         {
-            var alongX:Number = points.bX - points.aX;
-            var alongY:Number = points.bY - points.aY;
-            var alongZ:Number = points.bZ - points.aZ;
+            var alongX:Number = _points.bX - _points.aX;
+            var alongY:Number = _points.bY - _points.aY;
+            var alongZ:Number = _points.bZ - _points.aZ;
             var p:Number = alongX * corners[at] + alongY * corners[int(at + 1)] + alongZ * corners[int(at + 2)];
             var q:Number = alongX * corners[int(at + 3)] + alongY * corners[int(at + 4)] + alongZ * corners[int(at + 5)];
             var r:Number = alongX * corners[int(at + 6)] + alongY * corners[int(at + 7)] + alongZ * corners[int(at + 8)];

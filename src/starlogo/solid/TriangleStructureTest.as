@@ -27,7 +27,6 @@ package starlogo.solid
         private var _counts:TreeCounts;
 
         private var _mesh:TriangleMesh;
-        private var _planes:Vector.<Number>;
         private var _motion:RelativeMotion;
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _test:TriangleKernel = new TriangleKernel();
@@ -89,7 +88,8 @@ package starlogo.solid
         private function begin(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
             _isFound = false;
-            _mesh = model.mesh;
+            _mesh = model.prepareMesh();
+            _mesh.preparePlanes();
             _motion = motion;
             _test.setStructure(structure, pose.placement);
             _test.shape.margin += pose.tolerance + Touching.marginOfSurface(model.tree.radius);
@@ -105,7 +105,6 @@ package starlogo.solid
                 extents[i] += round;
                 extents[int(i + 1)] -= round;
             }
-            _planes = _mesh.planes;
             _core.setTo(_test.structure, RelativeMotion.NONE);
             _sweep.x = motion.x;
             _sweep.y = motion.y;
@@ -204,7 +203,7 @@ package starlogo.solid
         // Finds when the structure first comes to a triangle's plane; it cannot touch the triangle before.
         private function findEarliest(triangle:int):void
         {
-            var planes:Vector.<Number> = _planes;
+            var planes:Vector.<Number> = _mesh.planes;
             var at:int = 4 * triangle;
             _normal.x = planes[at];
             _normal.y = planes[int(at + 1)];

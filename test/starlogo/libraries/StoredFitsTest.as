@@ -399,7 +399,7 @@ package starlogo.libraries
             {
                 return builder.structures != null;
             }
-            builder.treeBuilder.finished;
+            builder.treeBuilder.finishTree();
             return builder.treeBuilder.isStored;
         }
 

@@ -51,7 +51,7 @@ package starlogo.solid
                     assertTrue(!isListed[triangle]);
                     isListed[triangle] = true;
                 }
-                check(hierarchy.tree, 0, hierarchy.mesh.extents);
+                check(hierarchy.tree, 0, hierarchy.prepareMesh().prepareExtents());
             }
         }
 
@@ -70,7 +70,7 @@ package starlogo.solid
             assertTrue(hierarchy.root.isLeaf);
             assertNull(hierarchy.root.left);
             assertEquals(37, hierarchy.root.triangleCount);
-            assertEquals(8, check(hierarchy.tree, 0, hierarchy.mesh.extents));
+            assertEquals(8, check(hierarchy.tree, 0, hierarchy.prepareMesh().prepareExtents()));
         }
 
         // Halfway along x, each division takes the needle that begins first away from all others.
@@ -88,7 +88,7 @@ package starlogo.solid
             var hierarchy:ModelTree = hierarchyOf(new Model("needles", vertices, triangles), 10);
             assertEquals("one at a time", 1, hierarchy.root.left.triangleCount);
             hierarchy.prepare();
-            check(hierarchy.tree, 0, hierarchy.mesh.extents);
+            check(hierarchy.tree, 0, hierarchy.prepareMesh().prepareExtents());
             var deepest:int = deepestOf(hierarchy.tree);
             assertTrue(deepest + " levels", deepest > 20 && deepest <= Tolerances.NESTED_LEVELS + 12);
         }
@@ -179,7 +179,7 @@ package starlogo.solid
 
         private static function hierarchyOf(model:Model, maxDepth:int):ModelTree
         {
-            return new ModelTreeBuilder(model.vertices, model.triangles, 5, maxDepth, false).finished;
+            return new ModelTreeBuilder(model.vertices, model.triangles, 5, maxDepth, false).finishTree();
         }
     }
 }

@@ -17,9 +17,9 @@ package starlogo.solid
             {
                 return "none";
             }
-            var solid:Interior = hierarchy.interior;
+            var solid:Interior = hierarchy.prepareInterior();
             return [solid.isClosed, solid.surface.signedShells, solid.surface.shellStates, solid.surface.widestSeam, solid.places, solid.placesAt, solid.leastPartExtent, solid.partPoints, solid.mesh.corners,
-                    solid.mesh.extents, solid.mesh.planes, axesOf(hierarchy.tree)].join("\n");
+                    solid.mesh.prepareExtents(), solid.mesh.preparePlanes(), axesOf(hierarchy.tree)].join("\n");
         }
 
         private static function axesOf(tree:BoxTree):String

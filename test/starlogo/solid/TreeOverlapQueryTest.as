@@ -57,11 +57,11 @@ package starlogo.solid
         public function trianglesTouchAcrossTheWholeGap():void
         {
             var cube:ModelTree = hierarchyOf(BuiltInModel.cube());
-            var half:Number = cube.corners[0] < 0 ? -cube.corners[0] : cube.corners[0];
+            var half:Number = Math.abs(cube.prepareCorners()[0]);
             var stands:Placement = new Placement();
             var beside:Placement = new Placement();
             var triangle:ConvexShape = new ConvexShape();
-            triangle.setTriangle(cube.corners, 0);
+            triangle.setTriangle(cube.prepareCorners(), 0);
             var tested:int = 0;
             for (var step:int = 0; step < 800; step++)
             {
@@ -91,9 +91,9 @@ package starlogo.solid
             var stands:Placement = new Placement();
             var pair:TreePair = new TreePair();
             var out:ClosestPoints = new ClosestPoints();
-            for (var at:int = bear.corners.length - 9; at > cube.corners.length; at -= 900)
+            for (var at:int = bear.prepareCorners().length - 9; at > cube.prepareCorners().length; at -= 900)
             {
-                var sphere:Sphere = new Sphere(new Vector3D(bear.corners[at], bear.corners[at + 1], bear.corners[at + 2]), 1e-6);
+                var sphere:Sphere = new Sphere(new Vector3D(bear.prepareCorners()[at], bear.prepareCorners()[at + 1], bear.prepareCorners()[at + 2]), 1e-6);
                 pair.setFirst(bear, stands, int.MAX_VALUE);
                 pair.setSecond(null, sphere, stands, 1);
                 pair.decideByTriangles(true);

@@ -22,8 +22,8 @@ package starlogo.ground
         /** How long the box passes along x or along y, with its own length. Read only. */
         public var length:Number = 0;
 
-        /** The latest time at the beginning of the search. Read only. */
-        public var whole:Number = 0;
+        /** The latest time at the beginning of the search. That of the box may have become earlier since. Read only. */
+        public var latest:Number = 0;
 
         private var _grid:HeightGrid;
         private var _box:GroundBox;
@@ -43,12 +43,12 @@ package starlogo.ground
             var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
             _grid = grid;
             _box = box;
-            whole = box.latest;
+            latest = box.latest;
             corner.setTo(grid.x - box.origin.x - border, grid.y - box.origin.y - border, -box.origin.z);
-            var pathX:Number = whole * Math.abs(motion.x);
-            var pathY:Number = whole * Math.abs(motion.y);
+            var pathX:Number = latest * Math.abs(motion.x);
+            var pathY:Number = latest * Math.abs(motion.y);
             var rounding:Number = Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(corner.x) + Math.abs(box.y) + Math.abs(corner.y) + Math.abs(box.z)
-                    + Math.abs(corner.z) + grid.cellWidth + pathX + pathY + whole * Math.abs(motion.z));
+                    + Math.abs(corner.z) + grid.cellWidth + pathX + pathY + latest * Math.abs(motion.z));
             _slack = FARTHER * rounding;
             _half.setTo(box.halfX + rounding, box.halfY + rounding, box.halfZ + rounding);
             length = Math.max(2 * _half.x + pathX, 2 * _half.y + pathY) + 2 * box.maxDistance;

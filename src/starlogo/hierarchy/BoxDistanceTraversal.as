@@ -73,7 +73,8 @@ package starlogo.hierarchy
          * @inheritDoc
          *
          * <p>The steps are: the vector from the middle of a's box to the middle of b's box; the distances along a's axes; the distances along b's axes;
-         * the distance along the line between the closest points so far.</p>
+         * the distance along the line between the closest points so far. They are one method because they share twelve Numbers, which V8 would make
+         * objects of if they were passed.</p>
          */
         override protected function estimate(a:int, b:int, out:NodePairBounds):void
         {

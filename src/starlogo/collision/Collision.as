@@ -261,7 +261,6 @@ package starlogo.collision
             // what the filter or a handler exchanges counts from the next frame on
             var system:BaseCollider = _system;
             var touches:TouchTracker = _touches;
-            var lastFrame:LastFrame = _lastFrame;
             _input.ground = terrain == null ? null : terrain.agent;
             _input.edges = bounds == null ? null : bounds.agent;
             _handlers.begin();
@@ -271,6 +270,8 @@ package starlogo.collision
             try
             {
                 var listed:Vector.<Agent> = predicate == null ? agents : _filteredList.ask(predicate, agents);
+                // the filter may have called reset(), which forgets the frames before this one
+                var lastFrame:LastFrame = _lastFrame;
                 lastFrame.hasFailed = true;
                 _input.agents = listed;
                 _input.takePart = predicate == null ? null : _filteredList.takePart;

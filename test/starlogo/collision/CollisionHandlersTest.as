@@ -8,6 +8,7 @@ package starlogo.collision
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
+    import starlogo.queries.AgentFilter;
     import support.OwnVectorSystem;
     import support.assertThrows;
     import support.create;
@@ -222,6 +223,23 @@ package starlogo.collision
             assertEquals("hit", names());
             assertEquals("no error", 0, _collision.handlerErrors.length);
             assertEquals(0, _collision.lastAgents.length);
+        }
+
+        [Test]
+        public function resetInTheFilterForgetsTheFramesBeforeAlone():void
+        {
+            addAll("bears", "balls");
+            var filter:AgentFilter = new AgentFilter();
+            filter.accepts = function(agent:Agent):Boolean
+                {
+                    _collision.reset();
+                    return true;
+                };
+            _collision.filter = filter;
+            _collision.update(_agents);
+            assertEquals(2, _collision.lastAgents.length);
+            filter.accepts = null;
+            _collision.restore(_collision.snapshot(), _agents);
         }
 
         [Test]

@@ -231,10 +231,10 @@ package starlogo.collision
             addAll("bears", "balls");
             var filter:AgentFilter = new AgentFilter();
             filter.accepts = function(agent:Agent):Boolean
-                {
-                    _collision.reset();
-                    return true;
-                };
+            {
+                _collision.reset();
+                return true;
+            };
             _collision.filter = filter;
             _collision.update(_agents);
             assertEquals(2, _collision.lastAgents.length);

@@ -35,7 +35,7 @@ package starlogo.queries
             return 1 << breed % BITS;
         }
 
-        /** The set with some breeds. A name may be null. */
+        /** The set with some breeds. A name may be null. A new name becomes a breed, so ask areSetsExact afterwards. */
         public static function setOfNames(names:Vector.<String>):int
         {
             var found:int = 0;

@@ -65,9 +65,11 @@ package starlogo.queries
             {
                 breeds = NodeBreeds.setOfNames(filter.breeds);
             }
-            else if (filter.exceptBreeds != null && NodeBreeds.areSetsExact)
+            else if (filter.exceptBreeds != null)
             {
-                breeds = ~NodeBreeds.setOfNames(filter.exceptBreeds);
+                // the set may bring new names, with which sets are exact no longer
+                var excluded:int = NodeBreeds.setOfNames(filter.exceptBreeds);
+                breeds = NodeBreeds.areSetsExact ? ~excluded : NodeBreeds.ALL;
             }
             except(filter.except);
         }

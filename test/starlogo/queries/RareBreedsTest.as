@@ -3,9 +3,11 @@ package starlogo.queries
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.bounding.Sphere;
     import starlogo.collision.BinCollider;
     import starlogo.engine;
@@ -97,6 +99,23 @@ package starlogo.queries
                     nearest.breed = "sheep";
                 }
             }
+        }
+
+        // The set of a question has a bit for each of 32 breeds. Only a program without more of them reaches the border of that.
+        [Test]
+        public function newNamesInAFilterExcludeNoBreedThatSharesTheirBit():void
+        {
+            while (Breeds.count < 32)
+            {
+                Breeds.numberOf("breed " + Breeds.count);
+            }
+            var only:Agent = new Agent("sphere", Breeds.nameOf(3));
+            _seen.update(new <Agent>[only]);
+            // the tree learns the breeds after a question about another breed
+            assertNull(_places.nearestToPoint(new Vector3D(), Infinity, AgentFilter.ofBreeds(Breeds.nameOf(4))));
+            var filter:AgentFilter = new AgentFilter();
+            filter.exceptBreeds = new <String>["new A", "new B", "new C", "new D"];
+            assertStrictlyEquals(only, _places.nearestToPoint(new Vector3D(), Infinity, filter));
         }
 
         // Asks for all sheep: how many rows that do not count are looked at.

@@ -41,12 +41,12 @@ package starlogo.diagnostics
         private static const GRAPH_WIDTH:int = 180;
         private static const GRAPH_HEIGHT:int = 40;
         private static const LINES_TOP:int = 104;
-        private static const HEIGHT:int = 366;
+        private static const HEIGHT:int = 383;
         private static const FRAME_MS:int = 40;
         private static const REFRESH_FRAMES:int = 12;
         private static const LABELS:Array = ["agents", "candidate pairs", "sphere-sphere", "sphere-capsule", "sphere-box",
-                "capsule-capsule", "capsule-box", "box-box", "hierarchies", "node visits", "triangles", "collisions", "handler calls",
-                "memory", "this monitor"];
+                "capsule-capsule", "capsule-box", "box-box", "hulls", "hierarchies", "node visits", "triangles", "collisions",
+                "handler calls", "memory", "this monitor"];
 
         private static const PANEL:uint = 0x14181d;
         private static const LINE:uint = 0x2c343d;
@@ -201,8 +201,8 @@ package starlogo.diagnostics
                 + _times.most.toFixed(1);
             var did:CollisionStatistics = _collision.statistics;
             _numbers.text = [did.agents, did.candidatePairs, did.sphereSphereTests, did.sphereCapsuleTests, did.sphereBoxTests,
-                    did.capsuleCapsuleTests, did.capsuleBoxTests, did.boxBoxTests, did.hierarchyTests, did.nodeVisits, did.triangleTests,
-                    did.collisions, did.handlerCalls, (System.totalMemory / 1048576).toFixed(1) + " MB",
+                    did.capsuleCapsuleTests, did.capsuleBoxTests, did.boxBoxTests, did.hullTests, did.hierarchyTests, did.nodeVisits,
+                    did.triangleTests, did.collisions, did.handlerCalls, (System.totalMemory / 1048576).toFixed(1) + " MB",
                     ownMsPerFrame.toFixed(2) + " ms, " + (100 * ownMsPerFrame / FRAME_MS).toFixed(1) + " %"].join("\n");
         }
 

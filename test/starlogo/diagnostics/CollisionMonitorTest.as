@@ -56,6 +56,15 @@ package starlogo.diagnostics
         }
 
         [Test]
+        public function showsTestsOfHulls():void
+        {
+            _collision.statistics.hullTests = 12;
+            play(REFRESH_FRAMES);
+            assertEquals("12", valueOf("hulls"));
+            assertEquals("0", valueOf("box-box"));
+        }
+
+        [Test]
         public function refreshesItsNumbersAfterSomeFrames():void
         {
             _collision.update(Scenes.crowd(3, "spheres").agents);

@@ -4,8 +4,8 @@ package starlogo.away3d
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.geometry.areSameNumbers;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.VertexData;
 
     use namespace engine;
 
@@ -140,7 +140,7 @@ package starlogo.away3d
                 return false;
             }
             readTraits(sTraits);
-            return VertexData.areSame(sTraits, _traits);
+            return areSameNumbers(sTraits, _traits);
         }
 
         private function remember():void

@@ -34,19 +34,6 @@ package starlogo.geometry
             return null;
         }
 
-        /** Whether two lists of numbers are the same to the last bit, including the sign of zeros. */
-        public static function areSame(a:Vector.<Number>, b:Vector.<Number>):Boolean
-        {
-            for (var i:int = 0; i < a.length && a.length == b.length; i++)
-            {
-                if (a[i] != b[i] || a[i] == 0 && 1 / a[i] != 1 / b[i])
-                {
-                    return false;
-                }
-            }
-            return a.length == b.length;
-        }
-
         /**
          * Describes what is wrong with triangles.
          *

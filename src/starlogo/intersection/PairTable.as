@@ -24,7 +24,8 @@ package starlogo.intersection
     {
         private static const KINDS:int = BoundingStructure.OTHER + 1;
 
-        // For each pair of kinds its kernel: one row after the other, a row for each kind of the first structure.
+        // For each pair of kinds its kernel: one row after the other, a row for each kind of the first structure. The methods read it themselves,
+        // because these tests are short, and calls take long in Adobe's VM.
         private static const KERNELS:Vector.<PairKernel> = makeKernels();
 
         /** Whether two structures touch or overlap. See PairKernel. Games call it as <code>intersects()</code>. */

@@ -4,6 +4,7 @@
 package starlogo.models
 {
     import starlogo.engine;
+    import starlogo.geometry.areSameNumbers;
     import starlogo.geometry.VertexBounds;
     import starlogo.geometry.VertexData;
 
@@ -260,7 +261,7 @@ package starlogo.models
         engine final function isMadeOf(points:Vector.<Number>):Boolean
         {
             var made:ModelData = ModelData.of(name, points, triangles, _data.scaling, _data.transform);
-            return VertexData.areSame(made.vertices, vertices) && made.frame.isAs(source) && String(made.triangles) == String(triangles);
+            return areSameNumbers(made.vertices, vertices) && made.frame.isAs(source) && String(made.triangles) == String(triangles);
         }
     }
 }

@@ -4,7 +4,7 @@ package starlogo.models
     import flash.geom.Vector3D;
     import flash.utils.ByteArray;
     import starlogo.engine;
-    import starlogo.geometry.VertexData;
+    import starlogo.geometry.areSameNumbers;
 
     use namespace engine;
 
@@ -96,7 +96,7 @@ package starlogo.models
          */
         engine function isAs(other:SourceFrame):Boolean
         {
-            return VertexData.areSame(_numbers, other._numbers);
+            return areSameNumbers(_numbers, other._numbers);
         }
 
         /**

@@ -18,7 +18,7 @@ package starlogo.libraries
     import starlogo.fitting.HullFitter;
     import starlogo.fitting.MinimalCapsuleFitter;
     import starlogo.geometry.Fingerprint;
-    import starlogo.geometry.VertexData;
+    import starlogo.geometry.areSameNumbers;
     import starlogo.libraries.cooked.CookedStructures;
     import starlogo.models.BuiltInModel;
     import starlogo.models.CookedModel;
@@ -299,7 +299,7 @@ package starlogo.libraries
 
         private static function assertSameModel(expected:Model, read:Model):void
         {
-            assertTrue("vertices", VertexData.areSame(expected.vertices, read.vertices));
+            assertTrue("vertices", areSameNumbers(expected.vertices, read.vertices));
             assertEquals(String(expected.triangles), String(read.triangles));
             assertEquals(String(expected.source.matrix.rawData), String(read.source.matrix.rawData));
             assertEquals(expected.source.unit, read.source.unit);

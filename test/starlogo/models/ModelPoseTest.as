@@ -10,7 +10,7 @@ package starlogo.models
     import starlogo.bounding.Box;
     import starlogo.collision.HierarchicalCollider;
     import starlogo.engine;
-    import starlogo.geometry.VertexData;
+    import starlogo.geometry.areSameNumbers;
     import support.assertClose;
     import support.assertThrows;
     import support.landOf;
@@ -76,7 +76,7 @@ package starlogo.models
             assertThrows(ArgumentError, /"pyramid".*4 vertices.*15 numbers/, model.pose, CORNERS.concat(CORNERS.slice(9)));
             assertThrows(ArgumentError, /"pyramid".*y coordinate of vertex 3.*NaN/, model.pose, bad);
             assertThrows(ArgumentError, /at most 1e\+60/, model.pose, large);
-            assertTrue(VertexData.areSame(first, model.vertices));
+            assertTrue(areSameNumbers(first, model.vertices));
             assertEquals(revision, land.revisionOf("pyramid"));
             assertTrue(Box(land.hierarchies.root("pyramid").bounds).halfX < 0.6);
         }

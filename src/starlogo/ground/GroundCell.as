@@ -133,8 +133,8 @@ package starlogo.ground
         }
 
         // Writes half of the wall on a side, from one corner to the next. The half with the upper edge comes second. Returns false if there is
-        // no wall near the box. If the box has no floor, walls are cut a cell's width above and below the box, because long triangles have
-        // larger rounding errors.
+        // no wall near the box. A wall begins at the top of the lower column. If the box has no floor, walls are cut a cell's width above and
+        // below the box, because long triangles have larger rounding errors.
         private function writeWall(side:int, isUpper:Boolean, corners:Vector.<Number>):Boolean
         {
             var end:int = (side + 1) & 3;
@@ -152,7 +152,10 @@ package starlogo.ground
                 return false;
             }
             var width:Number = _grid.cellWidth;
-            low = _box.floor > -Infinity ? low : Math.min(_wholePassage.low, Math.min(top, endTop)) - width;
+            if (_box.floor == -Infinity)
+            {
+                low = Math.max(low, Math.min(_wholePassage.low, Math.min(top, endTop)) - width);
+            }
             if (Math.min(top, endTop) > _wholePassage.high + width)
             {
                 top = endTop = _wholePassage.high + width;

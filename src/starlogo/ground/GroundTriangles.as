@@ -8,8 +8,8 @@ package starlogo.ground
      * Finds the triangles of the ground's surface that a box may meet, one after the other: the source of triangles for all tests of the
      * ground, and for drawing it. If the box moves, they come nearly in the order in which it meets them.
      *
-     * <p>The surface consists of the cells' tops and of upright walls. If the box has no floor, a wall goes down to below the box and below the
-     * cell's top, and up to a little above the box.</p>
+     * <p>The surface consists of the cells' tops and of upright walls. A wall between two columns goes down to the top of the lower one, every other
+     * wall to the box's floor. If the box has no floor, walls are cut a little above and below it.</p>
      *
      * <p>A stack has the squares that are still to be visited. If the box comes to the heights of a square, its smaller squares take its
      * place. The smallest squares, of level 0, are the cells.</p>

@@ -415,6 +415,99 @@ package starlogo.queries
             assertEquals("9.5,10.5", textOf(queries.castAll(new Vector3D(-10, 0.1, 3), new Vector3D(1, 0, 0), Infinity, null, null, true)));
         }
 
+        [Test]
+        public function underTheGroundNoWallIsCrossed():void
+        {
+            var terrain:Terrain = new Terrain(5, 5, 1, 0, 0);
+            terrain.isBlocky = true;
+            terrain.setHeight(2, 2, 5);
+            terrain.setHeight(3, 2, 3);
+            var queries:AgentQueries = queriesOver(terrain);
+            var half:Number = 0.5 * Math.sqrt(10);
+            var found:Vector.<RayHit> = queries.castAll(new Vector3D(2, 2.1, 4), new Vector3D(1, 0, -3), Infinity, null, null, true);
+            assertEquals("0," + Math.round(5 * half * 1e9) / 1e9, textOf(found));
+        }
+
+        /** Where a ray enters and leaves columns, a loop finds between all planes of the columns' sides and tops. */
+        [Test]
+        public function columnsAreCrossedAsALoopFinds():void
+        {
+            var terrain:Terrain = new Terrain(6, 6, 1, 0, 0);
+            terrain.isBlocky = true;
+            var met:int = 0;
+            for (var i:int = 0; i < Effort.choose(400, 20000); i++)
+            {
+                terrain.setHeight(_random.integer(0, 5), _random.integer(0, 5), _random.pick([0, 1, 5, 40, _random.between(-3, 8)]));
+                terrain.setHole(_random.integer(0, 5), _random.integer(0, 5), _random.chance(0.2));
+                _origin = new Vector3D(_random.between(-2, 7), _random.between(-2, 7), _random.between(-6, 10));
+                _direction = new Vector3D(_random.between(-1, 1), _random.between(-1, 1), _random.between(-1, 1) * _random.pick([0.1, 1, 9]));
+                _direction.normalize();
+                var expected:Array = columnsAlongRay(terrain);
+                if (_isUnclear)
+                {
+                    continue;
+                }
+                var hits:Vector.<RayHit> = queriesOver(terrain).castAll(_origin, _direction, 30, null, null, true);
+                var message:String = "ray " + i + " from " + _origin + " along " + _direction + ": " + textOf(hits) + ", not " + expected;
+                assertEquals(message, expected.length, hits.length);
+                for (var k:int = 0; k < hits.length; k++)
+                {
+                    assertTrue(message, Math.abs(hits[k].distance - expected[k]) < 1e-9);
+                }
+                met += hits.length;
+            }
+            assertTrue(met + " surfaces", met > Effort.choose(400, 20000));
+        }
+
+        // The distances up to 30 at which the ray enters and leaves the columns of a terrain of 6 by 6 cells. Planes that are met at nearly the same
+        // distance are not clear.
+        private function columnsAlongRay(terrain:Terrain):Array
+        {
+            var events:Array = [0, 30];
+            for (var side:int = 0; side <= 6; side++)
+            {
+                events.push((side - 0.5 - _origin.x) / _direction.x, (side - 0.5 - _origin.y) / _direction.y);
+            }
+            var planes:Object = {};
+            for (var cell:int = 0; cell < 36; cell++)
+            {
+                var height:Number = terrain.heightAt(cell % 6, int(cell / 6));
+                if (isFinite(height) && !planes[height])
+                {
+                    planes[height] = true;
+                    events.push((height - _origin.z) / _direction.z);
+                }
+            }
+            events = events.filter(function(at:Number, index:int, list:Array):Boolean
+                {
+                    return at >= 0 && at <= 30;
+                }).sort(Array.NUMERIC);
+            _isUnclear = false;
+            var found:Array = [];
+            var wasInside:Boolean = false;
+            for (var i:int = 1; i < events.length; i++)
+            {
+                _isUnclear ||= events[i] - events[i - 1] < 1e-6;
+                var middle:Number = (events[i] + events[i - 1]) / 2;
+                var isInside:Boolean = terrain.heightAt(_origin.x + middle * _direction.x, _origin.y + middle * _direction.y) >= _origin.z + middle * _direction.z;
+                if (isInside != wasInside)
+                {
+                    found.push(events[i - 1]);
+                }
+                wasInside = isInside;
+            }
+            return found;
+        }
+
+        private static function queriesOver(terrain:Terrain):AgentQueries
+        {
+            var collision:Collision = new Collision(EachCollider.make("triangles", sGreatLand));
+            collision.terrain = terrain;
+            var queries:AgentQueries = new AgentQueries(collision);
+            queries.update(new Vector.<Agent>());
+            return queries;
+        }
+
         /** A ray in the plane of the walls at the border falls on the edge that they share with the slopes. */
         [Test]
         public function atItsBorderTheGroundsFirstSurfaceIsItsHit():void

@@ -85,11 +85,11 @@ package starlogo.away3d
             var scale:Number = _agent.size / _width;
             var pivot:Vector3D = drawn.pivotPoint;
             var turn:SwappedRotation = sTurn;
-            turn.setAngles(_agent.heading, _agent.pitch, _agent.roll);
+            var angles:Vector3D = turn.setAngles(_agent.heading, _agent.pitch, _agent.roll);
             // unlike moveTo, rotateTo always causes the matrix to be computed again
-            if (differ(turn.roll, drawn.rotationX) || differ(turn.pitch, drawn.rotationY) || differ(turn.heading, drawn.rotationZ))
+            if (differ(angles.x, drawn.rotationX) || differ(angles.y, drawn.rotationY) || differ(angles.z, drawn.rotationZ))
             {
-                drawn.rotateTo(turn.roll, turn.pitch, turn.heading);
+                drawn.rotateTo(angles.x, angles.y, angles.z);
             }
             drawn.scaleX = drawn.scaleY = drawn.scaleZ = scale;
             // y and z are swapped, because it turns in the agent's space
@@ -116,19 +116,19 @@ package starlogo.away3d
             var scale:Number = drawn.scaleX;
             checkScale();
             var turn:SwappedRotation = sTurn;
-            turn.setAngles(drawn.rotationZ, drawn.rotationY, drawn.rotationX);
+            var angles:Vector3D = turn.setAngles(drawn.rotationZ, drawn.rotationY, drawn.rotationX);
             var offset:Vector3D = turn.turn(scale * _origin.x - pivot.x, scale * _origin.y - pivot.y, scale * _origin.z - pivot.z);
             var x:Number = drawn.x + pivot.x + offset.x;
             var y:Number = drawn.z + pivot.z + offset.z;
             var z:Number = drawn.y + pivot.y + offset.y;
-            checkPlace(x, y, z, turn.heading + turn.pitch + turn.roll, scale * _width);
+            checkPlace(x, y, z, angles.x + angles.y + angles.z, scale * _width);
             if (x != _agent.x || y != _agent.y || z != _agent.z)
             {
                 _agent.moveTo(x, y, z);
             }
-            _agent.heading = turn.heading;
-            _agent.pitch = turn.pitch;
-            _agent.roll = turn.roll;
+            _agent.heading = angles.z;
+            _agent.pitch = angles.y;
+            _agent.roll = angles.x;
             _agent.size = scale * _width;
             remember();
         }

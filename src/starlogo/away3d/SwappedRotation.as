@@ -14,33 +14,28 @@ package starlogo.away3d
      */
     internal final class SwappedRotation
     {
-        /** The result: degrees about z, the last turn. */
-        public var heading:Number = 0;
-
-        /** The result: degrees about y. */
-        public var pitch:Number = 0;
-
-        /** The result: degrees about x, the first turn. */
-        public var roll:Number = 0;
-
         private var _placement:Placement = new Placement();
         private var _swapped:Placement = new Placement();
         private var _angles:Vector3D = new Vector3D();
         private var _point:Vector3D = new Vector3D();
 
-        /** Sets the rotation by its angles on one side, in degrees. The results are the angles on the other side. */
-        public function setAngles(heading:Number, pitch:Number, roll:Number):void
+        /**
+         * Sets the rotation by its angles on one side, in degrees. Returns the angles on the other side: about x, y and z. The next call
+         * overwrites them.
+         */
+        public function setAngles(heading:Number, pitch:Number, roll:Number):Vector3D
         {
             _placement.setRotation(heading, pitch, roll);
             // Most agents turn about one axis only. Then the angles are copied exactly, including full turns.
             if (heading == 0 || pitch == 0 && roll == 0)
             {
-                this.heading = 0 - pitch;
-                this.pitch = 0 - heading;
-                this.roll = 0 - roll;
-                return;
+                _angles.setTo(0 - roll, 0 - heading, 0 - pitch);
             }
-            readRotation();
+            else
+            {
+                readRotation();
+            }
+            return _angles;
         }
 
         /** Turns a point. The point is in the space that the angles came from. The next call overwrites the result. */
@@ -51,7 +46,7 @@ package starlogo.away3d
             return _point;
         }
 
-        // Reads the matrix with rows and columns 1 and 2 swapped.
+        // Reads the angles of the matrix with rows and columns 1 and 2 swapped.
         private function readRotation():void
         {
             _swapped.r00 = _placement.r00;
@@ -62,9 +57,6 @@ package starlogo.away3d
             _swapped.r12 = _placement.r21;
             _swapped.r20 = _placement.r10;
             _swapped.readAngles(_angles);
-            heading = _angles.z;
-            pitch = _angles.y;
-            roll = _angles.x;
         }
     }
 }

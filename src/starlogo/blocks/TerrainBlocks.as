@@ -71,7 +71,8 @@ package starlogo.blocks
          */
         public function buildWall(agent:Agent, height:Number):void
         {
-            build("build wall", agent, height, function(ground:Terrain):void
+            BlockSubject.checkAgent("build wall", agent);
+            raise("build wall", height, function(ground:Terrain):void
                 {
                     ground.raiseWall(agent.x, agent.y, height);
                 });
@@ -87,7 +88,8 @@ package starlogo.blocks
          */
         public function buildMound(agent:Agent, width:Number, height:Number):void
         {
-            build("build mound", agent, height, function(ground:Terrain):void
+            BlockSubject.checkAgent("build mound", agent);
+            raise("build mound", height, function(ground:Terrain):void
                 {
                     if (!(width > 0 && width < Infinity))
                     {
@@ -268,13 +270,7 @@ package starlogo.blocks
             return bounds == null ? null : _contacts.pushOut(agent, bounds.agent);
         }
 
-        // Calls a function that raises the ground at an agent's place.
-        private function build(block:String, agent:Agent, height:Number, change:Function):void
-        {
-            BlockSubject.checkAgent(block, agent);
-            raise(block, height, change);
-        }
-
+        // Calls a function that raises the ground.
         private function raise(block:String, height:Number, change:Function):void
         {
             var ground:Terrain = groundOf(block);

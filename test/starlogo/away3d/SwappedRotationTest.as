@@ -23,9 +23,9 @@ package starlogo.away3d
                 var roll:Number = random.chance() ? random.pick(ANGLES) : random.between(-400, 400);
                 var here:Placement = new Placement();
                 here.setRotation(heading, pitch, roll);
-                _turn.setAngles(heading, pitch, roll);
+                var angles:Vector3D = _turn.setAngles(heading, pitch, roll);
                 var there:Placement = new Placement();
-                there.setRotation(_turn.heading, _turn.pitch, _turn.roll);
+                there.setRotation(angles.z, angles.y, angles.x);
                 var off:Number = Math.max(Math.abs(there.r00 - here.r00), Math.abs(there.r01 - here.r02), Math.abs(there.r02 - here.r01),
                         Math.abs(there.r10 - here.r20), Math.abs(there.r11 - here.r22), Math.abs(there.r12 - here.r21), Math.abs(there.r20 - here.r10),
                         Math.abs(there.r21 - here.r12), Math.abs(there.r22 - here.r11));
@@ -36,25 +36,22 @@ package starlogo.away3d
         [Test]
         public function turnsOneWayGoOverAsTheyAre():void
         {
-            _turn.setAngles(725, 0, 0);
-            assertEquals("0,-725,0", [_turn.heading, _turn.pitch, _turn.roll].join());
-            _turn.setAngles(0, 725, 30);
-            assertEquals("-725,0,-30", [_turn.heading, _turn.pitch, _turn.roll].join());
+            assertNumbers("0,-725,0", _turn.setAngles(725, 0, 0));
+            assertNumbers("-30,0,-725", _turn.setAngles(0, 725, 30));
         }
 
         [Test]
         public function pointsAreTurned():void
         {
             _turn.setAngles(90, 0, 0);
-            assertTurned("-2,1,3", 1, 2, 3);
+            assertNumbers("-2,1,3", _turn.turn(1, 2, 3));
             _turn.setAngles(90, 90, 90);
-            assertTurned("3,2,-1", 1, 2, 3);
+            assertNumbers("3,2,-1", _turn.turn(1, 2, 3));
         }
 
-        private function assertTurned(expected:String, x:Number, y:Number, z:Number):void
+        private static function assertNumbers(expected:String, vector:Vector3D):void
         {
-            var turned:Vector3D = _turn.turn(x, y, z);
-            assertEquals(expected, [turned.x, turned.y, turned.z].join());
+            assertEquals(expected, [vector.x, vector.y, vector.z].join());
         }
     }
 }

@@ -49,7 +49,8 @@ package starlogo.queries
         private var _touches:TouchQueries;
         private var _distances:DistanceQueries;
         private var _rays:AgentRays;
-        private var _motions:MotionQueries;
+        private var _moves:MoveQueries;
+        private var _walks:WalkQueries;
 
         /**
          * Begins without agents. Call <code>update()</code> before you ask: before the first one, questions that search the list throw an
@@ -73,7 +74,8 @@ package starlogo.queries
             _touches = new TouchQueries(_seen);
             _distances = new DistanceQueries(_seen);
             _rays = new AgentRays(_seen);
-            _motions = new MotionQueries(_seen);
+            _moves = new MoveQueries(_seen);
+            _walks = new WalkQueries(_seen, _moves);
         }
 
         /**
@@ -264,7 +266,7 @@ package starlogo.queries
          */
         public function touching(agent:Agent, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return _touches.idle.touching(agent, filter, out);
+            return _touches.touching(agent, filter, out);
         }
 
         /**
@@ -278,7 +280,7 @@ package starlogo.queries
          */
         public function touchesAny(agent:Agent, filter:AgentFilter = null):Boolean
         {
-            return _touches.idle.touchesAny(agent, filter);
+            return _touches.touchesAny(agent, filter);
         }
 
         /**
@@ -291,7 +293,7 @@ package starlogo.queries
          */
         public function touchesEdge(agent:Agent, bounds:WorldBounds):Boolean
         {
-            return _touches.idle.touchesEdge(agent, bounds);
+            return _touches.touchesEdge(agent, bounds);
         }
 
         /**
@@ -309,7 +311,7 @@ package starlogo.queries
          */
         public function wouldTouchAt(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter = null):Boolean
         {
-            return _touches.idle.wouldTouchAt(agent, x, y, z, filter);
+            return _touches.wouldTouchAt(agent, x, y, z, filter);
         }
 
         /** An older name of <code>wouldTouchAt()</code>. */
@@ -332,7 +334,7 @@ package starlogo.queries
          */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return _touches.idle.overlapping(structure, filter, out);
+            return _touches.overlapping(structure, filter, out);
         }
 
         /**
@@ -476,7 +478,7 @@ package starlogo.queries
          */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return _motions.idle.moves.castShape(structure, dx, dy, dz, filter, hit);
+            return _moves.castShape(structure, dx, dy, dz, filter, hit);
         }
 
         /**
@@ -497,7 +499,7 @@ package starlogo.queries
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return _motions.idle.moves.castShapeAll(structure, dx, dy, dz, filter, out);
+            return _moves.castShapeAll(structure, dx, dy, dz, filter, out);
         }
 
         /**
@@ -517,7 +519,7 @@ package starlogo.queries
          */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return _motions.idle.moves.castAgent(agent, dx, dy, dz, filter, hit);
+            return _moves.castAgent(agent, dx, dy, dz, filter, hit);
         }
 
         /**
@@ -538,7 +540,7 @@ package starlogo.queries
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return _motions.idle.moves.castAgentAll(agent, dx, dy, dz, filter, out);
+            return _moves.castAgentAll(agent, dx, dy, dz, filter, out);
         }
 
         /**
@@ -567,7 +569,7 @@ package starlogo.queries
          */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
         {
-            return _motions.idle.moves.moveUntilTouch(agent, dx, dy, dz, filter, contact);
+            return _moves.moveUntilTouch(agent, dx, dy, dz, filter, contact);
         }
 
         /**
@@ -588,7 +590,7 @@ package starlogo.queries
          */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null):Number
         {
-            return _motions.idle.moves.slide(agent, dx, dy, dz, filter);
+            return _moves.slide(agent, dx, dy, dz, filter);
         }
 
         /**
@@ -618,7 +620,7 @@ package starlogo.queries
          */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions = null, out:Footing = null):Footing
         {
-            return _motions.idle.walks.walk(agent, dx, dy, options, out);
+            return _walks.walk(agent, dx, dy, options, out);
         }
     }
 }

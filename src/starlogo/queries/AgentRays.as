@@ -53,49 +53,58 @@ package starlogo.queries
         /** See AgentQueries.cast. It has the same arguments, answers and errors. */
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null, hit:RayHit = null):RayHit
         {
-            if (_found.isAsking)
-            {
-                return nested.cast(origin, direction, maxDistance, filter, hit);
-            }
-            begin(1, requireOrigin(origin), direction, maxDistance, filter);
-            collect();
-            return _hits.endWithFirsts() == 0 ? null : write(0, hit || new RayHit());
+            return idle.castFirst(origin, direction, maxDistance, filter, hit);
         }
 
         /** See AgentQueries.castAll. It has the same arguments, answers and errors. */
         public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number = Infinity, filter:AgentFilter = null,
                 out:Vector.<RayHit> = null, allSurfaces:Boolean = false):Vector.<RayHit>
         {
-            if (_found.isAsking)
-            {
-                return nested.castAll(origin, direction, maxDistance, filter, out, allSurfaces);
-            }
-            var hits:Vector.<RayHit> = out || new Vector.<RayHit>();
-            begin(Collector.ALL, requireOrigin(origin), direction, maxDistance, filter);
-            if (allSurfaces)
-            {
-                collectSurfaces();
-                _hits.resize(hits, _hits.endWithAll());
-            }
-            else
-            {
-                collect();
-                _hits.resize(hits, _hits.endWithFirsts());
-            }
-            for (var i:int = 0; i < hits.length; i++)
-            {
-                write(i, hits[i]);
-            }
-            return hits;
+            return idle.castThrough(origin, direction, maxDistance, filter, out || new Vector.<RayHit>(), allSurfaces);
         }
 
         /** See AgentQueries.canSee. It has the same arguments, answers and errors. */
         public function canSee(a:Agent, b:Agent, filter:AgentFilter = null):Boolean
         {
-            if (_found.isAsking)
+            return idle.isWayFree(a, b, filter);
+        }
+
+        // These questions, or the nested ones while a filter's accepts is being called.
+        private function get idle():AgentRays
+        {
+            return _found.isAsking ? (_nested ||= new AgentRays(_seen)).idle : this;
+        }
+
+        private function castFirst(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, hit:RayHit):RayHit
+        {
+            begin(1, requireOrigin(origin), direction, maxDistance, filter);
+            collect();
+            return _hits.endWithFirsts() == 0 ? null : write(0, hit || new RayHit());
+        }
+
+        private function castThrough(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, out:Vector.<RayHit>,
+                allSurfaces:Boolean):Vector.<RayHit>
+        {
+            begin(Collector.ALL, requireOrigin(origin), direction, maxDistance, filter);
+            if (allSurfaces)
             {
-                return nested.canSee(a, b, filter);
+                collectSurfaces();
+                _hits.resize(out, _hits.endWithAll());
             }
+            else
+            {
+                collect();
+                _hits.resize(out, _hits.endWithFirsts());
+            }
+            for (var i:int = 0; i < out.length; i++)
+            {
+                write(i, out[i]);
+            }
+            return out;
+        }
+
+        private function isWayFree(a:Agent, b:Agent, filter:AgentFilter):Boolean
+        {
             findMiddle(a, _middleA);
             findMiddle(b, _middleB);
             // the ray always starts at the same place of the two, because rounding may let a ray that grazes something pass in one direction only
@@ -125,11 +134,6 @@ package starlogo.queries
                 }
             }
             return _found.end() == 0;
-        }
-
-        private function get nested():AgentRays
-        {
-            return _nested ||= new AgentRays(_seen);
         }
 
         // Finds the middle of an agent's extents as it is now. While the model is loading it is the agent's place.

@@ -16,7 +16,8 @@ package starlogo.queries
      */
     public final class AgentWalks
     {
-        private var _questions:MotionQueries;
+        private var _moves:MoveQueries;
+        private var _walks:WalkQueries;
 
         /**
          * Asks about the agents of a SeenAgents. Others may ask about the same.
@@ -27,53 +28,56 @@ package starlogo.queries
         public function AgentWalks(seen:SeenAgents)
         {
             requireGiven("seen", seen);
+            // A LevelShapes has no tests of pairs. A collision system has those that it needs, so an AgentQueries loads no tests of trees for a game
+            // without trees. For the same reason it does not hold an AgentWalks.
             seen.needTests(StructurePairTests.bringTo);
             seen.needTests(TreePairTests.bringTo);
-            _questions = new MotionQueries(seen);
+            _moves = new MoveQueries(seen);
+            _walks = new WalkQueries(seen, _moves);
         }
 
         /** See AgentQueries.castShape. It has the same arguments, answers and errors. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return _questions.idle.moves.castShape(structure, dx, dy, dz, filter, hit);
+            return _moves.castShape(structure, dx, dy, dz, filter, hit);
         }
 
         /** See AgentQueries.castShapeAll. It has the same arguments, answers and errors. */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return _questions.idle.moves.castShapeAll(structure, dx, dy, dz, filter, out);
+            return _moves.castShapeAll(structure, dx, dy, dz, filter, out);
         }
 
         /** See AgentQueries.castAgent. It has the same arguments, answers and errors. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, hit:ShapeHit = null):ShapeHit
         {
-            return _questions.idle.moves.castAgent(agent, dx, dy, dz, filter, hit);
+            return _moves.castAgent(agent, dx, dy, dz, filter, hit);
         }
 
         /** See AgentQueries.castAgentAll. It has the same arguments, answers and errors. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null,
                 out:Vector.<ShapeHit> = null):Vector.<ShapeHit>
         {
-            return _questions.idle.moves.castAgentAll(agent, dx, dy, dz, filter, out);
+            return _moves.castAgentAll(agent, dx, dy, dz, filter, out);
         }
 
         /** See AgentQueries.moveUntilTouch. It has the same arguments, answers and errors. */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
         {
-            return _questions.idle.moves.moveUntilTouch(agent, dx, dy, dz, filter, contact);
+            return _moves.moveUntilTouch(agent, dx, dy, dz, filter, contact);
         }
 
         /** See AgentQueries.slide. It has the same arguments, answers and errors. */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null):Number
         {
-            return _questions.idle.moves.slide(agent, dx, dy, dz, filter);
+            return _moves.slide(agent, dx, dy, dz, filter);
         }
 
         /** See AgentQueries.walk. It has the same arguments, answers and errors. */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions = null, out:Footing = null):Footing
         {
-            return _questions.idle.walks.walk(agent, dx, dy, options, out);
+            return _walks.walk(agent, dx, dy, options, out);
         }
     }
 }

@@ -22,8 +22,10 @@ package starlogo.queries
      */
     public final class MoveQueries
     {
+        /** Computes where moving bodies end. A WalkQueries uses it too. */
+        public var mover:Mover;
+
         private var _seen:SeenAgents;
-        private var _mover:Mover;
         private var _found:Collector;
         private var _search:SweptBoxSearch = new SweptBoxSearch();
         private var _hits:Hits;
@@ -43,19 +45,19 @@ package starlogo.queries
         private var _pointStructure:Sphere = new Sphere(new Vector3D(), 0);
         private var _point:Body = new Body();
 
-        /**
-         * @param seen the agents that the questions are about
-         * @param mover computes where moving bodies end
-         */
-        public function MoveQueries(seen:SeenAgents, mover:Mover)
+        // Answers what an accepts asks while these questions call it.
+        private var _nested:MoveQueries = null;
+
+        /** @param seen the agents that the questions are about */
+        public function MoveQueries(seen:SeenAgents)
         {
             _seen = seen;
-            _mover = mover;
+            mover = new Mover(seen);
             _found = new Collector(seen);
             _hits = new Hits(seen, _found, ShapeHit);
         }
 
-        /** Whether a filter's <code>accepts</code> is being called. Then no other question may begin. */
+        /** Whether a filter's <code>accepts</code> is being called. */
         public function get isAsking():Boolean
         {
             return _found.isAsking;
@@ -63,70 +65,35 @@ package starlogo.queries
 
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            _planned.body.readStructure(structure);
-            return cast(null, dx, dy, dz, filter, hit);
+            return idle.readStructure(structure).cast(null, dx, dy, dz, filter, hit);
         }
 
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            _planned.body.readStructure(structure);
-            return castAll(null, dx, dy, dz, filter, out);
+            return idle.readStructure(structure).castAll(null, dx, dy, dz, filter, out);
         }
 
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            readCast(agent, _planned.body);
-            return cast(agent, dx, dy, dz, filter, hit);
+            return idle.readAgent(agent).cast(agent, dx, dy, dz, filter, hit);
         }
 
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
-            readCast(agent, _planned.body);
-            return castAll(agent, dx, dy, dz, filter, out);
+            return idle.readAgent(agent).castAll(agent, dx, dy, dz, filter, out);
         }
 
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            readMover(agent, 0, _planned.body);
-            plan(agent, dx, dy, dz, filter, _planned);
-            collect(1, _end);
-            var isMet:Boolean = _hits.endWithFirsts() > 0;
-            var fraction:Number = isMet ? _hits.keyOf(0) : 1;
-            if (contact != null)
-            {
-                contact.time = fraction;
-                if (isMet)
-                {
-                    var from:ContactPoint = _hits.contactOf(0);
-                    contact.point.setTo(from.x, from.y, from.z);
-                    contact.normal.setTo(from.normalX, from.normalY, from.normalZ);
-                    contact.depth = from.depth;
-                    contact.approachSpeed = Math.max(0, -from.along(_planned.motion));
-                }
-            }
-            if (dx != 0 || dy != 0 || dz != 0)
-            {
-                moveAgent(agent, _end);
-            }
-            return fraction;
+            return idle.move(agent, dx, dy, dz, filter, contact);
         }
 
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
             _seen.requireMovable(agent, "slide");
-            readMover(agent, 0, _planned.body);
-            // the agent may go anywhere within the length of its way
-            planWithin(agent, dx, dy, dz, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, filter, _planned);
-            _mover.begin(_planned.body, _planned.rows);
-            _mover.slide(_planned.from, _planned.motion, SlideLimits.NONE, _slide);
-            _mover.restoreClearance(_slide.place, _slide.clearRow);
-            if (dx != 0 || dy != 0 || dz != 0)
-            {
-                moveAgent(agent, _slide.place);
-            }
-            return _slide.fraction;
+            return idle.moveSliding(agent, dx, dy, dz, filter);
         }
 
         /**
@@ -188,6 +155,53 @@ package starlogo.queries
             return _found.askFilter(row, asker, filter);
         }
 
+        // These questions, or the nested ones while a filter's accepts is being called.
+        private function get idle():MoveQueries
+        {
+            return _found.isAsking ? (_nested ||= new MoveQueries(_seen)).idle : this;
+        }
+
+        private function move(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
+        {
+            readMover(agent, 0, _planned.body);
+            plan(agent, dx, dy, dz, filter, _planned);
+            collect(1, _end);
+            var isMet:Boolean = _hits.endWithFirsts() > 0;
+            var fraction:Number = isMet ? _hits.keyOf(0) : 1;
+            if (contact != null)
+            {
+                contact.time = fraction;
+                if (isMet)
+                {
+                    var from:ContactPoint = _hits.contactOf(0);
+                    contact.point.setTo(from.x, from.y, from.z);
+                    contact.normal.setTo(from.normalX, from.normalY, from.normalZ);
+                    contact.depth = from.depth;
+                    contact.approachSpeed = Math.max(0, -from.along(_planned.motion));
+                }
+            }
+            if (dx != 0 || dy != 0 || dz != 0)
+            {
+                moveAgent(agent, _end);
+            }
+            return fraction;
+        }
+
+        private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
+        {
+            readMover(agent, 0, _planned.body);
+            // the agent may go anywhere within the length of its way
+            planWithin(agent, dx, dy, dz, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, filter, _planned);
+            mover.begin(_planned.body, _planned.rows);
+            mover.slide(_planned.from, _planned.motion, SlideLimits.NONE, _slide);
+            mover.restoreClearance(_slide.place, _slide.clearRow);
+            if (dx != 0 || dy != 0 || dz != 0)
+            {
+                moveAgent(agent, _slide.place);
+            }
+            return _slide.fraction;
+        }
+
         private function cast(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
             plan(asker, dx, dy, dz, filter, _planned);
@@ -208,20 +222,28 @@ package starlogo.queries
             return hits;
         }
 
-        // Reads the body of an agent that is cast. A sphere, box, capsule or hull becomes the body of a structure, so that an agent and the same
-        // structure meet the same, to the last bit.
-        private function readCast(agent:Agent, out:Body):void
+        // Makes a structure the body that moves. Returns these questions.
+        private function readStructure(structure:BoundingStructure):MoveQueries
+        {
+            _planned.body.readStructure(structure);
+            return this;
+        }
+
+        // Makes an agent that is cast the body that moves. A sphere, box, capsule or hull becomes the body of a structure, so that an agent and the
+        // same structure meet the same, to the last bit. Returns these questions.
+        private function readAgent(agent:Agent):MoveQueries
         {
             _seen.placeOf(agent);
             var body:Body = _seen.bodyOf(agent, _body);
             if (body.shape == null || body.form >= ModelShape.TREE)
             {
-                out.copyFrom(body);
+                _planned.body.copyFrom(body);
             }
             else
             {
-                out.readPlaced(body);
+                _planned.body.readPlaced(body);
             }
+            return this;
         }
 
         // Plans a straight motion, whose body is known: finds the rows near it.
@@ -271,8 +293,8 @@ package starlogo.queries
             if (collectLifted(wanted, end))
             {
                 // a floor may be many rows: what is lifted out of one of them does not run into the next
-                _mover.begin(_planned.body, _planned.rows);
-                if (_mover.findLift(_planned.from, _planned.motion, _lift))
+                mover.begin(_planned.body, _planned.rows);
+                if (mover.findLift(_planned.from, _planned.motion, _lift))
                 {
                     collectLifted(wanted, end);
                 }
@@ -295,15 +317,15 @@ package starlogo.queries
             for (var i:int = 0; i < rows.count && _found.limit > 0; i++)
             {
                 var row:int = rows.numbers[i];
-                _mover.beginAgainst(_planned.body, row);
-                _mover.findTouch(_planned.from, _planned.motion, _lift, _result);
+                mover.beginAgainst(_planned.body, row);
+                mover.findTouch(_planned.from, _planned.motion, _lift, _result);
                 mayLift ||= _result.isLifted || (_result.fraction == 0 && !_result.isDeep);
                 if (_result.row >= 0 && _found.add(row, _result.fraction))
                 {
                     _hits.add(row, _result.fraction, -1).copyFrom(_result.contact);
                     if (end != null)
                     {
-                        _mover.goIntoTouch(_result);
+                        mover.goIntoTouch(_result);
                         end.copyFrom(_result.place);
                     }
                 }

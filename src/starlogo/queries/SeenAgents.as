@@ -1,7 +1,7 @@
 // This room answers questions about agents in space: what is near, what touches, what a ray meets, how far something can go. A class for each
-// kind of questions (AgentPlaces, TouchQueries, DistanceQueries, AgentRays, MotionQueries) searches the trees of a SeenAgents, tests what it
-// finds, and gives it to a Collector; AgentQueries has all questions, and passes them on. Read this file first, then AgentRays for a ray, or
-// Mover for a motion.
+// kind of questions (AgentPlaces, TouchQueries, DistanceQueries, AgentRays, MoveQueries, WalkQueries) searches the trees of a SeenAgents, tests
+// what it finds, and gives it to a Collector; AgentQueries has all questions, and passes them on. Read this file first, then AgentRays for a
+// ray, or Mover for a motion.
 package starlogo.queries
 {
     import flash.errors.IllegalOperationError;

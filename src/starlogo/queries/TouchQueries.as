@@ -40,43 +40,63 @@ package starlogo.queries
             _found = new Collector(seen);
         }
 
-        /** These questions, or the nested ones while a filter's <code>accepts</code> is being called. */
-        public function get idle():TouchQueries
-        {
-            return _found.isAsking ? (_nested ||= new TouchQueries(_seen)).idle : this;
-        }
-
         public function touching(agent:Agent, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            return find(agent, _seen.bodyOf(agent, _body), Collector.ALL, filter).list(out);
+            return idle.findAt(agent, Collector.ALL, filter).list(out);
         }
 
         public function touchesAny(agent:Agent, filter:AgentFilter):Boolean
         {
-            return find(agent, _seen.bodyOf(agent, _body), 1, filter).end() > 0;
+            return idle.findAt(agent, 1, filter).end() > 0;
         }
 
         public function touchesEdge(agent:Agent, bounds:WorldBounds):Boolean
         {
             requireGiven("bounds", bounds);
-            var body:Body = _seen.bodyOf(agent, _body);
-            return body.shape != null && _seen.narrowPhase.areTouching(body, _seen.bodyOf(bounds.agent, _edges));
+            return idle.isAtEdge(agent, bounds);
         }
 
         public function wouldTouchAt(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter):Boolean
         {
             requireInWorld("a place", x, y, z);
             _seen.placeOf(agent);
-            _place.setTo(x, y, z);
-            _displaced.copyFrom(_seen.bodyOf(agent, _body));
-            _displaced.moveTo(_place);
-            return find(agent, _displaced, 1, filter).end() > 0;
+            return idle.findDisplaced(agent, x, y, z, filter).end() > 0;
         }
 
         public function overlapping(structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
+            return idle.findAround(structure, filter).list(out);
+        }
+
+        // These questions, or the nested ones while a filter's accepts is being called.
+        private function get idle():TouchQueries
+        {
+            return _found.isAsking ? (_nested ||= new TouchQueries(_seen)).idle : this;
+        }
+
+        private function isAtEdge(agent:Agent, bounds:WorldBounds):Boolean
+        {
+            var body:Body = _seen.bodyOf(agent, _body);
+            return body.shape != null && _seen.narrowPhase.areTouching(body, _seen.bodyOf(bounds.agent, _edges));
+        }
+
+        private function findAt(agent:Agent, wanted:int, filter:AgentFilter):Collector
+        {
+            return find(agent, _seen.bodyOf(agent, _body), wanted, filter);
+        }
+
+        private function findDisplaced(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter):Collector
+        {
+            _place.setTo(x, y, z);
+            _displaced.copyFrom(_seen.bodyOf(agent, _body));
+            _displaced.moveTo(_place);
+            return find(agent, _displaced, 1, filter);
+        }
+
+        private function findAround(structure:BoundingStructure, filter:AgentFilter):Collector
+        {
             _body.readStructure(structure);
-            return find(null, _body, Collector.ALL, filter).list(out);
+            return find(null, _body, Collector.ALL, filter);
         }
 
         // Finds the agents that touch a body, sorted by the distances of their places from the body's place. If one is wanted, it may be any that

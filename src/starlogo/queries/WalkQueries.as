@@ -61,16 +61,18 @@ package starlogo.queries
         private var _vector:Vector3D = new Vector3D();
         private var _origin:Vector3D = new Vector3D();
 
+        // Answers what an accepts asks while these questions call it.
+        private var _nested:WalkQueries = null;
+
         /**
          * @param seen the agents that the questions are about
          * @param moves finds what is near a walk, and moves the agents
-         * @param mover computes where moving bodies end
          */
-        public function WalkQueries(seen:SeenAgents, moves:MoveQueries, mover:Mover)
+        public function WalkQueries(seen:SeenAgents, moves:MoveQueries)
         {
             _seen = seen;
             _moves = moves;
-            _mover = mover;
+            _mover = moves.mover;
             _rowRays = new RowRays(seen);
         }
 
@@ -78,9 +80,19 @@ package starlogo.queries
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
             _seen.requireMovable(agent, "walk");
+            return idle.walkOn(agent, dx, dy, options || DEFAULTS, out || new Footing());
+        }
+
+        // These questions, or the nested ones while a filter's accepts is being called.
+        private function get idle():WalkQueries
+        {
+            return _moves.isAsking ? (_nested ||= new WalkQueries(_seen, new MoveQueries(_seen))).idle : this;
+        }
+
+        private function walkOn(agent:Agent, dx:Number, dy:Number, options:WalkOptions, footing:Footing):Footing
+        {
             var walk:Walk = _walk;
-            var link:PlatformLink = begin(agent, dx, dy, options || DEFAULTS, walk);
-            var footing:Footing = out || new Footing();
+            var link:PlatformLink = begin(agent, dx, dy, options, walk);
             footing.stands = goPieces(walk, footing);
             _moves.moveAgent(agent, walk.place, walk.turn);
             if (!footing.stands)

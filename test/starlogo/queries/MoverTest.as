@@ -19,8 +19,8 @@ package starlogo.queries
         public function aSlideWithoutAMotionHasMetNoFloorAndNoWall():void
         {
             var seen:SeenAgents = new SeenAgents(new TightestFitCollider(landOf(BuiltInModel.cube())));
-            var mover:Mover = new Mover(seen);
-            var moves:MoveQueries = new MoveQueries(seen, mover);
+            var moves:MoveQueries = new MoveQueries(seen);
+            var mover:Mover = moves.mover;
             var agent:Agent = agentAt("cube", 0, 0, 1.5);
             seen.update(new <Agent>[agent, agentAt("cube", 0.2, 0, 0)]);
             var planned:PlannedMotion = new PlannedMotion();

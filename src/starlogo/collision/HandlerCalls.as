@@ -266,7 +266,7 @@ package starlogo.collision
             {
                 var first:Agent = pairs.agents[firstRow];
                 var second:Agent = pairs.agents[secondRow];
-                touch = _tracker.start(pair, first, second, first.breedNumber, second.breedNumber);
+                touch = _tracker.touchOrStart(pair, first, second, first.breedNumber, second.breedNumber);
             }
             return touch;
         }

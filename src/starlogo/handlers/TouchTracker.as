@@ -33,19 +33,26 @@ package starlogo.handlers
         /** The number of entries of <code>ended</code> that count. The others are left over from earlier frames. */
         public var endedCount:int = 0;
 
-        // The number of pairs; and their revision if all their touches are complete, or else 0.
+        // The number of pairs.
         private var _pairCount:int = 0;
+
+        // The revision of the pairs if all their touches are complete, or else 0.
         private var _pairsRevision:int = 0;
 
         // The touches that end unless they are renewed. Some entries may be null.
         private var _open:Vector.<Touch> = new Vector.<Touch>();
         private var _openCount:int = 0;
 
-        // All touches that there are, and their objects for later ones, at their indices; the index of two agents by their numbers, the lesser
-        // first; the indices of objects for later touches; and the number of touches that ever began.
+        // By index: all touches that there are, and objects for later ones.
         private var _all:Vector.<Touch> = new Vector.<Touch>();
+
+        // By the numbers of two agents, the lesser first: the index of their touch.
         private var _indices:HashTable = new HashTable();
+
+        // The indices of the objects for later touches.
         private var _free:NumberList = new NumberList();
+
+        // The number of touches that ever began.
         private var _begun:Number = 0;
 
         private var _sort:KeySort = new KeySort();
@@ -133,8 +140,11 @@ package starlogo.handlers
             endedCount = 0;
         }
 
-        /** Returns the touch of two agents. If there is none, one of these breeds begins. */
-        public function start(pair:int, first:Agent, second:Agent, firstBreed:int, secondBreed:int, isBothWays:Boolean = false):Touch
+        /**
+         * Finds the touch of two agents, and makes it the touch of a pair. If there is none, one begins, of these breeds. If there were fewer pairs,
+         * the pair is now the last one.
+         */
+        public function touchOrStart(pair:int, first:Agent, second:Agent, firstBreed:int, secondBreed:int, isBothWays:Boolean = false):Touch
         {
             var index:int = indexOf(first, second);
             var touch:Touch = index < 0 ? newTouch() : _all[index];

@@ -111,7 +111,7 @@ package starlogo.queries
             requireNotNegative("radius", radius);
             _found.begin(wanted, radius * radius, asker, filter);
             var cone:Cone = degrees < 360 ? _cone.setTo(asker.worldPlacement(), degrees / 2) : null;
-            _near.find(_seen.findPlaces(), x, y, z, _found, cone);
+            _near.find(_seen.treeOfPlaces(), x, y, z, _found, cone);
             return _found;
         }
 
@@ -123,7 +123,7 @@ package starlogo.queries
             }
             requireNotNegative("radius", radius);
             _found.begin(Collector.ALL, radius * radius, asker, filter);
-            return _near.count(_seen.findPlaces(), x, y, z, _found);
+            return _near.count(_seen.treeOfPlaces(), x, y, z, _found);
         }
     }
 }

@@ -169,7 +169,7 @@ package starlogo.queries
             ray.to = maxDistance;
             _found.begin(wanted, maxDistance, null, filter);
             _hits.begin();
-            _search.begin(_seen.findExtents(), ray.x, ray.y, ray.z, 0, 0, 0);
+            _search.begin(_seen.treeOfExtents(), ray.x, ray.y, ray.z, 0, 0, 0);
             _search.moveAlong(ray.directionX, ray.directionY, ray.directionZ, maxDistance);
         }
 

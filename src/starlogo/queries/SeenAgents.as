@@ -208,13 +208,13 @@ package starlogo.queries
         }
 
         /** @private Returns the tree of the places, and builds it first if it is stale. Throws an error before the first update. */
-        engine function findPlaces():RowTree
+        engine function treeOfPlaces():RowTree
         {
             return build(_places, _table.places.last);
         }
 
         /** @private Returns the tree of the extents, and builds it first if it is stale. Throws an error before the first update. While a model is loading, its extents mean nothing. */
-        engine function findExtents():RowTree
+        engine function treeOfExtents():RowTree
         {
             return build(_extents, _table.extents);
         }

@@ -109,7 +109,7 @@ package starlogo.queries
             {
                 return _found;
             }
-            _search.beginAround(_seen.findExtents(), body);
+            _search.beginAround(_seen.treeOfExtents(), body);
             for (var row:int = _found.nextOf(_search); row >= 0 && !_found.canEnd; row = _found.nextOf(_search))
             {
                 if (_seen.narrowPhase.areTouching(body, table.bodyOf(row)))

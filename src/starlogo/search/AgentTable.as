@@ -33,23 +33,28 @@ package starlogo.search
         /** By row: the number of the agent's breed. */
         internal var breeds:Vector.<int> = new Vector.<int>();
 
-        // By row: the shape of the agent's model, which is null while the model is loading; the shape's form; and the body, which is as old as its
-        // revision.
+        // By row: the shape of the agent's model, which is null while the model is loading; and the shape's form.
         engine var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
         engine var forms:Vector.<int> = new Vector.<int>();
+
+        // By row: the body, which is as old as its revision.
         private var _bodies:Vector.<Body> = new Vector.<Body>();
 
         /** By row: the extents of the shape. */
         engine var extents:Extents;
         private var _rowExtents:RowExtents;
 
-        // By row: the agent's bodyRevision at which its body was read, or STALE; and its shapeRevision at which its shape was read.
+        // By row: the agent's bodyRevision at which its body was read, or STALE.
         private var _bodyRevisions:Vector.<int> = new Vector.<int>();
+
+        // By row: the agent's shapeRevision at which its shape was read.
         private var _shapeRevisions:Vector.<int> = new Vector.<int>();
 
-        // By row: the structure of the body if it is a box that is tested alone, and else null; and the revision at which it was placed. This
-        // column is typed, so the most frequent slow test needs no casts.
+        // By row: the structure of the body if it is a box that is tested alone, and else null. This column is typed, so the most frequent slow
+        // test needs no casts.
         internal var boxes:Vector.<Box> = new Vector.<Box>();
+
+        // By row: the revision at which its box was placed.
         internal var placedRevisions:Vector.<int> = new Vector.<int>();
 
         // The number of rows read last whose models are still loading.
@@ -124,7 +129,7 @@ package starlogo.search
             _rowExtents.moveRow(row, places.last);
         }
 
-        /** Reads the agent of the ground or of the edges of the world into its row, or empties the row. */
+        /** Reads the agent of the ground or of the edges of the world into its row if the row has another one, or empties the row. */
         public function readWorldAgent(row:int, agent:Agent):void
         {
             if (list.agents[row] !== agent)
@@ -135,7 +140,7 @@ package starlogo.search
                 {
                     breeds[row] = agent.breedNumber;
                     setShape(row, ModelShapes.newShapeOfWorldAgent(WorldAgent(agent)));
-                    findExtents(row);
+                    readBody(row);
                     places.last.read(row, agent);
                     places.before.read(row, agent);
                 }
@@ -335,7 +340,7 @@ package starlogo.search
             }
         }
 
-        // Gives rows the shapes that findShapes has found, and finds their extents. Returns the number of rows whose models are loading. These
+        // Gives rows the shapes that findShapes has found, and reads their bodies. Returns the number of rows whose models are loading. These
         // are read again in every search.
         private function takeShapes(reshaped:ReshapedRows):int
         {
@@ -354,7 +359,7 @@ package starlogo.search
                 }
                 else
                 {
-                    findExtents(row);
+                    readBody(row);
                 }
             }
             return loading;
@@ -385,7 +390,8 @@ package starlogo.search
             forms[row] = shape.form;
         }
 
-        private function findExtents(row:int):void
+        // Reads the body of a row, whose shape is known, and the extents of the body.
+        private function readBody(row:int):void
         {
             var agent:Agent = list.agents[row];
             var shape:ModelShape = shapes[row];

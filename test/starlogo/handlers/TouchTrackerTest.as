@@ -58,8 +58,8 @@ package starlogo.handlers
                     assertEquals(name, pairs.indexOf(name) >= 0, known != null);
                     if (known == null)
                     {
-                        known = _tracker.start(i, a, b, a.breedNumber, b.breedNumber, true);
-                        assertStrictlyEquals("either way round it is the same", known, _tracker.start(i, b, a, b.breedNumber, a.breedNumber, true));
+                        known = _tracker.touchOrStart(i, a, b, a.breedNumber, b.breedNumber, true);
+                        assertStrictlyEquals("either way round it is the same", known, _tracker.touchOrStart(i, b, a, b.breedNumber, a.breedNumber, true));
                         assertStrictlyEquals(known, _tracker.touches[i]);
                         assertEquals(frame, known.beganIn);
                         pairs.push(name);
@@ -169,7 +169,7 @@ package starlogo.handlers
                     assertEquals(pairs[i], begun.indexOf(pairs[i]) >= 0, _tracker.touches[i] != null);
                     if (_tracker.touches[i] == null)
                     {
-                        _tracker.start(i, first, second, first.breedNumber, second.breedNumber, true);
+                        _tracker.touchOrStart(i, first, second, first.breedNumber, second.breedNumber, true);
                         begun.push(pairs[i]);
                     }
                     assertEquals(pairs[i], nameOf(_tracker.touches[i].first, _tracker.touches[i].second));
@@ -190,10 +190,10 @@ package starlogo.handlers
         {
             var a:Agent = _agents[0];
             var b:Agent = _agents[1];
-            _tracker.start(0, a, b, a.breedNumber, b.breedNumber);
+            _tracker.touchOrStart(0, a, b, a.breedNumber, b.breedNumber);
             assertNull("handlers of one way only", renewed(a, b));
             _tracker.collectEnded();
-            var touch:Touch = _tracker.start(0, a, b, a.breedNumber, b.breedNumber, true);
+            var touch:Touch = _tracker.touchOrStart(0, a, b, a.breedNumber, b.breedNumber, true);
             assertStrictlyEquals(touch, renewed(b, a));
             b.breed = "sheep";
             assertNull(renewed(a, b));

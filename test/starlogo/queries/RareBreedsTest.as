@@ -49,7 +49,7 @@ package starlogo.queries
         public function theOneFarWolfIsNearestToAllSheep():void
         {
             var wolves:AgentFilter = AgentFilter.ofBreeds("wolves", "nobody's");
-            assertFew(_seen.findPlaces(), function(sheep:Agent):void
+            assertFew(_seen.treeOfPlaces(), function(sheep:Agent):void
                 {
                     assertStrictlyEquals(_agents[SHEEP], _places.nearest(sheep, Infinity, wolves));
                 });
@@ -59,11 +59,11 @@ package starlogo.queries
         public function manyAreNearAndNoneOfThemCounts():void
         {
             var wolves:AgentFilter = AgentFilter.ofBreeds("wolves");
-            assertFew(_seen.findPlaces(), function(sheep:Agent):void
+            assertFew(_seen.treeOfPlaces(), function(sheep:Agent):void
                 {
                     assertEquals(0, _places.countNear(sheep, 200, wolves));
                 });
-            assertFew(_seen.findPlaces(), function(sheep:Agent):void
+            assertFew(_seen.treeOfPlaces(), function(sheep:Agent):void
                 {
                     assertEquals(0, _places.inCone(sheep, 200, 90, wolves, null).length);
                 });
@@ -74,7 +74,7 @@ package starlogo.queries
         {
             var large:Sphere = new Sphere(new Vector3D(), 2000);
             var wolves:AgentFilter = AgentFilter.ofBreeds("wolves");
-            assertFew(_seen.findExtents(), function(sheep:Agent):void
+            assertFew(_seen.treeOfExtents(), function(sheep:Agent):void
                 {
                     assertStrictlyEquals(_agents[SHEEP], new TouchQueries(_seen).overlapping(large, wolves, null)[0]);
                 });

@@ -55,31 +55,31 @@ package starlogo.agents
         /**
          * Finds how the agent is carried.
          *
-         * @param to where the platform is now
+         * @param now where the platform is now
          * @param motion receives the motion of the agent
          * @return the turn about the z axis, in degrees
          */
-        public function carry(to:Placement, motion:Vector3D):Number
+        public function carry(now:Placement, motion:Vector3D):Number
         {
             var from:Placement = platformPlace;
-            var toX:Number = place.x - from.x;
-            var toY:Number = place.y - from.y;
-            var toZ:Number = place.z - from.z;
-            motion.setTo(to.x - from.x, to.y - from.y, to.z - from.z);
-            if (from.size == to.size && from.hasRotationOf(to))
+            var offsetX:Number = place.x - from.x;
+            var offsetY:Number = place.y - from.y;
+            var offsetZ:Number = place.z - from.z;
+            motion.setTo(now.x - from.x, now.y - from.y, now.z - from.z);
+            if (from.size == now.size && from.hasRotationOf(now))
             {
                 return 0;
             }
-            var scale:Number = to.size / from.size;
-            var alongX:Number = scale * (from.r00 * toX + from.r10 * toY + from.r20 * toZ);
-            var alongY:Number = scale * (from.r01 * toX + from.r11 * toY + from.r21 * toZ);
-            var alongZ:Number = scale * (from.r02 * toX + from.r12 * toY + from.r22 * toZ);
-            motion.x += to.r00 * alongX + to.r01 * alongY + to.r02 * alongZ - toX;
-            motion.y += to.r10 * alongX + to.r11 * alongY + to.r12 * alongZ - toY;
-            motion.z += to.r20 * alongX + to.r21 * alongY + to.r22 * alongZ - toZ;
-            return Trigonometry.arctangent(to.r10 * from.r00 + to.r11 * from.r01 + to.r12 * from.r02
-                    - to.r00 * from.r10 - to.r01 * from.r11 - to.r02 * from.r12,
-                    to.r00 * from.r00 + to.r01 * from.r01 + to.r02 * from.r02 + to.r10 * from.r10 + to.r11 * from.r11 + to.r12 * from.r12);
+            var scale:Number = now.size / from.size;
+            var alongX:Number = scale * (from.r00 * offsetX + from.r10 * offsetY + from.r20 * offsetZ);
+            var alongY:Number = scale * (from.r01 * offsetX + from.r11 * offsetY + from.r21 * offsetZ);
+            var alongZ:Number = scale * (from.r02 * offsetX + from.r12 * offsetY + from.r22 * offsetZ);
+            motion.x += now.r00 * alongX + now.r01 * alongY + now.r02 * alongZ - offsetX;
+            motion.y += now.r10 * alongX + now.r11 * alongY + now.r12 * alongZ - offsetY;
+            motion.z += now.r20 * alongX + now.r21 * alongY + now.r22 * alongZ - offsetZ;
+            return Trigonometry.arctangent(now.r10 * from.r00 + now.r11 * from.r01 + now.r12 * from.r02
+                    - now.r00 * from.r10 - now.r01 * from.r11 - now.r02 * from.r12,
+                    now.r00 * from.r00 + now.r01 * from.r01 + now.r02 * from.r02 + now.r10 * from.r10 + now.r11 * from.r11 + now.r12 * from.r12);
         }
     }
 }

@@ -267,7 +267,7 @@ package starlogo.queries
             {
                 return false;
             }
-            _search.beginAround(_seen.findExtents(), out.body);
+            _search.beginAround(_seen.treeOfExtents(), out.body);
             return true;
         }
 
@@ -301,7 +301,7 @@ package starlogo.queries
             }
         }
 
-        // Does so with the body lifted. Returns whether a common lift of all rows could change the answer.
+        // Finds the rows that stop the body if it begins with the lift. Returns whether a common lift of all rows could change the answer.
         private function collectLifted(wanted:int, end:Vector3D):Boolean
         {
             var rows:NumberList = _planned.rows;

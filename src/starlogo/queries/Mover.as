@@ -42,14 +42,21 @@ package starlogo.queries
         private var _rows:NumberList = new NumberList();
         private var _obstacles:NumberList = new NumberList();
 
-        // The motion: where it begins, and where when it is lifted; how it is lifted; what is left of it; what is met first on the rest and on
-        // another way.
+        // Where the motion begins.
         private var _from:Vector3D = new Vector3D();
+
+        // Where it begins when the body is lifted, and the lift.
         private var _start:Vector3D = new Vector3D();
         private var _lift:StartLift = new StartLift();
+
+        // What is left of the motion, and what is met first on that.
         private var _rest:SlidePlanes = new SlidePlanes();
         private var _impact:Impact = new Impact();
+
+        // What is met first without one of the planes.
         private var _tried:Impact = new Impact();
+
+        // The contact with a row that the core overlaps.
         private var _contact:ContactPoint = new ContactPoint();
 
         /** @param seen has the rows, and tests which of them touch */
@@ -172,7 +179,7 @@ package starlogo.queries
             findTouch(from, motion, null, out);
             if (out.row >= 0 && out.fraction > 0)
             {
-                goAlong(motion, Math.max(0, out.fraction + _body.clearance / _impact.along), out.place);
+                goAlong(motion, Math.max(0, out.fraction + _body.clearance / out.along), out.place);
             }
         }
 
@@ -331,11 +338,13 @@ package starlogo.queries
             out.contact.copyFrom(_impact.contact);
             out.contact.depth = 0;
             out.corePlace.setTo(_start.x + _impact.time * motion.x, _start.y + _impact.time * motion.y, _start.z + _impact.time * motion.z);
+            out.along = _impact.along;
             // without the lift the body would have touched earlier
-            _start.decrementBy(_from);
-            var time:Number = _impact.touchTime + out.contact.along(_start) / _impact.along;
+            var lifted:Number = out.contact.normalX * (_start.x - _from.x) + out.contact.normalY * (_start.y - _from.y)
+                + out.contact.normalZ * (_start.z - _from.z);
+            var time:Number = _impact.touchTime + lifted / out.along;
             out.fraction = time > 0 ? (time < 1 ? time : 1) : 0;
-            if (-out.fraction * _impact.along < _body.slop && _body.touches(out.row, _from))
+            if (-out.fraction * out.along < _body.slop && _body.touches(out.row, _from))
             {
                 out.fraction = 0;
             }

@@ -63,12 +63,17 @@ package starlogo.queries
 
         private var _seen:SeenAgents;
 
-        // The body where it begins; the body and its core at the places of the last tests; the place of the core, NaN if its size has changed;
-        // and a smaller copy of another row.
+        // The body where it begins.
         private var _source:Body;
+
+        // The body at the place of its last test.
         private var _whole:Body = new Body();
+
+        // Its core at the place of the last test of the core; and this place, whose x is NaN if the core's size has changed.
         private var _core:Body = new Body();
         private var _coreAt:Vector3D = new Vector3D();
+
+        // A smaller copy of another row.
         private var _smaller:Body = new Body();
         private var _contact:ContactPoint = new ContactPoint();
 

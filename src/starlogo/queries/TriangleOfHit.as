@@ -16,7 +16,10 @@ package starlogo.queries
      */
     public final class TriangleOfHit
     {
-        // From the point to each corner, in the model's space, and the triangle's normal. Before it is known, the last has the point.
+        // The point, in the model's space.
+        private var _point:Vector3D = new Vector3D();
+
+        // From the point to each corner, and the triangle's normal.
         private var _a:Vector3D = new Vector3D();
         private var _b:Vector3D = new Vector3D();
         private var _c:Vector3D = new Vector3D();
@@ -53,9 +56,9 @@ package starlogo.queries
             var x:Number = (point.x - placement.x) / placement.size;
             var y:Number = (point.y - placement.y) / placement.size;
             var z:Number = (point.z - placement.z) / placement.size;
-            _normal.x = placement.r00 * x + placement.r10 * y + placement.r20 * z;
-            _normal.y = placement.r01 * x + placement.r11 * y + placement.r21 * z;
-            _normal.z = placement.r02 * x + placement.r12 * y + placement.r22 * z;
+            _point.x = placement.r00 * x + placement.r10 * y + placement.r20 * z;
+            _point.y = placement.r01 * x + placement.r11 * y + placement.r21 * z;
+            _point.z = placement.r02 * x + placement.r12 * y + placement.r22 * z;
             readCorner(tree, corner, _a);
             readCorner(tree, corner + 1, _b);
             readCorner(tree, corner + 2, _c);
@@ -64,9 +67,9 @@ package starlogo.queries
         private function readCorner(tree:BoxTree, corner:int, out:Vector3D):void
         {
             var vertex:int = 3 * tree.triangles[corner];
-            out.x = tree.vertices[vertex] - _normal.x;
-            out.y = tree.vertices[int(vertex + 1)] - _normal.y;
-            out.z = tree.vertices[int(vertex + 2)] - _normal.z;
+            out.x = tree.vertices[vertex] - _point.x;
+            out.y = tree.vertices[int(vertex + 1)] - _point.y;
+            out.z = tree.vertices[int(vertex + 2)] - _point.z;
         }
 
         // Each weight is the share of the part between the point and the other two corners. A part beyond an edge counts as 0. If the triangle has

@@ -6,6 +6,7 @@ package starlogo.queries
     import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.geometry.Trigonometry;
+    import starlogo.geometry.requireInWorld;
     import starlogo.intersection.ray.Ray;
     import starlogo.search.AgentTable;
     import starlogo.search.Body;
@@ -51,10 +52,16 @@ package starlogo.queries
         private var _limits:SlideLimits = new SlideLimits();
         private var _ray:Ray = new Ray();
 
-        // How these end: a slide along the ground, a slide that is tried in its place or down a slope, a way down, and another straight way.
+        // How a slide along the ground ends.
         private var _slide:SlideResult = new SlideResult();
+
+        // How a slide ends that is tried in its place, or that leads down a slope.
         private var _tried:SlideResult = new SlideResult();
+
+        // How the last way down ends.
         private var _down:MotionResult = new MotionResult();
+
+        // How another straight way ends.
         private var _straight:MotionResult = new MotionResult();
 
         // The vector of a motion, and the beginning of a motion or of a ray.
@@ -116,6 +123,7 @@ package starlogo.queries
         private function begin(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Walk):PlatformLink
         {
             var size:Number = _seen.placeOf(agent).size;
+            requireInWorld("a motion", dx, dy, 0);
             var whole:Number = Math.sqrt(dx * dx + dy * dy);
             out.agent = agent;
             out.options = options;
@@ -125,9 +133,8 @@ package starlogo.queries
             var platform:int = findPlatform(out, link);
             // on the steepest slope the way is this long
             out.range = whole / out.cosine + Math.min(options.fall, size) / 2 + out.carry.length;
-            out.piece.setTo(dx, dy, 0);
-            findNear(out, 0);
             out.piece.setTo(dx / out.pieces, dy / out.pieces, 0);
+            findNear(out, 0);
             out.length = whole / out.pieces;
             out.extent = 2 * out.planned.body.largestHalf;
             out.closeDepth = CLOSE * out.extent;
@@ -190,7 +197,8 @@ package starlogo.queries
         {
             var options:WalkOptions = walk.options;
             _moves.readMover(walk.agent, walk.turn, walk.planned.body);
-            _moves.planWithin(walk.agent, walk.piece.x, walk.piece.y, 0, walk.range + distance, walk.pieces * options.stepHeight,
+            // the range has the way in it, whatever its direction
+            _moves.planWithin(walk.agent, 0, 0, 0, walk.range + distance, walk.pieces * options.stepHeight,
                     walk.pieces * options.snap + options.fall, options.filter, walk.planned);
         }
 
@@ -198,12 +206,12 @@ package starlogo.queries
         // The footing receives how far it was pushed, and which part of the way it has come.
         private function goPieces(walk:Walk, footing:Footing):Boolean
         {
-            var stands:Boolean = findGround(walk, walk.start, walk.closeDepth, _down);
+            var stands:Boolean = findGround(walk, walk.start, walk.closeDepth);
             var pushed:Number = 0;
             if (_down.isDeep)
             {
                 pushed = pushOut(walk);
-                stands = findGround(walk, walk.start, walk.closeDepth, _down);
+                stands = findGround(walk, walk.start, walk.closeDepth);
             }
             // a walk that begins in the air stays there
             var isInAir:Boolean = !stands;
@@ -214,7 +222,7 @@ package starlogo.queries
                 if (i > 0)
                 {
                     walk.start.copyFrom(walk.place);
-                    stands = !isInAir && findGround(walk, walk.start, walk.closeDepth, _down);
+                    stands = !isInAir && findGround(walk, walk.start, walk.closeDepth);
                 }
                 stands = goPiece(walk, stands);
             }
@@ -275,7 +283,7 @@ package starlogo.queries
                 return true;
             }
             walk.place.copyFrom(_slide.place);
-            return findGround(walk, walk.place, walk.options.snap + walk.closeDepth, _down);
+            return findGround(walk, walk.place, walk.options.snap + walk.closeDepth);
         }
 
         // Slides along the way of a piece, and up or down.
@@ -305,20 +313,20 @@ package starlogo.queries
             }
             slide(walk, _straight.place, 0, walk.cosine, _tried);
             var farther:Number = (_tried.place.x - plain.x) * walk.piece.x + (_tried.place.y - plain.y) * walk.piece.y;
-            return farther > walk.closeDepth * walk.length && findGround(walk, _tried.place, height + walk.options.snap + walk.closeDepth, _down);
+            return farther > walk.closeDepth * walk.length && findGround(walk, _tried.place, height + walk.options.snap + walk.closeDepth);
         }
 
         // Goes down to the ground if it is no deeper than this depth, and not too steep. If there is such ground, the walk is there. Otherwise it
-        // is at the beginning. The last argument receives how the way down ends. Returns whether there is.
-        private function findGround(walk:Walk, from:Vector3D, depth:Number, down:MotionResult):Boolean
+        // is at the beginning. Returns whether there is. _down has how the way down ends.
+        private function findGround(walk:Walk, from:Vector3D, depth:Number):Boolean
         {
             walk.place.copyFrom(from);
-            goUpright(walk.place, -depth, down);
-            if (down.row < 0 || !(findSupport(walk, down.contact, down.row, down.place) || findOtherSupport(walk, down.place)))
+            goUpright(walk.place, -depth, _down);
+            if (_down.row < 0 || !(findSupport(walk, _down.contact, _down.row, _down.place) || findOtherSupport(walk, _down.place)))
             {
                 return false;
             }
-            walk.place.copyFrom(down.place);
+            walk.place.copyFrom(_down.place);
             return true;
         }
 
@@ -355,7 +363,7 @@ package starlogo.queries
             if (_down.row < 0)
             {
                 // a fall can also end where the ground begins, without being stopped
-                return findGround(walk, _down.place, walk.closeDepth, _down);
+                return findGround(walk, _down.place, walk.closeDepth);
             }
             if (findSupport(walk, _down.contact, _down.row, _down.place))
             {
@@ -364,7 +372,7 @@ package starlogo.queries
             }
             var longest:Number = Math.min(walk.options.fall, walk.planned.body.placement.size);
             slideDown(walk, _down.place, Math.min(left, longest), longest / 2, _tried);
-            return findGround(walk, walk.place.z - _tried.place.z < REST * walk.extent ? walk.place : _tried.place, walk.closeDepth, _down);
+            return findGround(walk, walk.place.z - _tried.place.z < REST * walk.extent ? walk.place : _tried.place, walk.closeDepth);
         }
 
         // Finds the surface that carries the agent at a contact below it. At an edge, for example of a step, it is the face behind the edge. But

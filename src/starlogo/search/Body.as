@@ -207,7 +207,7 @@ package starlogo.search
             readShrunk(other, null, 0);
         }
 
-        /** Turns a body that a question has made of an agent, as if the agent's heading were greater by some degrees. */
+        /** Turns a body that a question has made of an agent, never the body of a row, as if the agent's heading were greater by some degrees. */
         public function turn(agent:Agent, degrees:Number):void
         {
             if (!shape.isUpright)
@@ -241,7 +241,7 @@ package starlogo.search
             return revision == seen && (placement === _ownPlacement || agent.revision == seen);
         }
 
-        /** Moves the body to a place. */
+        /** Moves a body that a question or a test has made to a place. It is never the body of a row, which may have its agent's own placement. */
         public function moveTo(place:Vector3D):void
         {
             if (place.x != placement.x || place.y != placement.y || place.z != placement.z)

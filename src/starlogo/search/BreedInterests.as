@@ -32,7 +32,7 @@ package starlogo.search
         private var _agentBreeds:int = 0;
         private var _agentPairs:int = 0;
 
-        /** How often a pair was added. */
+        /** How often <code>add()</code> was called, also for a pair that was there. */
         internal var revision:int = 0;
 
         /**

@@ -15,7 +15,7 @@ package starlogo.search
         /** By index in the list: whether the agent takes part; null for all. */
         public var takePart:Vector.<Boolean> = null;
 
-        /** The pairs of breeds that count; null for all. */
+        /** The pairs of breeds that count; null for all. It must not be null if there is an agent of the ground or of the edges. */
         public var interests:BreedInterests = null;
 
         /** The agent of the ground, or null. */

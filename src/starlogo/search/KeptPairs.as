@@ -82,7 +82,8 @@ package starlogo.search
         }
 
         /**
-         * Takes the pairs of a search of all rows, if it was like the one before. If it was not, the next one is not likely to be.
+         * Takes the pairs of a search of all rows, if it was like the one before. If it was not, the next one is not likely to be. Call it after
+         * <code>find()</code> of the same search has returned false: <code>find()</code> compares the two searches.
          *
          * @param members the rows that take part
          */

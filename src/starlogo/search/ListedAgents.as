@@ -17,10 +17,10 @@ package starlogo.search
      */
     public final class ListedAgents
     {
-        /** The row of the agent of the ground, which is in no list. */
+        /** The row of the agent of the ground, which is in no list. It is also the number of this agent's breed. */
         public static const GROUND:int = 0;
 
-        /** The row of the agent of the edges of the world. */
+        /** The row of the agent of the edges of the world. It is also the number of this agent's breed. */
         public static const EDGES:int = 1;
 
         /** The first row for agents of a list. */

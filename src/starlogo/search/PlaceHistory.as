@@ -12,7 +12,10 @@ package starlogo.search
         /** The places in the last search. */
         public var last:RowPlaces = new RowPlaces();
 
-        /** The places in the search before. A row that has not changed has the same place in both. */
+        /**
+         * The places in the search before. A row that has not changed has the same place in both. Between <code>beginRead()</code> and
+         * <code>acceptRead()</code> it receives the new places, so it holds neither search then.
+         */
         public var before:RowPlaces = new RowPlaces();
 
         /** The rows that the last search has read again, because their agents had changed. */

@@ -31,16 +31,24 @@ package starlogo.search
         /** How many contacts decide about the current push. */
         public var deciding:int = 0;
 
-        // The pushes. The length of one that was taken is Infinity. The current one is -1 at first.
+        // The pushes. The length of one that was taken is Infinity.
         private var _pushes:Vector.<Number> = new Vector.<Number>();
+
+        // By push: how many contacts decide about it.
         private var _deciding:Vector.<int> = new Vector.<int>();
+
         private var _count:int = 0;
+
+        // The number of the current push, -1 at first.
         private var _current:int = -1;
 
-        // The new contact and those that decide about the current push, as half-spaces; their normals and how far a push has to go along them, by number;
-        // and the shortest displacement out of them.
+        // The new contact and those that decide about the current push, as half-spaces.
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
+
+        // By half-space: the normal, and how far a push has to go along it.
         private var _contacts:Vector.<Number> = new Vector.<Number>(16, true);
+
+        // The shortest displacement out of the half-spaces.
         private var _shortest:ShortestExit = new ShortestExit();
 
         /** Begins again, with a push of length 0. */

@@ -78,7 +78,7 @@ package starlogo.bounding
             var z:Number = center.z * size;
             var middle:Vector3D = placed.center;
             placed.radius = radius * size;
-            if (placement.isIdentity)
+            if (placement.isUnrotated)
             {
                 middle.x = x + placement.x;
                 middle.y = y + placement.y;

@@ -60,7 +60,7 @@ package starlogo.convex
         }
 
         /** Exchanges the two shapes. */
-        public function swapShapes():void
+        public function swap():void
         {
             var x:Number = aX;
             var y:Number = aY;

@@ -52,7 +52,7 @@ package starlogo.convex
          *
          * @param motion the other shape's motion; the shape is where it is at the motion's time
          */
-        public function swapBodies(motion:RelativeMotion):void
+        public function swap(motion:RelativeMotion):void
         {
             var time:Number = motion.time;
             x += motion.startX + time * motion.x;

@@ -133,7 +133,7 @@ package starlogo.convex
             out.z += _cores.b.z;
             if (_cores.isSwapped)
             {
-                out.swapBodies(motion);
+                out.swap(motion);
             }
         }
 
@@ -154,7 +154,7 @@ package starlogo.convex
             out.setFromGap(gap);
             if (_cores.isSwapped)
             {
-                out.swapShapes();
+                out.swap();
             }
         }
     }

@@ -55,21 +55,21 @@ package starlogo.convex
             var before:Vector.<Number> = points;
             var count:int = 0;
             var last:int = end - 3;
-            var lastBeyond:Number = inX * before[last] + inY * before[int(last + 1)] + inZ * before[int(last + 2)] - from;
+            var lastInwards:Number = inX * before[last] + inY * before[int(last + 1)] + inZ * before[int(last + 2)] - from;
             // A segment is not a closed outline.
             var isSegment:Boolean = end == 6;
             for (var at:int = 0; at < end; at += 3)
             {
-                var beyond:Number = inX * before[at] + inY * before[int(at + 1)] + inZ * before[int(at + 2)] - from;
-                if (beyond > 0 != lastBeyond > 0 && !(isSegment && at == 0))
+                var inwards:Number = inX * before[at] + inY * before[int(at + 1)] + inZ * before[int(at + 2)] - from;
+                if (inwards > 0 != lastInwards > 0 && !(isSegment && at == 0))
                 {
-                    var share:Number = lastBeyond / (lastBeyond - beyond);
+                    var share:Number = lastInwards / (lastInwards - inwards);
                     kept[count] = before[last] + share * (before[at] - before[last]);
                     kept[int(count + 1)] = before[int(last + 1)] + share * (before[int(at + 1)] - before[int(last + 1)]);
                     kept[int(count + 2)] = before[int(last + 2)] + share * (before[int(at + 2)] - before[int(last + 2)]);
                     count += 3;
                 }
-                if (beyond > 0)
+                if (inwards > 0)
                 {
                     kept[count] = before[at];
                     kept[int(count + 1)] = before[int(at + 1)];
@@ -77,7 +77,7 @@ package starlogo.convex
                     count += 3;
                 }
                 last = at;
-                lastBeyond = beyond;
+                lastInwards = inwards;
             }
             points = kept;
             _before = before;

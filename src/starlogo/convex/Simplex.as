@@ -10,8 +10,8 @@ package starlogo.convex
      */
     internal final class Simplex
     {
-        // Rounding, as a fraction of the sizes: about four units in the last place.
-        private static const ROUNDING:Number = 4e-16;
+        // The rounding error of a corner, as a fraction of the sizes and places: about four units in the last place.
+        private static const CORNER_ROUNDING:Number = 4e-16;
 
         // The squared ratio of height to base below which a triangle counts as its edges.
         private static const FLAT:Number = 1e-28;
@@ -45,7 +45,7 @@ package starlogo.convex
         /** Begins without corners. */
         public function begin(cores:CorePair):void
         {
-            rounding = ROUNDING * (cores.a.size + cores.b.size + Math.abs(cores.x) + Math.abs(cores.y) + Math.abs(cores.z));
+            rounding = CORNER_ROUNDING * (cores.a.size + cores.b.size + Math.abs(cores.x) + Math.abs(cores.y) + Math.abs(cores.z));
             count = 0;
         }
 

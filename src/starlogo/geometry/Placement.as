@@ -13,7 +13,8 @@ package starlogo.geometry
      * numbers have double precision in every player. A Matrix3D does not, because Flash Player keeps it in single precision.</p>
      *
      * <p>This package has the plain maths that all others share: placements, bounds and the ConvexHull of vertices, and functions with the
-     * same results on every machine. Tolerances has all limits for rounding. Read Touching next, which says when two shapes touch.</p>
+     * same results on every machine. Tolerances has the limits for rounding that more than one class needs. Read Touching next, which says when
+     * two shapes touch.</p>
      */
     public final class Placement
     {
@@ -32,8 +33,8 @@ package starlogo.geometry
         /** The uniform scale, above 0. */
         public var size:Number = 1;
 
-        /** Whether the rotation is the identity. */
-        public var isIdentity:Boolean = true;
+        /** Whether the rotation is known to be the identity. Then <code>place()</code> leaves it out. */
+        public var isUnrotated:Boolean = true;
 
         /** The rotation: row 0, column 0. */
         public var r00:Number = 1;
@@ -80,7 +81,7 @@ package starlogo.geometry
         /** Copies the rotation of another placement. */
         public function copyRotation(other:Placement):void
         {
-            isIdentity = other.isIdentity;
+            isUnrotated = other.isUnrotated;
             r00 = other.r00;
             r01 = other.r01;
             r02 = other.r02;
@@ -102,7 +103,7 @@ package starlogo.geometry
          */
         public function setRotation(heading:Number, pitch:Number, roll:Number):void
         {
-            isIdentity = heading == 0 && pitch == 0 && roll == 0;
+            isUnrotated = heading == 0 && pitch == 0 && roll == 0;
             var cosHeading:Number = Trigonometry.cosine(heading);
             var sinHeading:Number = Trigonometry.sine(heading);
             if (pitch == 0 && roll == 0)
@@ -150,7 +151,7 @@ package starlogo.geometry
             r20 = 2 * (x * z - w * y);
             r21 = 2 * (y * z + w * x);
             r22 = 1 - 2 * (x * x + y * y);
-            isIdentity = x == 0 && y == 0 && z == 0;
+            isUnrotated = x == 0 && y == 0 && z == 0;
         }
 
         /**
@@ -198,7 +199,7 @@ package starlogo.geometry
             r02 = data[8] / size;
             r12 = data[9] / size;
             r22 = data[10] / size;
-            isIdentity = hasIdentityNumbers();
+            isUnrotated = hasIdentityNumbers();
             return data[3] == 0 && data[7] == 0 && data[11] == 0 && data[15] == 1 && isRotation;
         }
 
@@ -290,7 +291,7 @@ package starlogo.geometry
             var fromX:Number = point.x * size;
             var fromY:Number = point.y * size;
             var fromZ:Number = point.z * size;
-            if (isIdentity)
+            if (isUnrotated)
             {
                 out.x = fromX + x;
                 out.y = fromY + y;
@@ -404,7 +405,7 @@ package starlogo.geometry
             r20 = from[int(at + 6)];
             r21 = from[int(at + 7)];
             r22 = from[int(at + 8)];
-            isIdentity = hasIdentityNumbers();
+            isUnrotated = hasIdentityNumbers();
         }
 
         private function hasIdentityNumbers():Boolean

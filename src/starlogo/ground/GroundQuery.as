@@ -16,7 +16,7 @@ package starlogo.ground
      * a structure or a tree.
      *
      * <p>A connected piece that does not touch the ground's surface is wholly under the ground or wholly outside of it, so one point decides.
-     * First, each convex piece is tested against the triangles of the surface near it. Then a point of the piece is tested.</p>
+     * So each convex piece is tested against the triangles of the surface near it, and a point of it against the height of the ground.</p>
      *
      * <p>Answers are nested, because a node's piece contains the pieces and the triangles of all its
      * descendants.</p>

@@ -25,7 +25,7 @@ package starlogo.ground
         public function isBeyond(box:GroundBox, low:Vector3D, high:Vector3D):Boolean
         {
             var direction:Vector3D = _direction;
-            _core.setTo(box.structure, RelativeMotion.NONE);
+            _core.setTo(box.structure);
             findDirection(low, high);
             if (!(direction.normalize() > 0))
             {

@@ -19,7 +19,7 @@ package starlogo.hierarchy
         private static const LATEST:Number = 1e90;
 
         // How much larger boxes are on each side because of rounding, as a fraction of the tree's radius.
-        private static const MARGIN:Number = 1.5e-8;
+        private static const SLACK:Number = 1.5e-8;
 
         /** The middle of the box at time 0. */
         public var x:Number = 0;
@@ -122,13 +122,13 @@ package starlogo.hierarchy
          */
         public function find(tree:BoxTree, depth:int, test:LeafTest):void
         {
-            var margin:Number = MARGIN * tree.radius;
+            var slack:Number = SLACK * tree.radius;
             var fromX:Number = x;
             var fromY:Number = y;
             var fromZ:Number = z;
-            var widerX:Number = halfX + margin;
-            var widerY:Number = halfY + margin;
-            var widerZ:Number = halfZ + margin;
+            var widerX:Number = halfX + slack;
+            var widerY:Number = halfY + slack;
+            var widerZ:Number = halfZ + slack;
             var inverseX:Number = _inverseX;
             var inverseY:Number = _inverseY;
             var inverseZ:Number = _inverseZ;
@@ -236,7 +236,7 @@ package starlogo.hierarchy
         {
             var nodes:Vector.<int> = _nodes;
             var distances:Vector.<Number> = _enters;
-            var margin:Number = MARGIN * tree.radius;
+            var slack:Number = SLACK * tree.radius;
             var top:int = 1;
             nodes[0] = 0;
             distances[0] = 0;
@@ -257,8 +257,8 @@ package starlogo.hierarchy
                 node = tree.left[node];
                 nodes[top] = node;
                 nodes[int(top + 1)] = node + 1;
-                writeDistance(tree.boxes, 6 * node, margin, distances, top);
-                writeDistance(tree.boxes, 6 * node + 6, margin, distances, top + 1);
+                writeDistance(tree.boxes, 6 * node, slack, distances, top);
+                writeDistance(tree.boxes, 6 * node + 6, slack, distances, top + 1);
                 if (distances[top] < distances[int(top + 1)])
                 {
                     var distance:Number = distances[top];
@@ -271,13 +271,13 @@ package starlogo.hierarchy
             }
         }
 
-        // Writes how far the box is from the box of a node, less a margin.
-        private function writeDistance(boxes:Vector.<Number>, at:int, margin:Number, out:Vector.<Number>, to:int):void
+        // Writes how far the box is from the box of a node, less a slack.
+        private function writeDistance(boxes:Vector.<Number>, at:int, slack:Number, out:Vector.<Number>, to:int):void
         {
             var distanceX:Number = Math.max(0, Math.abs(boxes[at] - x) - boxes[int(at + 3)] - halfX);
             var distanceY:Number = Math.max(0, Math.abs(boxes[int(at + 1)] - y) - boxes[int(at + 4)] - halfY);
             var distanceZ:Number = Math.max(0, Math.abs(boxes[int(at + 2)] - z) - boxes[int(at + 5)] - halfZ);
-            out[to] = Math.sqrt(distanceX * distanceX + distanceY * distanceY + distanceZ * distanceZ) - margin;
+            out[to] = Math.sqrt(distanceX * distanceX + distanceY * distanceY + distanceZ * distanceZ) - slack;
         }
     }
 }

@@ -68,7 +68,7 @@ package starlogo.hierarchy
         public var radius:Number = 0;
 
         /** The radius of a sphere around the origin that contains the model. Rounding errors are relative to it. Complete with the root's box. */
-        public var boundingRadius:Number = 0;
+        public var radiusAboutOrigin:Number = 0;
 
         // For each node, four times its level plus the axis along which it is split. The root's level is 1.
         private var _splits:Vector.<int> = new Vector.<int>();
@@ -276,7 +276,7 @@ package starlogo.hierarchy
             {
                 measure(node, extents);
             }
-            setExtents(extents);
+            measureRadiusAboutOrigin(extents);
             for (node = 0; node < count; node++)
             {
                 enclose(node, extents, 6 * node);
@@ -317,20 +317,21 @@ package starlogo.hierarchy
         }
 
         /**
-         * For makers of trees: sets the extents of the whole model. Must be called before <code>enclose()</code>.
+         * For makers of trees: measures the radius about the origin, on which the boxes' margins depend. Must be called before
+         * <code>enclose()</code>.
          *
-         * @param extents begins with minX, minY, minZ, maxX, maxY, maxZ
+         * @param extents the extents of the whole model; begins with minX, minY, minZ, maxX, maxY, maxZ
          * @throws ArgumentError if a coordinate is larger than 1e60
          */
-        engine function setExtents(extents:Vector.<Number>):void
+        engine function measureRadiusAboutOrigin(extents:Vector.<Number>):void
         {
-            boundingRadius = 0;
+            radiusAboutOrigin = 0;
             for (var i:int = 0; i < 6; i++)
             {
-                boundingRadius = Math.max(boundingRadius, Math.abs(extents[i]));
+                radiusAboutOrigin = Math.max(radiusAboutOrigin, Math.abs(extents[i]));
             }
-            VertexBounds.requireWithin(boundingRadius);
-            boundingRadius *= Math.sqrt(3);
+            VertexBounds.requireWithin(radiusAboutOrigin);
+            radiusAboutOrigin *= Math.sqrt(3);
         }
 
         /**
@@ -342,7 +343,7 @@ package starlogo.hierarchy
          */
         engine function enclose(node:int, extents:Vector.<Number>, at:int = 0):void
         {
-            var margin:Number = boundingRadius * (Tolerances.SURFACES + Tolerances.NESTING * Math.max(1, Tolerances.NESTED_LEVELS - levelOf(node)));
+            var margin:Number = radiusAboutOrigin * (Tolerances.SURFACES + Tolerances.NESTING * Math.max(1, Tolerances.NESTED_LEVELS - levelOf(node)));
             var minX:Number = extents[at];
             var minY:Number = extents[int(at + 1)];
             var minZ:Number = extents[int(at + 2)];

@@ -78,7 +78,7 @@ package starlogo.hierarchy
         private function beginRoot():void
         {
             _tree.order = _items.order;
-            _tree.setExtents(_items.bounds);
+            _tree.measureRadiusAboutOrigin(_items.bounds);
             _tree.addRoot();
             _tree.enclose(0, _items.bounds);
             _waiting.push(0);

@@ -1,5 +1,7 @@
 package starlogo.hierarchy
 {
+    import flash.errors.IllegalOperationError;
+
     /**
      * Decides about a leaf of one tree and a leaf of another by their contents: whether they touch, when they touch, or how far they are apart.
      * Abstract: subclasses know the contents.
@@ -21,7 +23,7 @@ package starlogo.hierarchy
          */
         public function testLeaves(treeA:BoxTree, a:int, treeB:BoxTree, b:int, bounds:NodePairBounds):Boolean
         {
-            return true;
+            throw new IllegalOperationError(this + " does not implement testLeaves");
         }
     }
 }

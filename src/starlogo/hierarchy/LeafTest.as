@@ -1,5 +1,7 @@
 package starlogo.hierarchy
 {
+    import flash.errors.IllegalOperationError;
+
     /**
      * Tests leaves of a tree, in the order in which a motion or a ray may meet them, or from the nearest on. Abstract.
      *
@@ -14,14 +16,15 @@ package starlogo.hierarchy
         public var least:Number = 0;
 
         /**
-         * Tests a leaf. The numbers of its triangles are a range.
+         * Tests a leaf. Its items are a range in the tree's order. They are triangles, or vertices if the model has no triangles.
          *
          * @param node the leaf's number
-         * @param first the first triangle's number
-         * @param end the number after the last one
+         * @param first the first item's index
+         * @param end the index after the last one
          */
         public function testLeaf(node:int, first:int, end:int):void
         {
+            throw new IllegalOperationError(this + " does not implement testLeaf");
         }
     }
 }

@@ -16,7 +16,7 @@ package starlogo.hierarchy
      */
     public final class RelativePose
     {
-        /** Transforms the second model into the first model's space. Its isIdentity is always false. */
+        /** Transforms the second model into the first model's space. Its <code>isUnrotated</code> stays false: nothing is left out. */
         public var placement:Placement = new Placement();
 
         /** The largest distance at which the two models still touch, in the first model's space: the rounding error of their places. */
@@ -33,7 +33,7 @@ package starlogo.hierarchy
 
         public function RelativePose()
         {
-            placement.isIdentity = false;
+            placement.isUnrotated = false;
         }
 
         /**

@@ -35,8 +35,8 @@ package starlogo.intersection
         {
             var first:Capsule = a as Capsule;
             var second:Capsule = b as Capsule;
-            var areReversed:Boolean = areSwapped(first, second);
-            setAxes(areReversed ? second : first, areReversed ? first : second);
+            var isSwapped:Boolean = areSwapped(first, second);
+            setAxes(isSwapped ? second : first, isSwapped ? first : second);
             findShares();
             var x:Number = _x + _shareOfU * _uX - _shareOfV * _vX;
             var y:Number = _y + _shareOfU * _uY - _shareOfV * _vY;

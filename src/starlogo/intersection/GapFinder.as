@@ -1,12 +1,14 @@
 package starlogo.intersection
 {
+    import flash.errors.IllegalOperationError;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.CoreGap;
     import starlogo.convex.RelativeMotion;
 
     /**
-     * Finds the gap between the cores of two structures, one of which moves. RoundKernel answers its questions by the gap. Abstract: there is a
-     * class for each pair of kinds. Between the calls it keeps the two structures, in axes of its own in which the gap is easy to find.
+     * Finds the gap between the cores of two structures, one of which moves, and tests whether two touch where they stand. RoundKernel answers
+     * all other questions by the gap. Abstract: there is a class for each pair of kinds. Between the calls it keeps the two structures, in axes of
+     * its own in which the gap is easy to find.
      *
      * @private
      */
@@ -15,7 +17,7 @@ package starlogo.intersection
         /** Whether two structures touch where they stand. See PairKernel. */
         public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
         {
-            return false;
+            throw new IllegalOperationError(this + " does not implement areTouching");
         }
 
         /** Whether b comes before a, so that the distance of (b, a) is found in place of that of (a, b). Then rounding is the same for both. */
@@ -35,16 +37,19 @@ package starlogo.intersection
          */
         public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, localMotion:RelativeMotion, out:CoreGap):void
         {
+            throw new IllegalOperationError(this + " does not implement begin");
         }
 
         /** Finds the gap at the motion's time. It is a vector in the finder's axes. */
         public function find(localMotion:RelativeMotion, out:CoreGap):void
         {
+            throw new IllegalOperationError(this + " does not implement find");
         }
 
         /** Turns the gap that was found last into the structures' space, and writes the closest point of a, where a is stored. */
         public function finish(out:CoreGap):void
         {
+            throw new IllegalOperationError(this + " does not implement finish");
         }
     }
 }

@@ -100,7 +100,7 @@ package starlogo.intersection
             out.setFromGap(_gap);
             if (areSwapped)
             {
-                out.swapShapes();
+                out.swap();
             }
         }
 

@@ -56,7 +56,7 @@ package starlogo.intersection
             {
                 setGap(b as Sphere, a as Sphere, RelativeMotion.NONE);
                 out.setFromGap(_gap);
-                out.swapShapes();
+                out.swap();
             }
             else
             {

@@ -36,14 +36,14 @@ package starlogo.intersection
         {
             _reversed.setReversed(displacement);
             _kernel.findContact(b, a, _reversed, out);
-            out.swapBodies(displacement);
+            out.swap(displacement);
         }
 
         /** @inheritDoc */
         override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
             _kernel.findClosest(b, a, out);
-            out.swapShapes();
+            out.swap();
         }
     }
 }

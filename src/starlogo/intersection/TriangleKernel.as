@@ -27,7 +27,7 @@ package starlogo.intersection
         /** The shape, in the triangles' space. Only its margin may be changed. */
         public var shape:ConvexShape = new ConvexShape();
 
-        /** The structure that the shape was set to, in the triangles' space. Read only. */
+        /** The structure that the shape was set to, in the triangles' space; null if it is a triangle. Read only. */
         public var structure:BoundingStructure = null;
 
         private var _pair:ConvexPair = new ConvexPair();
@@ -64,6 +64,7 @@ package starlogo.intersection
         /** Sets the shape to a triangle: nine numbers of a list, from an index on. The placement moves it into the other triangles' space. */
         public function setShapeToTriangle(corners:Vector.<Number>, at:int, placement:Placement):void
         {
+            structure = null;
             placement.placePoints(corners, at, at + 9, _placed);
             shape.setTriangle(_placed, 0);
         }
@@ -183,7 +184,11 @@ package starlogo.intersection
             return _pair.findCloser(shape, _triangle, out);
         }
 
-        /** Whether the shape stays on one side of the triangle's plane until the motion's latest time. A quick test. */
+        /**
+         * Whether the shape stays on one side of the triangle's plane until the motion's latest time. A quick test.
+         *
+         * @param motion of the shape; its start must be 0
+         */
         public function staysBeside(motion:RelativeMotion):Boolean
         {
             prepare();

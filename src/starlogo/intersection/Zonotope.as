@@ -5,7 +5,6 @@ package starlogo.intersection
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
-    import starlogo.convex.RelativeMotion;
 
     /**
      * A structure's core as a sum of segments about a middle: three segments for a box, one for a capsule's axis, none for a sphere's centre. A hull
@@ -35,17 +34,10 @@ package starlogo.intersection
         private var _halves:Vector.<Number> = new Vector.<Number>(3, true);
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        /**
-         * Sets the sum to a structure.
-         *
-         * @param structure a Box, a Capsule, a Sphere or a Hull
-         * @param displacement moves the structure from its stored place
-         */
-        public function setTo(structure:BoundingStructure, displacement:RelativeMotion):void
+        /** Sets the sum to the core of a Box, a Capsule, a Sphere or a Hull. */
+        public function setTo(structure:BoundingStructure):void
         {
-            x = displacement.startX;
-            y = displacement.startY;
-            z = displacement.startZ;
+            x = y = z = 0;
             end = 0;
             radius = 0;
             if (structure.kind == BoundingStructure.BOX)

@@ -3,9 +3,9 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
 
     /**
-     * Whether two structures touch or overlap (thesis §3.6). Symmetric. It calls the function for the pair's kinds. This package has one for each pair
-     * of spheres, capsules and boxes. From the fastest to the slowest, these are: sphereSphere, sphereCapsule, sphereBox, capsuleCapsule,
-     * capsuleBox, boxBox. They allocate nothing. A test with a hull finds the distance of two convex shapes.
+     * Whether two structures touch or overlap (thesis §3.6). Symmetric. For each pair of spheres, capsules and boxes this package also has a function
+     * with the same answer. From the fastest to the slowest, these are: sphereSphere, sphereCapsule, sphereBox, capsuleCapsule, capsuleBox,
+     * boxBox. They allocate nothing. A test with a hull finds the distance of two convex shapes.
      *
      * @param a a Sphere, Capsule, Box or Hull
      * @param b a Sphere, Capsule, Box or Hull, in the same space

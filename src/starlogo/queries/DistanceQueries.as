@@ -85,7 +85,7 @@ package starlogo.queries
             if (NarrowPhase.isSecondFirst(a, b))
             {
                 measure(narrowPhase, b, a, withPoints, out);
-                out.swapShapes();
+                out.swap();
                 return;
             }
             if (a.shape.hierarchy == null && b.form < ModelShape.GROUND)

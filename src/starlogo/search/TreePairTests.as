@@ -153,7 +153,7 @@ package starlogo.search
         {
             if (own !== motion && out != null && motion.time != RelativeMotion.NEVER)
             {
-                out.swapBodies(motion);
+                out.swap(motion);
             }
         }
 

@@ -122,7 +122,7 @@ package starlogo.solid
             _b = _axis == 0 ? y : (_axis == 1 ? z : x);
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
             _isBackward = _a < mesh.tree.boxes[_axis];
-            var margin:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.tree.boundingRadius;
+            var margin:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.tree.radiusAboutOrigin;
             _boxes.setPlace(x, y, z, margin);
             _boxes.setAxis(_axis, _isBackward ? -1 : 1);
             _boxes.find(mesh.tree, int.MAX_VALUE, this);

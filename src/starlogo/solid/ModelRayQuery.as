@@ -74,7 +74,7 @@ package starlogo.solid
             }
             if (!exact || !model.hasTriangles)
             {
-                _nodes.findAll(model.tree, exact ? int.MAX_VALUE : depth, ray, Tolerances.ROUNDING * model.tree.boundingRadius, out);
+                _nodes.findAll(model.tree, exact ? int.MAX_VALUE : depth, ray, Tolerances.ROUNDING * model.tree.radiusAboutOrigin, out);
                 return false;
             }
             var first:int = out.count;
@@ -112,7 +112,7 @@ package starlogo.solid
         private function searchTriangles(model:ModelTree, ray:Ray, all:RayCrossings):void
         {
             var mesh:TriangleMesh = model.prepareMesh();
-            _triangles.begin(ray, mesh.corners, model.tree.boundingRadius, all);
+            _triangles.begin(ray, mesh.corners, model.tree.radiusAboutOrigin, all);
             _boxes.setRay(ray);
             _boxes.find(mesh.tree, int.MAX_VALUE, _triangles);
         }

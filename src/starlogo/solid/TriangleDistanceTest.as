@@ -54,7 +54,7 @@ package starlogo.solid
             least = out.distance = Infinity;
             _boxes.setExtents(_extents, 0);
             _boxes.findNear(model.tree, int.MAX_VALUE, this);
-            out.swapShapes();
+            out.swap();
             return _triangle;
         }
 

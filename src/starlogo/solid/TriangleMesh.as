@@ -43,7 +43,7 @@ package starlogo.solid
 
         private function measure():void
         {
-            flatness = Tolerances.PLANES * tree.boundingRadius;
+            flatness = Tolerances.PLANES * tree.radiusAboutOrigin;
         }
 
         /** Takes over new corners, after the tree has new boxes. */

@@ -105,7 +105,7 @@ package starlogo.solid
                 extents[i] += round;
                 extents[int(i + 1)] -= round;
             }
-            _core.setTo(_test.structure, RelativeMotion.NONE);
+            _core.setTo(_test.structure);
             _sweep.x = motion.x;
             _sweep.y = motion.y;
             _sweep.z = motion.z;

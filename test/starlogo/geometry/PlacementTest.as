@@ -32,7 +32,7 @@ package starlogo.geometry
                         return [to.x + 0, to.y + 0, to.z + 0].join(" ");
                     });
                 assertEquals(each.slice(0, 3).join(), each[3], images.join(", "));
-                assertEquals(each[0] == 0 && each[1] == 0 && each[2] == 0, placement.isIdentity);
+                assertEquals(each[0] == 0 && each[1] == 0 && each[2] == 0, placement.isUnrotated);
             }
         }
 
@@ -81,13 +81,13 @@ package starlogo.geometry
                 from.setRotation(turn, 0, 0);
                 from.writeMatrix(numbers);
                 placement.setMatrix(numbers);
-                assertEquals("turned by " + turn, turn == 0, placement.isIdentity);
+                assertEquals("turned by " + turn, turn == 0, placement.isUnrotated);
                 var ball:Sphere = new Sphere(new Vector3D(1, 0, 0), 0.5);
                 assertTrue("turned by " + turn, Vector3D.distance(Sphere(ball.place(from)).center, Sphere(ball.place(placement)).center) < ROUNDING);
             }
             still.writeMatrix(numbers);
             placement.setMatrix(numbers);
-            assertTrue("only scaled and moved", placement.isIdentity);
+            assertTrue("only scaled and moved", placement.isUnrotated);
         }
 
         [Test]
@@ -97,12 +97,12 @@ package starlogo.geometry
             var placement:Placement = new Placement();
             placement.writeRotation(numbers, 0);
             placement.readRotation(numbers, 0);
-            assertTrue(placement.isIdentity);
+            assertTrue(placement.isUnrotated);
             for each (var at:int in [1, 2, 3, 5, 6, 7])
             {
                 numbers[at] = 1e-9;
                 placement.readRotation(numbers, 0);
-                assertFalse("number " + at, placement.isIdentity);
+                assertFalse("number " + at, placement.isUnrotated);
                 var far:Vector3D = new Vector3D(1e6, 1e6, 1e6);
                 placement.place(far, far);
                 assertTrue("number " + at, Math.abs([far.x, far.y, far.z][int(at / 3)] - 1e6 - 1e-3) < 1e-6);

@@ -69,7 +69,7 @@ package starlogo.intersection
                 var b:BoundingStructure = structures.ofKind(random.pick(kinds), 1, 2);
                 PairTable.findClosest(a, b, points);
                 PairTable.findClosest(b, a, others);
-                others.swapShapes();
+                others.swap();
                 var isSame:Boolean = points.distance == others.distance && points.aX == others.aX && points.aY == others.aY && points.aZ == others.aZ
                     && points.bX == others.bX && points.bY == others.bY && points.bZ == others.bZ;
                 assertTrue(i + ": " + a + ", " + b + ": " + points.distance + ", " + others.distance, isSame);

@@ -14,7 +14,7 @@ package starlogo.intersection.ray
      *
      * @param ray in the space of the structure; its part is narrowed, and its normal is set if it enters the structure
      * @param structure a sphere, a capsule, a box, a hull, or another convex structure
-     * @param convex tests convex structures of a game's own; null if there are none
+     * @param convex tests convex structures without half-spaces, which are further structures of the engine; null if there are none
      * @return whether the ray meets the structure
      * @throws ArgumentError for any other structure
      * @private

@@ -150,7 +150,7 @@ package starlogo.libraries.cooked
                     }
                 }).call(function():void
                 {
-                    tree.setExtents(extents);
+                    tree.measureRadiusAboutOrigin(extents);
                 }).slices(last + 1, NODES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = last - first; i > last - end; i--)

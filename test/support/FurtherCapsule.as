@@ -71,9 +71,9 @@ package support
             capsule.widenForSurfaces();
         }
 
-        override engine function rotatedExtentsInto(placement:Placement, out:Vector.<Number>):void
+        override engine function rotatedBoxInto(placement:Placement, out:Vector.<Number>):void
         {
-            capsule.rotatedExtentsInto(placement, out);
+            capsule.rotatedBoxInto(placement, out);
         }
 
         override engine function roundedHullInto(out:RoundedHull):void

@@ -220,8 +220,8 @@ package starlogo.bounding
         }
 
         /**
-         * Writes the extents that this structure would have after a placement: the middle relative to the placement's position, and half
-         * the lengths. They stay the same while an agent only moves. Allocates nothing.
+         * Writes the box around this structure after a placement: its middle relative to the placement's position, and half of its
+         * lengths. They stay the same while an agent only moves. Allocates nothing.
          *
          * @param placement the model's placement; its position is ignored
          * @param out receives six numbers: x, y, z of the middle, and half the lengths along x, y, z. Those of a
@@ -229,9 +229,9 @@ package starlogo.bounding
          *     sphere are its radius
          * @private
          */
-        engine function rotatedExtentsInto(placement:Placement, out:Vector.<Number>):void
+        engine function rotatedBoxInto(placement:Placement, out:Vector.<Number>):void
         {
-            throw missing("rotatedExtentsInto");
+            throw missing("rotatedBoxInto");
         }
 
         /**

@@ -164,7 +164,7 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function rotatedExtentsInto(placement:Placement, out:Vector.<Number>):void
+        override engine function rotatedBoxInto(placement:Placement, out:Vector.<Number>):void
         {
             var size:Number = placement.size;
             var x:Number = halfX * size;

@@ -51,11 +51,11 @@ package starlogo.bounding
         engine var topology:HullTopology = null;
 
         /**
-         * Points up to this distance from the hull of the corners belong to this hull. It is as small as a rounding error.
+         * The radius around the hull of the corners: points up to this distance from it belong to this hull. It is as small as a rounding error.
          *
          * @private
          */
-        engine var margin:Number = 0;
+        engine var radius:Number = 0;
 
         // A box around the hull, a little larger than it. Its axes are the coordinate axes of the space in which the hull was made.
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
@@ -169,7 +169,7 @@ package starlogo.bounding
             var x:Number = point.x - center.x;
             var y:Number = point.y - center.y;
             var z:Number = point.z - center.z;
-            var limit:Number = margin + slack(measureRadius(), center);
+            var limit:Number = radius + slack(measureRadius(), center);
             var planes:Vector.<Number> = halfSpaces;
             for (var i:int = 0; i < planes.length; i += 4)
             {
@@ -185,7 +185,7 @@ package starlogo.bounding
         override public function clone():BoundingStructure
         {
             checkVector(center, "the centre of a hull");
-            checkLength(margin, "the margin of a hull");
+            checkLength(radius, "the radius around a hull's corners");
             checkSize(checkLength(measureRadius(), "the radius of a hull"), "a hull");
             return place(AT_ORIGIN, new Hull(POINT));
         }
@@ -205,7 +205,7 @@ package starlogo.bounding
             placement.scaleAndTurnPoints(points, placed.points);
             placement.place(center, placed.center);
             _box.place(placement, placed._box);
-            placed.margin = margin * placement.size;
+            placed.radius = radius * placement.size;
             placed.topology = topology;
             placed._hasHalfSpaces = false;
             return placed;
@@ -214,7 +214,7 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
         {
-            rotatedExtentsInto(AT_ORIGIN, sExtents);
+            rotatedBoxInto(AT_ORIGIN, sExtents);
             writeExtent(sExtents[0], sExtents[0], sExtents[3], out, offset);
             writeExtent(sExtents[1], sExtents[1], sExtents[4], out, offset + 2);
             writeExtent(sExtents[2], sExtents[2], sExtents[5], out, offset + 4);
@@ -223,7 +223,7 @@ package starlogo.bounding
         /**
          * @inheritDoc
          *
-         * Their intersection is the hull of the corners, without the margin. Those whose planes go through the centre come first. A flat hull
+         * Their intersection is the hull of the corners, without the radius. Those whose planes go through the centre come first. A flat hull
          * has two of them, a segment four, and a point six. The list is kept until the hull changes.
          *
          * @private
@@ -245,7 +245,7 @@ package starlogo.bounding
          */
         override engine function widen(by:Number):void
         {
-            margin += by;
+            radius += by;
             // V8 would make an object for the argument of _box.widen()
             _box.halfX += by;
             _box.halfY += by;
@@ -261,7 +261,7 @@ package starlogo.bounding
         }
 
         /** @private */
-        override engine function rotatedExtentsInto(placement:Placement, out:Vector.<Number>):void
+        override engine function rotatedBoxInto(placement:Placement, out:Vector.<Number>):void
         {
             var r00:Number = placement.r00;
             var r01:Number = placement.r01;
@@ -298,7 +298,7 @@ package starlogo.bounding
             var size:Number = placement.size;
             var middle:Vector3D = sMiddle;
             placement.turn(center, middle);
-            var outerMargin:Number = margin + Tolerances.ROUNDING * (highX - lowX + (highY - lowY) + (highZ - lowZ)
+            var outerMargin:Number = radius + Tolerances.ROUNDING * (highX - lowX + (highY - lowY) + (highZ - lowZ)
                     + Math.abs(center.x) + Math.abs(center.y) + Math.abs(center.z));
             out[0] = size * (middle.x + (lowX + highX) / 2);
             out[1] = size * (middle.y + (lowY + highY) / 2);
@@ -315,7 +315,7 @@ package starlogo.bounding
             out.points = points;
             out.faces = topology.faces;
             out.edges = topology.edges;
-            out.radius = margin;
+            out.radius = radius;
         }
 
         /** @private */
@@ -324,10 +324,10 @@ package starlogo.bounding
             return _box;
         }
 
-        /** @private The centre, the margin, then the corners relative to the centre. */
+        /** @private The centre, the radius, then the corners relative to the centre. */
         override engine function numbers():Vector.<Number>
         {
-            return new <Number>[center.x, center.y, center.z, margin].concat(points);
+            return new <Number>[center.x, center.y, center.z, radius].concat(points);
         }
 
         /**
@@ -338,7 +338,7 @@ package starlogo.bounding
         {
             setCorners(numbers.slice(FIRST_CORNER));
             center.setTo(numbers[0], numbers[1], numbers[2]);
-            margin = numbers[3];
+            radius = numbers[3];
             setBox();
         }
 
@@ -370,7 +370,7 @@ package starlogo.bounding
 
         private function setBox():void
         {
-            rotatedExtentsInto(AT_ORIGIN, sExtents);
+            rotatedBoxInto(AT_ORIGIN, sExtents);
             var by:Number = (Tolerances.OUTER - 1) * measureRadius();
             _box.center.setTo(sExtents[0], sExtents[1], sExtents[2]);
             _box.halfX = sExtents[3] + by;

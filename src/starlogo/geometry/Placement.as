@@ -416,7 +416,7 @@ package starlogo.geometry
         // The comparison is false for NaN.
         private static function isNear(a:Number, b:Number):Boolean
         {
-            return Math.abs(a - b) <= Tolerances.MATRIX;
+            return Math.abs(a - b) <= Tolerances.ORTHONORMALITY;
         }
     }
 }

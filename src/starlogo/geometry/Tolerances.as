@@ -16,21 +16,15 @@ package starlogo.geometry
         public static const CONTAINMENT:Number = 1e-6;
 
         /**
-         * How much a matrix may differ from a rotation with one scale, as a fraction. The lengths of its columns and the cosines between
-         * them are compared. Flash Player rounds a Matrix3D to single precision. Smaller: an agent refuses matrices that another agent
-         * gave. Larger: shear and uneven scale go unnoticed.
-         */
-        public static const MATRIX:Number = 1e-5;
-
-        /**
          * The rounding error of a computed position or distance, as a fraction of the coordinates. Smaller: two structures that touch to
          * the last bit may get extents that do not overlap. Larger: extents are wider, and more pairs are tested.
          */
         public static const ROUNDING:Number = 1e-14;
 
         /**
-         * How much the dot products of a rotation's columns, or of a box's axes, may differ from 1 and 0. Smaller than 5e-7: rotations from a
-         * single-precision Matrix3D are refused. Larger: a scaled matrix passes for a rotation.
+         * How much the dot products of a rotation's columns, or of a box's axes, may differ from 1 and 0. Of a matrix with one scale, the columns
+         * divided by it are compared. Smaller than 5e-7: matrices are refused that Flash Player has rounded to single precision. Larger: a scaled
+         * matrix passes for a rotation, and shear and uneven scale go unnoticed.
          */
         public static const ORTHONORMALITY:Number = 1e-5;
 

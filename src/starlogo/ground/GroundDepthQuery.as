@@ -112,7 +112,7 @@ package starlogo.ground
             _pieces.nextPiece();
             while (_pieces.nextTriangle())
             {
-                _pieces.piece.findBehind(RelativeMotion.NONE, _tried);
+                _pieces.test.findBehind(RelativeMotion.NONE, _tried);
                 if (_tried.depth >= -_pieces.triangle.margin && (!_hasDeepest || isDeepestBehind()))
                 {
                     count = addExit(exits, count);
@@ -135,7 +135,7 @@ package starlogo.ground
             {
                 while (_pieces.nextTriangle())
                 {
-                    var isFootInside:Boolean = _pieces.piece.findBehind(RelativeMotion.NONE, _tried);
+                    var isFootInside:Boolean = _pieces.test.findBehind(RelativeMotion.NONE, _tried);
                     if (isFootInside && isClearlyDeeper(deepest) && isNeeded(_tried) && isDeeperThan(deepest))
                     {
                         deepest = _pieces.box.above = _tried.depth;
@@ -155,11 +155,11 @@ package starlogo.ground
                 while (_pieces.nextTriangle())
                 {
                     // no overlap is deeper than the piece is behind the plane
-                    _pieces.piece.findBehind(RelativeMotion.NONE, _tried);
+                    _pieces.test.findBehind(RelativeMotion.NONE, _tried);
                     if (isClearlyDeeper(deepest) && findOverlap() && isDeeperThan(deepest))
                     {
                         deepest = _tried.depth;
-                        _pieces.piece.leadOutside(RelativeMotion.NONE, _tried);
+                        _pieces.test.leadOutside(RelativeMotion.NONE, _tried);
                         keep(out);
                     }
                 }
@@ -181,11 +181,11 @@ package starlogo.ground
         // Finds the contact of the piece and the triangle, along the shortest way apart. Returns false if they do not touch.
         private function findOverlap():Boolean
         {
-            if (!_pieces.piece.areTouching())
+            if (!_pieces.test.areTouching())
             {
                 return false;
             }
-            _pieces.piece.findContact(RelativeMotion.NONE, _tried);
+            _pieces.test.findContact(RelativeMotion.NONE, _tried);
             return true;
         }
 
@@ -226,7 +226,7 @@ package starlogo.ground
             {
                 slack += 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
             }
-            return _pieces.piece.isBehindPlane(_deepest.corners, slack);
+            return _pieces.test.isBehindPlane(_deepest.corners, slack);
         }
 
         // Adds the exit that was tried to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.

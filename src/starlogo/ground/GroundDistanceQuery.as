@@ -71,7 +71,7 @@ package starlogo.ground
         {
             while (_pieces.nextTriangle())
             {
-                if (_pieces.piece.findCloser(out))
+                if (_pieces.test.findCloser(out))
                 {
                     _pieces.box.maxDistance = out.distance;
                 }

@@ -23,8 +23,8 @@ package starlogo.ground
      */
     internal final class GroundPieces
     {
-        /** The current piece, and the triangle that <code>nextTriangle()</code> has found. Both are relative to the box's origin. */
-        public var piece:TriangleKernel = new TriangleKernel();
+        /** Tests the current piece and the triangle that <code>nextTriangle()</code> has found. Both are relative to the box's origin. */
+        public var test:TriangleKernel = new TriangleKernel();
 
         /** The box around the current piece. Its limits may be narrowed. Its origin is the model's place. */
         public var box:GroundBox = new GroundBox();
@@ -167,7 +167,7 @@ package starlogo.ground
                     return true;
                 }
             }
-            piece.setShapeToTriangle(_corners, 9 * _first, _placed);
+            test.setShapeToTriangle(_corners, 9 * _first, _placed);
             _first++;
             finishPiece();
             _triangles.begin(grid, box);
@@ -181,8 +181,8 @@ package starlogo.ground
             {
                 return false;
             }
-            piece.shape.margin = _pieceMargin + triangle.margin;
-            piece.setTriangle(triangle.corners, 0);
+            test.shape.margin = _pieceMargin + triangle.margin;
+            test.setTriangle(triangle.corners, 0);
             return true;
         }
 
@@ -247,28 +247,28 @@ package starlogo.ground
         {
             setPiece(structure);
             placeAround(structure);
-            box.structure = piece.structure;
+            box.structure = test.structure;
             _triangles.begin(grid, box);
         }
 
         private function setPiece(structure:BoundingStructure):void
         {
-            piece.setStructure(structure, _placed);
+            test.setStructure(structure, _placed);
             finishPiece();
         }
 
         private function finishPiece():void
         {
-            _pieceMargin = piece.shape.margin + _margin;
-            _point.x = piece.shape.x;
-            _point.y = piece.shape.y;
-            _point.z = piece.shape.z;
+            _pieceMargin = test.shape.margin + _margin;
+            _point.x = test.shape.x;
+            _point.y = test.shape.y;
+            _point.z = test.shape.z;
         }
 
         // Puts the box around a structure of the model.
         private function placeAround(structure:BoundingStructure):void
         {
-            structure.rotatedExtentsInto(_placed, _extents);
+            structure.rotatedBoxInto(_placed, _extents);
             box.x = _extents[0] + _placed.x;
             box.y = _extents[1] + _placed.y;
             box.z = _extents[2] + _placed.z;

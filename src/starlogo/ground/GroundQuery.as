@@ -67,7 +67,7 @@ package starlogo.ground
                 }
                 while (_pieces.nextTriangle())
                 {
-                    if (!_pieces.piece.staysBeside(RelativeMotion.NONE) && _pieces.piece.areTouching())
+                    if (!_pieces.test.staysBeside(RelativeMotion.NONE) && _pieces.test.areTouching())
                     {
                         return true;
                     }
@@ -131,8 +131,8 @@ package starlogo.ground
                         first = _pieces.box.latest = _sweep.time;
                         if (out != null)
                         {
-                            _pieces.piece.findContact(_sweep, out);
-                            _pieces.piece.leadOutside(_sweep, out);
+                            _pieces.test.findContact(_sweep, out);
+                            _pieces.test.leadOutside(_sweep, out);
                         }
                     }
                 }
@@ -219,9 +219,9 @@ package starlogo.ground
         {
             _sweep.latest = _pieces.box.latest;
             _sweep.time = RelativeMotion.NEVER;
-            if (!_pieces.piece.staysBeside(_sweep))
+            if (!_pieces.test.staysBeside(_sweep))
             {
-                _pieces.piece.findTime(_sweep);
+                _pieces.test.findTime(_sweep);
             }
         }
     }

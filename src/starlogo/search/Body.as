@@ -122,7 +122,7 @@ package starlogo.search
         public function readStructure(structure:BoundingStructure):void
         {
             requireStructure(structure);
-            structure.rotatedExtentsInto(UPRIGHT, sExtents);
+            structure.rotatedBoxInto(UPRIGHT, sExtents);
             requireInWorld("half of a structure's length", sExtents[3], sExtents[4], sExtents[5]);
             requireInWorld("a structure's middle", sExtents[0], sExtents[1], sExtents[2]);
             takeStructure(structure);
@@ -140,7 +140,7 @@ package starlogo.search
         private function takeStructure(structure:BoundingStructure):void
         {
             var found:Vector.<Number> = sExtents;
-            structure.rotatedExtentsInto(UPRIGHT, found);
+            structure.rotatedBoxInto(UPRIGHT, found);
             _ownShapes ||= new Vector.<ModelShape>(BoundingStructure.KIND_COUNT, true);
             var own:ModelShape = _ownShapes[structure.kind];
             if (own == null)
@@ -331,7 +331,7 @@ package starlogo.search
         // Finds the extents of the shape, turned and scaled as the placement says.
         private function findExtents():void
         {
-            shape.structure.rotatedExtentsInto(placement, sExtents);
+            shape.structure.rotatedBoxInto(placement, sExtents);
             offsetX = sExtents[0];
             offsetY = sExtents[1];
             offsetZ = sExtents[2];

@@ -202,7 +202,7 @@ package starlogo.bounding
             var extents:Vector.<Number> = new Vector.<Number>(6);
             var rotated:Vector.<Number> = new Vector.<Number>(6);
             placed.extentsInto(extents);
-            hull.rotatedExtentsInto(placement, rotated);
+            hull.rotatedBoxInto(placement, rotated);
             var at:Array = [placement.x, placement.y, placement.z];
             for (var axis:int = 0; axis < 3; axis++)
             {

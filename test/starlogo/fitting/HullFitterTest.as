@@ -39,7 +39,7 @@ package starlogo.fitting
                         assertTrue(name + ": " + hull, hull.corners.length <= 3 * most);
                         assertEquals(name, session.hull.dimension, hull.topology.dimension);
                         full += session.hull.indices.length <= most ? 1 : 0;
-                        assertTrue(name, hull.margin <= 1e-11 * session.hull.extent + 1e-13 * largest(sets[i + 1]));
+                        assertTrue(name, hull.radius <= 1e-11 * session.hull.extent + 1e-13 * largest(sets[i + 1]));
                     }
                 }
             }
@@ -75,7 +75,7 @@ package starlogo.fitting
                     var x:Number = vertices[k] - hull.center.x;
                     var y:Number = vertices[k + 1] - hull.center.y;
                     var z:Number = vertices[k + 2] - hull.center.z;
-                    var beyond:Number = planes[i] * x + planes[i + 1] * y + planes[i + 2] * z - planes[i + 3] - hull.margin;
+                    var beyond:Number = planes[i] * x + planes[i + 1] * y + planes[i + 2] * z - planes[i + 3] - hull.radius;
                     if (beyond > ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z)))
                     {
                         assertEquals(name + ", vertex " + k / 3 + " of " + hull, 0, beyond);
@@ -146,7 +146,7 @@ package starlogo.fitting
             assertEquals(0, point.volume);
             var segment:Hull = Hull(new HullFitter().fit(new <Number>[0, 0, 0, 0, 3, 0, 0, 1, 0]));
             assertEquals("0,0,0,0,3,0", segment.corners.join());
-            assertEquals(0, segment.margin);
+            assertEquals(0, segment.radius);
         }
 
         // A cone, a double cone and a fan have corners with an edge to all others.

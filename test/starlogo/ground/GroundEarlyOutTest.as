@@ -83,7 +83,7 @@ package starlogo.ground
         // Sets the query to the structure too.
         private function answerTo(terrain:Terrain, structure:BoundingStructure):int
         {
-            structure.rotatedExtentsInto(_placement, _numbers);
+            structure.rotatedBoxInto(_placement, _numbers);
             _extents.x[0] = _numbers[0] + _placement.x;
             _extents.y[0] = _numbers[1] + _placement.y;
             _extents.z[0] = _numbers[2] + _placement.z;

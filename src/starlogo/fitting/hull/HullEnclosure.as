@@ -100,7 +100,7 @@ package starlogo.fitting.hull
                 }
                 else
                 {
-                    _hull.margin = Math.max(_hull.margin, heights[i] - offset);
+                    _hull.radius = Math.max(_hull.radius, heights[i] - offset);
                 }
             }
             if (factor > 1 && scalings + 1 < MOST_SCALINGS)

@@ -28,7 +28,7 @@ package starlogo.intersection.ray
         ray.far = Infinity;
         for (var i:int = 0; i < end; i += 4)
         {
-            var height:Number = planes[i] * x + planes[int(i + 1)] * y + planes[int(i + 2)] * z - planes[int(i + 3)] - hull.margin;
+            var height:Number = planes[i] * x + planes[int(i + 1)] * y + planes[int(i + 2)] * z - planes[int(i + 3)] - hull.radius;
             var speed:Number = planes[i] * ray.directionX + planes[int(i + 1)] * ray.directionY + planes[int(i + 2)] * ray.directionZ;
             if (speed < 0 && -height / speed > ray.entry)
             {

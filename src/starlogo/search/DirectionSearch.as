@@ -2,7 +2,6 @@ package starlogo.search
 {
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.geometry.Tolerances;
 
     /**
      * Finds the distance at which two touching bodies are free of each other if the first one moves along a direction. It tries places farther and
@@ -59,7 +58,7 @@ package starlogo.search
         public function findAlong(guess:ContactPoint, out:ContactPoint):void
         {
             _tried.setDirection(guess.normalX, guess.normalY, guess.normalZ);
-            _free = guess.depth + Tolerances.SEPARATION * _pair.extent;
+            _free = guess.depth + _pair.tolerance;
             _step = IMPROVED_DEPTH * _pair.extent;
             goOut();
             refine(out);
@@ -107,7 +106,7 @@ package starlogo.search
                 return false;
             }
             _tried.setDirection(_parting.normalX, _parting.normalY, _parting.normalZ);
-            _free = cosine * out.depth + Tolerances.SEPARATION * _pair.extent;
+            _free = cosine * out.depth + _pair.tolerance;
             return !testFree();
         }
 
@@ -158,7 +157,7 @@ package starlogo.search
         // Makes sure, in spite of rounding, that the two do not touch a little beyond a contact's depth, and touch a little before it.
         private function makeSure(out:ContactPoint):void
         {
-            var slack:Number = Tolerances.SEPARATION / 4 * _pair.extent;
+            var slack:Number = _pair.nearby;
             _tried.setDirection(out.normalX, out.normalY, out.normalZ);
             _free = out.depth + slack;
             _step = slack;

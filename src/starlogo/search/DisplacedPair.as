@@ -4,6 +4,7 @@ package starlogo.search
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
 
     use namespace engine;
 
@@ -27,6 +28,12 @@ package starlogo.search
 
         /** The larger of the two extents. */
         public var extent:Number = 0;
+
+        /** How far a depth may be off (Tolerances.SEPARATION), in patches. */
+        public var tolerance:Number = 0;
+
+        /** How far before and behind a depth the first body is tried: a quarter of the tolerance. The rest of it is for rounding. */
+        public var nearby:Number = 0;
 
         /** The gap across which the two touch because places are rounded. */
         public var rounding:Number = 0;
@@ -56,6 +63,8 @@ package starlogo.search
             rounding = a.margin + b.margin;
             // if both are points, the gap across which they still touch takes the place of the extent
             extent = Math.max(2 * half, Math.max(rounding, LEAST_EXTENT));
+            tolerance = Tolerances.SEPARATION * extent;
+            nearby = Tolerances.SEPARATION / 4 * extent;
         }
 
         /** Whether the second body is the ground. */

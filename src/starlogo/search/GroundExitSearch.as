@@ -3,7 +3,6 @@ package starlogo.search
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.geometry.Tolerances;
 
     /**
      * Finds a short way out of the ground. An agent in the ground may have many. Its contact may have a lower bound of their lengths
@@ -71,13 +70,13 @@ package starlogo.search
             }
             _pair.putBack();
             _pair.findOuterContact(_below);
-            _liftLength = _below.depth + Tolerances.SEPARATION * _pair.extent;
+            _liftLength = _below.depth + _pair.tolerance;
             _lift.setTo(0, 0, 1);
             while (!findPushOrLift(out, maxDistance) && maxDistance / NEEDED <= _liftLength)
             {
                 maxDistance *= FARTHER;
             }
-            if (_liftLength < out.depth - Tolerances.SEPARATION * _pair.extent)
+            if (_liftLength < out.depth - _pair.tolerance)
             {
                 _below.setNormal(_lift.x, _lift.y, _lift.z);
                 _below.depth = _liftLength;
@@ -167,7 +166,7 @@ package starlogo.search
                 return;
             }
             _tried.setDirection(x / length, y / length, z / length);
-            _tried.distance = length + Tolerances.SEPARATION * _pair.extent;
+            _tried.distance = length + _pair.tolerance;
             if (!_pair.testAt(_tried))
             {
                 _lift.setTo(_tried.x, _tried.y, _tried.z);

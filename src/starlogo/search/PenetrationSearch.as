@@ -2,7 +2,6 @@ package starlogo.search
 {
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.geometry.Tolerances;
 
     /**
      * Finds a normal and a depth for a contact that separate its two bodies. If the first one moves along the normal by the depth, no part of it
@@ -72,7 +71,7 @@ package starlogo.search
         {
             out.depth = 0;
             _tried.setDirection(out.normalX, out.normalY, out.normalZ);
-            _tried.distance = -Math.max(Tolerances.SEPARATION / 4 * _pair.extent, _pair.rounding);
+            _tried.distance = -Math.max(_pair.nearby, _pair.rounding);
             if (!_pair.testAt(_tried))
             {
                 out.pointAgainst(motion);
@@ -130,7 +129,7 @@ package starlogo.search
                 return;
             }
             _tried.setDirection(_outer.normalX, _outer.normalY, _outer.normalZ);
-            _tried.distance = out.depth - Tolerances.SEPARATION * _pair.extent;
+            _tried.distance = out.depth - _pair.tolerance;
             if (_tried.distance > 0 && !_pair.testAt(_tried))
             {
                 _directions.shorten(_tried, out);

@@ -6,6 +6,11 @@ package starlogo.search
     /**
      * Pushes the first of two bodies out of the second. It tries the shortest push out of all contacts so far (PushQueue). If the two still touch
      * after it, their contact there is added. So a box in a corner of floor and wall goes out of both at once.
+     *
+     * <p>A search begins with <code>begin()</code>. <code>find()</code> is a whole search. Another search takes its steps itself, in this order:
+     * <code>restartWithTests()</code>, and then in each round <code>addLast()</code>, <code>add()</code> for contacts of its own,
+     * <code>pushes.next()</code>, <code>tryPush()</code>, and <code>findCorner()</code> if the push does not free the body. Each step goes on
+     * from the push, the contact and the place of the first body that the step before has left.</p>
      */
     internal final class PushOut
     {
@@ -167,7 +172,7 @@ package starlogo.search
         private function testPush():Boolean
         {
             _tried.setDirection(pushes.push.x / pushes.length, pushes.push.y / pushes.length, pushes.push.z / pushes.length);
-            var farther:Number = pushes.length + Tolerances.SEPARATION / 4 * _pair.extent;
+            var farther:Number = pushes.length + _pair.nearby;
             if (pushes.deciding > 1)
             {
                 // beyond its end, a push out of several contacts may lead into one of them again
@@ -200,7 +205,7 @@ package starlogo.search
             {
                 return;
             }
-            _tried.distance = pushes.length - Tolerances.SEPARATION / 4 * _pair.extent;
+            _tried.distance = pushes.length - _pair.nearby;
             if (_tried.distance > 0 && !_pair.testAt(_tried))
             {
                 _directions.shorten(_tried, out);

@@ -41,7 +41,10 @@ package starlogo.search
             narrowPhase.structureTests ||= new StructurePairTests(narrowPhase);
         }
 
-        /** See NarrowPhase.keepTouching. The row is no tree. */
+        /**
+         * See NarrowPhase.keepTouching. The row is a structure, the others may have any shape. Two boxes are tested here, and all other pairs where
+         * they belong. The loop is in this class because a game of spheres does not load its test of boxes.
+         */
         public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
         {
             var spheres:SpherePairTests = _narrowPhase.sphereTests;

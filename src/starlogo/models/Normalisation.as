@@ -46,7 +46,7 @@ package starlogo.models
                     turnAll().scaleAll(factors).begin(placingFootprint);
                     break;
                 case Model.VOLUME:
-                    centreAll().turnAll().centreAll().scaleAll(factors).begin(translating);
+                    centreAll().turnAll().centreAll().scaleAll(factors).begin(translatingFromFloor);
                     break;
                 case Model.AS_GIVEN:
                     turnAll().scaleAll(factors).begin(translating);
@@ -142,11 +142,21 @@ package starlogo.models
             return placing(_bounds.minX, _bounds.minY, _bounds.minZ, _bounds.extentX / 2, _bounds.extentY / 2, height, divisor);
         }
 
-        // With Model.VOLUME the lowest vertex is put at z = 0.
         private function translating():Steps
         {
+            return translatingFrom(0);
+        }
+
+        // Puts the lowest vertex at z = 0 first.
+        private function translatingFromFloor():Steps
+        {
+            return translatingFrom(_bounds.minZ);
+        }
+
+        private function translatingFrom(z:Number):Steps
+        {
             var move:Vector3D = _data.transform == null ? new Vector3D() : _data.transform.translation;
-            return placing(0, 0, _data.scaling == Model.VOLUME ? _bounds.minZ : 0, -move.x, -move.y, -move.z, 1);
+            return placing(0, 0, z, -move.x, -move.y, -move.z, 1);
         }
 
         // The steps that put the point low + half at the origin, and divide by a divisor.

@@ -24,6 +24,8 @@ package starlogo.libraries
     import starlogo.models.CookedModel;
     import starlogo.models.Model;
     import starlogo.models.ModelError;
+    import starlogo.models.ModelTransform;
+    import starlogo.models.ObjModel;
     import starlogo.models.cooked.CookedFile;
     import starlogo.queries.AgentQueries;
     import starlogo.solid.SolidContents;
@@ -36,6 +38,7 @@ package starlogo.libraries
     import support.LibraryContents;
     import support.Mutations;
     import support.SteppedModels;
+    import support.Surfaces;
     import support.assertThrows;
 
     use namespace engine;
@@ -63,6 +66,25 @@ package starlogo.libraries
                 {
                     assertReadAsComputed(model, model.name);
                 }
+            }
+        }
+
+        [Test]
+        public function aModelAboveTheFloorStaysThere():void
+        {
+            // No form restores a mirror image but the one with the model's own vertices.
+            var transform:ModelTransform = new ModelTransform(null, new Vector3D(-1, 1, 1), new Vector3D(0, 0, 5));
+            var mirror:Model = new ObjModel("mirror", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n", transform, Model.VOLUME);
+            var posed:Model = new Model("posed", mirror.vertices, mirror.triangles, Model.VOLUME);
+            var raised:Vector.<Number> = mirror.vertices.slice();
+            raised[2] += 1 / 3;
+            raised[5] += 1 / 3;
+            raised[8] += 1 / 3;
+            posed.pose(raised);
+            for each (var model:Model in [mirror, posed])
+            {
+                assertTrue(model.name, Surfaces.bounds(model.vertices)[2] > 0.1);
+                assertEquals(model.vertices.join(), CookedModel.fromBytes(model.name, _greatLand.cook(model)).vertices.join());
             }
         }
 

@@ -28,10 +28,16 @@ package starlogo.models
         {
             if (_known["#" + key] === undefined)
             {
-                names.push(name);
-                _known["#" + key] = names.length - 1;
+                _known["#" + key] = addNumber(name);
             }
             return _known["#" + key];
+        }
+
+        /** The next number, which has no key. @param name its name; null if it has none */
+        public function addNumber(name:String):int
+        {
+            names.push(name);
+            return names.length - 1;
         }
 
         /** Gives a number to all triangles from one on. It must not be before the last run. */

@@ -73,6 +73,19 @@ package starlogo.queries
         }
 
         [Test]
+        public function aSymbolMayEqualTheIdOfAnotherMaterial():void
+        {
+            var face:String = '<triangles count="1" material="s">' + Collada.INPUT + '<p>0 1 2</p></triangles>';
+            var other:String = face.replace('"s"', '"m"');
+            var binding:String = '<bind_material><technique_common><instance_material symbol="s" target="#m"/></technique_common></bind_material>';
+            var model:Model = new ColladaModel("a", Collada.scene('<library_materials><material id="m" name="Steel"/></library_materials>' +
+                        Collada.geometry("g", "0 0 0 1 0 0 1 1 0", face + other),
+                        '<node><instance_geometry url="#g">' + binding + '</instance_geometry></node>'));
+            assertEquals("0,1", model.materials.join());
+            assertEquals("Steel,m", model.materialNames.join());
+        }
+
+        [Test]
         public function gltfHasMaterialsOfItsFileAndNodes():void
         {
             var file:Gltf = new Gltf();

@@ -106,13 +106,15 @@ package starlogo.models.collada
             var element:ColladaElement = instance.element;
             var symbols:TriangleLabels = instance.mesh.symbols;
             var label:String = nameOf(element.name != "geometry" && element.parent != null ? element.parent : element) || nameOf(instance.mesh.geometry);
-            data.meshes.begin(data.meshes.numberFor(String(data.meshes.names.length), label), firstTriangle);
+            data.meshes.begin(data.meshes.addNumber(label), firstTriangle);
             data.materials.begin(-1, firstTriangle);
             var bound:Vector.<int> = new Vector.<int>();
             for each (var symbol:String in symbols.names)
             {
                 var material:ColladaElement = document.materialOf(element, symbol);
-                bound.push(material == null ? data.materials.numberFor(symbol, symbol) : data.materials.numberFor(material.id, nameOf(material)));
+                // A symbol may be equal to another material's id.
+                bound.push(material == null ? data.materials.numberFor("symbol " + symbol, symbol) :
+                        data.materials.numberFor("material " + material.id, nameOf(material)));
             }
             for (var i:int = 0; i < symbols.starts.length; i++)
             {

@@ -39,17 +39,17 @@ package starlogo.models
             vertices.fixed = true;
             var unit:Number = data.scaling == Model.AS_GIVEN ? data.unit : 1;
             var factors:Vector3D = data.transform == null ? new Vector3D(unit, unit, unit) : data.transform.scale;
-            measureAll();
+            addMeasuring();
             switch (data.frame == null ? data.scaling : Model.AS_GIVEN)
             {
                 case Model.FOOTPRINT:
-                    turnAll().scaleAll(factors).begin(placingFootprint);
+                    addTurning().addScaling(factors).begin(placingFootprint);
                     break;
                 case Model.VOLUME:
-                    centreAll().turnAll().centreAll().scaleAll(factors).begin(translatingFromFloor);
+                    addCentring().addTurning().addCentring().addScaling(factors).begin(translatingFromFloor);
                     break;
                 case Model.AS_GIVEN:
-                    turnAll().scaleAll(factors).begin(translating);
+                    addTurning().addScaling(factors).begin(translating);
                     break;
                 default:
                     refuse("the scaling must be Model.FOOTPRINT, VOLUME or AS_GIVEN, not \"" + data.scaling + "\"");
@@ -66,7 +66,7 @@ package starlogo.models
                 slices(3 * triangleCount, CORNERS_PER_STEP, checkCorners);
                 if (factors.x * factors.y * factors.z < 0)
                 {
-                    call(turnRound);
+                    call(reverseTriangles);
                 }
             }
         }
@@ -80,38 +80,38 @@ package starlogo.models
             }
         }
 
-        private function measureAll():Normalisation
+        private function addMeasuring():Normalisation
         {
             slices(_data.vertices.length / 3, VERTICES_PER_STEP, measure);
             return this;
         }
 
-        private function centreAll():Normalisation
+        private function addCentring():Normalisation
         {
             begin(placingVolume);
-            return measureAll();
+            return addMeasuring();
         }
 
-        private function turnAll():Normalisation
+        private function addTurning():Normalisation
         {
             var transform:ModelTransform = _data.transform;
-            return transform == null || transform.rotation.lengthSquared == 0 ? this : turnBy(transform.rotationMatrix(), 1);
+            return transform == null || transform.rotation.lengthSquared == 0 ? this : addTransforming(transform.rotationMatrix(), 1);
         }
 
-        private function scaleAll(f:Vector3D):Normalisation
+        private function addScaling(f:Vector3D):Normalisation
         {
-            return f.x == 1 && f.y == 1 && f.z == 1 ? this : turnBy(new AffineTransform(new <Number>[f.x, 0, 0, 0, 0, f.y, 0, 0, 0, 0, f.z, 0]),
+            return f.x == 1 && f.y == 1 && f.z == 1 ? this : addTransforming(new AffineTransform(new <Number>[f.x, 0, 0, 0, 0, f.y, 0, 0, 0, 0, f.z, 0]),
                     cubeRoot(Math.abs(f.x)) * cubeRoot(Math.abs(f.y)) * cubeRoot(Math.abs(f.z)));
         }
 
-        // Turns or scales. The factor says how much larger this makes the model.
-        private function turnBy(turn:AffineTransform, factor:Number):Normalisation
+        // Adds steps that turn or scale. The factor says how much larger this makes the model.
+        private function addTransforming(transform:AffineTransform, factor:Number):Normalisation
         {
             call(function():void
                 {
-                    _frame.turn(turn, factor);
-                }).add(turn.transformingPoints(_data.vertices));
-            return measureAll();
+                    _frame.turn(transform, factor);
+                }).add(transform.transformingPoints(_data.vertices));
+            return addMeasuring();
         }
 
         private function measure(first:int, end:int):void
@@ -194,7 +194,7 @@ package starlogo.models
         }
 
         // A mirror image's triangles get the reverse corner order, so that they still face outwards. Their own order is reversed too.
-        private function turnRound():void
+        private function reverseTriangles():void
         {
             _data.triangles.reverse();
             for each (var labels:TriangleLabels in [_data.materials, _data.meshes])

@@ -58,9 +58,9 @@ package starlogo.fitting.minimal
         }
 
         /**
-         * Grows to the smallest ball around these points and all earlier ones.
+         * Grows to the smallest ball around these points.
          *
-         * @param points x, y, z of each
+         * @param points x, y, z of each. They must include the points of earlier calls, because the ball keeps only those that determine it
          */
         public function enclose(points:Vector.<Number>):void
         {

@@ -83,7 +83,7 @@ package starlogo.models.obj
             }
             else
             {
-                _lines.skipStatement();
+                _lines.skipLine();
             }
         }
 
@@ -102,7 +102,7 @@ package starlogo.models.obj
             }
             else if (_lines.words[_lines.next] != LineReader.END)
             {
-                _lines.skipStatement();
+                _lines.skipLine();
             }
         }
 
@@ -140,7 +140,7 @@ package starlogo.models.obj
                 }
                 else
                 {
-                    _lines.skipStatement();
+                    _lines.skipLine();
                     break;
                 }
                 word = all[++lines.next];

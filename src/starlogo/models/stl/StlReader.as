@@ -133,7 +133,7 @@ package starlogo.models.stl
             switch (word.toLowerCase().replace("endsolid", "solid"))
             {
                 case "solid":
-                    _lines.skipStatement();
+                    _lines.skipLine();
                     break;
                 case "vertex":
                     readVertex();

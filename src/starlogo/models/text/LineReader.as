@@ -129,7 +129,7 @@ package starlogo.models.text
         }
 
         /** Moves on to the end of the line. */
-        public function skipStatement():void
+        public function skipLine():void
         {
             var word:String = words[next];
             while (word != END && word != CONTINUED)
@@ -150,7 +150,7 @@ package starlogo.models.text
                 }
                 else if (word.charAt(0) == "#")
                 {
-                    skipStatement();
+                    skipLine();
                     break;
                 }
                 else

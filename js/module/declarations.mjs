@@ -162,7 +162,7 @@ class Writer {
 		const isPicking = this.#agent === "Agent" && member.kind === "method" && member.result === "Vector.<Agent>" && member.parameters.some((each) => each.type === "Vector.<Agent>" && each.name !== "out");
 		const generic = isPicking ? "<A extends Agent>" : "";
 		if (isPicking) this.#agent = "A";
-		const isNull = this.#mayBeNull({ ...member, doc: said });
+		const isNull = this.#mayBeNull({ ...member, doc: this.#referredDoc(said) });
 		const result = PLAIN_BYTES.has(`${type.qname}.${member.name}`) ? "Uint8Array" : BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said) ?? this.#type(member.result) + (isNull ? " | null" : "");
 		switch (member.kind) {
 			case "constructor":
@@ -217,6 +217,14 @@ class Writer {
 			if (found) return member.doc.replace("@inheritDoc", this.#docOf(base, found));
 		}
 		return member.doc.replace("@inheritDoc", "").trim();
+	}
+
+	/** The documentation of the member that "See AgentQueries.cast." at the beginning of a text names, otherwise the text itself. */
+	#referredDoc(text) {
+		const [, typeName, memberName] = /^See (\w+)\.(\w+)\./.exec(text) ?? [];
+		const type = this.#exported.get(typeName);
+		const member = type?.members.find((other) => other.name === memberName);
+		return member ? this.#docOf(type, member) : text;
 	}
 
 	#parameters(member, owner) {
@@ -288,8 +296,20 @@ function forJavaScript(text) {
 		.replaceAll(/\s*\((?:the\s+)?(?:thesis\s+)?§[^)]*\)/g, "").replaceAll(/,? ?(?:in |of |as in )?(?:the )?thesis,? §[\d.]+/g, "").replaceAll(/\s*\(?§\s?[\d.]+[^\s)]*\)?/g, "")
 		.replaceAll(/\bflash\.\w+\.(?=[A-Z])/g, "").replaceAll(/\.\/antw cook/g, "npx starlogo-cook").replaceAll(/\bVector\.<(?:Number|int|uint)>/g, "an array of numbers").replaceAll(/\ba Vector\b/g, "an array")
 		.replaceAll(/<code>(?:function)?\(([^)<]*)\):(\w+)<\/code>/g, (_, list, result) => `<code>(${list.replaceAll(/:(\w+)/g, (_, name) => `: ${nameHere(name)}`)}) => ${nameHere(result)}</code>`)
-		.replaceAll(/<listing[^>]*>[\s\S]*?<\/listing>/g, (code) => code.replaceAll(/\bvar (\w+):[\w.<>]+/g, "const $1").replaceAll(/:(?:Number|int|void|Agent|Boolean|String)\b/g, "")
-			.replaceAll(/\b\w*Event\.([A-Z_]+)\b/g, (_, constant) => JSON.stringify(camelCase(constant))));
+		.replaceAll(/<listing[^>]*>[\s\S]*?<\/listing>/g, sampleForJavaScript);
+}
+
+/** A sample in JavaScript: without types, modifiers and the constants of events. */
+function sampleForJavaScript(code) {
+	return code.replaceAll(/(?<=[\w)]):(?:[A-Z][\w.]*|int|uint|void)(?:&lt;\w+&gt;)?/g, "")
+		.replaceAll(/\bfor \(var /g, "for (let ").replaceAll(/\bvar (\w+)( = [^;]*;)/g, (_, name, rest) => `${isAssignedLater(code, name) ? "let" : "const"} ${name}${rest}`)
+		.replaceAll(/\bnew &lt;\w+&gt;\[/g, "[").replaceAll(/\bpublic class\b/g, "class").replaceAll(/\b(?:(?:override|public|protected|private) )+function /g, "")
+		.replaceAll(/\b\w*Event\.([A-Z_]+)\b/g, (_, constant) => JSON.stringify(camelCase(constant)));
+}
+
+/** Whether a variable of a sample is assigned again after its declaration, which has a type before its "=". */
+function isAssignedLater(code, name) {
+	return new RegExp(`\\b${name} [-+*/]?= `).test(code);
 }
 
 /** The value of a constant that names a type of event: MODEL_LOADED is "modelLoaded". */

@@ -204,6 +204,28 @@ test("the types say nothing of any, and the documentation speaks of JavaScript",
 	assert.doesNotMatch(text, /Ruffle|Adobe|Flash Player|§|Vector\.</);
 });
 
+test("a class with a part of AgentQueries declares the same results", () => {
+	const text = readFileSync(path.join(folder, "index.d.ts"), "utf8");
+	const resultsOf = (name) => new Map([...text.match(new RegExp(`^export class ${name}<[^]*?^}`, "m"))[0].matchAll(/^\t(\w+)\(.*\): (.*);$/gm)].map(([, method, result]) => [method, result]));
+	const expected = resultsOf("AgentQueries");
+	assert.equal(expected.get("cast"), "RayHit<A> | null");
+	for (const part of ["AgentPlaces", "AgentRays", "AgentWalks"]) {
+		const results = [...resultsOf(part)].filter(([method]) => expected.has(method));
+		assert.ok(results.length > 2, part);
+		for (const [method, result] of results) assert.equal(result, expected.get(method), `${part}.${method}`);
+	}
+});
+
+test("samples in the documentation are JavaScript", async () => {
+	const { default: ts } = await import(pathToFileURL(tools.resolve("typescript")));
+	const samples = [...readFileSync(path.join(folder, "index.d.ts"), "utf8").matchAll(/```js\n([\s\S]*?)```/g)].map(([, sample]) => sample.replaceAll(/^\s*\* ?/gm, ""));
+	assert.ok(samples.length > 3);
+	for (const sample of samples) {
+		const { diagnostics } = ts.transpileModule(sample, { fileName: "sample.js", reportDiagnostics: true });
+		assert.deepEqual(diagnostics.map(({ messageText }) => messageText), [], sample);
+	}
+});
+
 test("publint has nothing to say", async () => {
 	const { publint } = await import(pathToFileURL(tools.resolve("publint")));
 	const { messages } = await publint({ pkgDir: folder, strict: true, pack: false });

@@ -449,6 +449,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		assert.throws(() => new ThreeAgentBinding(agent, object, null, { up: "x" }), /^ArgumentError: up must be "y" or "z", not "x"/);
 		assert.throws(() => modelFromObject("any", new THREE.BoxGeometry(), { up: "Y" }), /^ArgumentError: up must be "y" or "z", not "Y"/);
 		for (const wrong of [null, undefined, {}, "bear.glb"]) assert.throws(() => modelFromObject("any", wrong), /^ModelError: model "any": expected an Object3D or a BufferGeometry, not /);
+		for (const make of [modelFromObject, levelFromObject]) assert.throws(() => make(box(), "any"), /^ArgumentError: a model's name must be a string, not Mesh$/);
 		assert.throws(() => modelFromObject("any", new THREE.Group()), /^ModelError: model "any": no vertices/);
 		assert.throws(() => modelFromObject("", new THREE.BoxGeometry()), /^ModelError: .*needs a name/);
 		const broken = box();

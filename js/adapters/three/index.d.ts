@@ -71,7 +71,7 @@ export interface WireframeOptions {
  * @param options the up axis, and the scaling
  * @throws ModelError if the source is neither or has no triangles, if a triangle uses a missing vertex, if a coordinate is not finite, or
  * if the name is empty
- * @throws ArgumentError if up is neither "y" nor "z"
+ * @throws ArgumentError if the name is no string, or if up is neither "y" nor "z"
  */
 export function modelFromObject(name: string, source: Object3D | BufferGeometry, options?: ModelOptions): Model;
 
@@ -92,7 +92,7 @@ export interface LevelOptions {
  * @param object an object or a geometry; only its world matrices are updated
  * @param options the up axis
  * @throws ModelError as modelFromObject
- * @throws ArgumentError if up is neither "y" nor "z"
+ * @throws ArgumentError as modelFromObject
  */
 export function levelFromObject(name: string, object: Object3D | BufferGeometry, options?: LevelOptions): Model;
 

@@ -107,6 +107,7 @@ function eachMesh(object, place, visit) {
 
 /** The vertices and triangles of an object or a geometry, z up. With `isPlaced` the object's own transform counts. */
 export function surfaceOf(name, source, up, isPlaced = false) {
+	if (typeof name !== "string") throw new ArgumentError(`a model's name must be a string, not ${textOf(name)}`);
 	const surface = new Surface(name, isYUp(up));
 	if (source?.isBufferGeometry) surface.addMesh(new Mesh(source), identity);
 	else if (source?.isObject3D) {

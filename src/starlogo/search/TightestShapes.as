@@ -36,7 +36,8 @@ package starlogo.search
             var model:String = shape.modelName;
             if (!library.has(model))
             {
-                throw new ArgumentError(agent + ": its model was added while loadTightestFit was false; set it to true, and add the model again");
+                throw new ArgumentError(agent + ": its model was added while loadTightestFit was false; set hierarchical of the agent in a CombinationCollider, or "
+                    + "loadTightestFit to true and add the model again");
             }
             if (shape.kind != Agent.ANY_KIND)
             {

@@ -37,7 +37,7 @@ package starlogo.search
             if (!library.has(model))
             {
                 throw new ArgumentError(agent + ": its model was added while loadTightestFit was false; set hierarchical of the agent in a CombinationCollider, or "
-                    + "loadTightestFit to true and add the model again");
+                        + "loadTightestFit to true and add the model again");
             }
             if (shape.kind != Agent.ANY_KIND)
             {

@@ -462,6 +462,40 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		assert.throws(() => modelFromObject("any", new THREE.BatchedMesh(1, 24, 36, new THREE.MeshBasicMaterial())), /^ModelError: model "any": no vertices/);
 	});
 
+	test(`three ${version}: hits tell the mesh and the material`, () => {
+		const [stone, glass] = ["stone", "glass"].map((name) => Object.assign(new THREE.MeshBasicMaterial(), { name }));
+		const named = (mesh, name, x) => {
+			mesh.name = name;
+			mesh.position.set(x, 0, 0);
+			return mesh;
+		};
+		const unnamed = new THREE.MeshBasicMaterial();
+		const crates = named(new THREE.InstancedMesh(new THREE.BoxGeometry(), glass, 2), "crates", 0);
+		[20, 30].forEach((x, i) => crates.setMatrixAt(i, new THREE.Matrix4().makeTranslation(x, 0, 0)));
+		// the third of a box's groups is its top
+		const several = named(new THREE.Mesh(new THREE.BoxGeometry(), [stone, stone, glass, stone, stone, stone]), "several", 10);
+		const batch = named(new THREE.BatchedMesh(1, 24, 36, unnamed), "", 40);
+		batch.addInstance(batch.addGeometry(new THREE.BoxGeometry()));
+		const group = new THREE.Group().add(named(new THREE.Mesh(new THREE.BoxGeometry(), stone), "floor", 0), several, crates, batch);
+		const model = levelFromObject("level", group);
+		assert.deepEqual(model.meshNames, ["floor", "several", "crates", ""]);
+		assert.deepEqual(model.materialNames, ["stone", "glass", ""]);
+		const greatLand = new engine.GreatLand();
+		greatLand.addModel(model);
+		const collider = new engine.HierarchicalCollider(greatLand);
+		collider.exact = true;
+		const queries = new engine.AgentQueries(new engine.Collision(collider));
+		queries.update([new Agent("level")]);
+		const below = (x) => {
+			const hit = queries.cast(new Vector3D(x + 0.1, 0.2, 5), new Vector3D(0, 0, -1));
+			return [model.meshNames[hit.mesh], hit.materialName];
+		};
+		assert.deepEqual([0, 10, 20, 30, 40].map(below), [["floor", "stone"], ["several", "glass"], ["crates", "glass"], ["crates", "glass"], ["", ""]]);
+		assert.deepEqual(modelFromObject("model", group).meshNames, model.meshNames);
+		const { meshNames, materialNames } = modelFromObject("box", new THREE.BoxGeometry());
+		assert.deepEqual([meshNames, materialNames], [null, null]);
+	});
+
 	test(`three ${version}: a BatchedMesh is the meshes of its instances`, () => {
 		const scenes = new Scenes(THREE, 77 + number);
 		const { dice } = scenes;

@@ -33,8 +33,12 @@ export function levelFromObject(name, object, { up = "y" } = {}) {
 	return modelOf(name, object, surfaceOf(name, object, up, true), { up, isPlaced: true }, Model.AS_GIVEN);
 }
 
-function modelOf(name, source, { vertices, triangles, parts }, origin, scaling) {
+function modelOf(name, source, { vertices, triangles, parts, meshes, materials }, origin, scaling) {
 	const model = new Model(name, vertices, triangles, scaling);
+	if (source.isObject3D) {
+		model.setMeshes(meshes.numbers, meshes.names);
+		model.setMaterials(materials.numbers, materials.names);
+	}
 	origins.set(model, { ...origin, parts, isGeometry: !source.isObject3D, posed: null });
 	return model;
 }
@@ -117,12 +121,31 @@ export function surfaceOf(name, source, up, isPlaced = false) {
 	return surface;
 }
 
+/** Which mesh, or which material, each triangle belongs to: a number for each triangle, and a name for each number. */
+class Labels {
+	numbers = [];
+	names = [];
+	#known = new Map();
+
+	/** Labels the next triangle. */
+	add(thing, name) {
+		if (!this.#known.has(thing)) {
+			this.#known.set(thing, this.names.length);
+			this.names.push(String(name ?? ""));
+		}
+		this.numbers.push(this.#known.get(thing));
+	}
+}
+
 /** Triangles and their corners, z up. Each position appears once. */
 class Surface {
 	vertices = [];
 	triangles = [];
 	/** For each mesh or instance, in the order of eachMesh: the mesh's vertices that have become the surface's next ones. */
 	parts = [];
+	/** The mesh and the material of each triangle. */
+	meshes = new Labels();
+	materials = new Labels();
 	#name;
 	#isYUp;
 	#known = new PointTable(this.vertices);
@@ -130,6 +153,7 @@ class Surface {
 	#mesh = null;
 	#points;
 	#corners;
+	#materials;
 
 	constructor(name, isYUp) {
 		this.#name = name;
@@ -143,7 +167,7 @@ class Surface {
 			return;
 		}
 		if (mesh !== this.#mesh) this.#read(mesh);
-		this.#add(this.#points, this.#corners, place);
+		this.#add(mesh, this.#points, this.#corners, this.#materials, place);
 	}
 
 	/** Adds all instances of a BatchedMesh, visible or not. Each draws a part of the mesh's geometry. */
@@ -155,7 +179,7 @@ class Surface {
 			const points = pointsOf(mesh, attributes.position, vertexStart, vertexCount);
 			const corners = Array.from({ length: count }, (_, i) => (index ? index.getX(start + i) : start + i) - vertexStart);
 			for (const corner of corners) if (!(corner >= 0 && corner < vertexCount)) throw this.#error(mesh, `a triangle of geometry ${id} names vertex ${corner}, the last one is ${vertexCount - 1}`);
-			return { points, corners };
+			return { points, corners, materials: new Array(Math.ceil(corners.length / 3)).fill(mesh.material) };
 		};
 		let left = mesh.instanceCount;
 		for (let i = 0; left > 0 && i < mesh.maxInstanceCount; i++) {
@@ -163,12 +187,13 @@ class Surface {
 			if (id < 0) continue;
 			left--;
 			if (!shapes.has(id)) shapes.set(id, shapeOf(id));
-			const { points, corners } = shapes.get(id);
-			this.#add(points, corners, mesh.getMatrixAt(i, new Matrix4()).premultiply(place));
+			const { points, corners, materials } = shapes.get(id);
+			this.#add(mesh, points, corners, materials, mesh.getMatrixAt(i, new Matrix4()).premultiply(place));
 		}
 	}
 
-	#add(points, corners, place) {
+	/** Adds triangles of a mesh: its points, three corners for each triangle, and the material of each triangle. */
+	#add(mesh, points, corners, materials, place) {
 		const part = [];
 		this.parts.push(part);
 		// scaled to 0, as hidden instances often are
@@ -189,6 +214,9 @@ class Surface {
 		for (let i = 0; i < corners.length; i += 3) {
 			const [a, b, c] = [corners[i], corners[i + second], corners[i + third]];
 			triangles.push(numbers[a] < 0 ? numberOf(a) : numbers[a], numbers[b] < 0 ? numberOf(b) : numbers[b], numbers[c] < 0 ? numberOf(c) : numbers[c]);
+			this.meshes.add(mesh, titleOf(mesh));
+			const material = materials[i / 3];
+			this.materials.add(material, material?.name);
 		}
 	}
 
@@ -197,7 +225,7 @@ class Surface {
 		const position = geometry.getAttribute("position");
 		const count = position?.count ?? 0;
 		this.#mesh = mesh;
-		this.#corners = count === 0 ? [] : cornersOf(geometry, mesh.material);
+		({ corners: this.#corners, materials: this.#materials } = count === 0 ? { corners: [], materials: [] } : drawnTriangles(geometry, mesh.material));
 		for (let i = 0; i < this.#corners.length; i++) {
 			if (!(this.#corners[i] < count)) throw this.#error(mesh, `a triangle names vertex ${this.#corners[i]}, the last one is ${count - 1}`);
 		}
@@ -205,10 +233,13 @@ class Surface {
 	}
 
 	#error(mesh, problem) {
-		const title = mesh.name || mesh.geometry.name;
+		const title = titleOf(mesh);
 		return new ModelError(String(this.#name), title && `mesh "${title}"`, problem);
 	}
 }
+
+/** A mesh's name, or its geometry's if it has none. */
+const titleOf = (mesh) => mesh.name || mesh.geometry.name;
 
 /** The places of a mesh's vertices in its own space, x, y, z, ..., in its present pose: of all, or of some from a first one on. */
 function pointsOf(mesh, position, first = 0, count = position.count) {
@@ -236,23 +267,26 @@ function geometryOf(mesh, instance) {
 }
 
 /**
- * The vertices of the triangles that are drawn, three each: those in the draw range and, with several materials, in the groups that have
- * one.
+ * The triangles that are drawn, with three corners and a material each: those in the draw range and, with several materials, in the groups
+ * that have one.
  */
-function cornersOf({ index, attributes, drawRange, groups }, material) {
+function drawnTriangles({ index, attributes, drawRange, groups }, material) {
 	const total = index ? index.count : attributes.position.count;
-	const drawn = Array.isArray(material) ? groups.filter(({ materialIndex }) => material[materialIndex]) : [{ start: 0, count: total }];
+	const drawn = Array.isArray(material) ? groups.filter(({ materialIndex }) => material[materialIndex]) : [{ start: 0, count: total, materialIndex: 0 }];
+	const materialOf = (index) => (Array.isArray(material) ? material[index] : material);
+	const materials = [];
 	const taken = new Uint8Array(total);
 	const corners = new Float64Array(3 * total);
 	let length = 0;
-	for (const { start, count } of drawn) {
+	for (const { start, count, materialIndex } of drawn) {
 		const end = Math.min(total, start + count, drawRange.start + drawRange.count);
 		for (let i = Math.max(start, drawRange.start); i + 2 < end; i += 3) {
 			if (taken[i]++) continue;
+			materials.push(materialOf(materialIndex));
 			for (let k = i; k < i + 3; k++) corners[length++] = index ? index.getX(k) : k;
 		}
 	}
-	return corners.subarray(0, length);
+	return { corners: corners.subarray(0, length), materials };
 }
 
 /** Gives positions indices. Equal positions get one index, because exporters repeat them for normals and textures. */

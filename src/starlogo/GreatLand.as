@@ -192,7 +192,10 @@ package starlogo
         /** @inheritDoc */
         public function expectNoMore(name:String):void
         {
-            _models.of(name).loading--;
+            if (isLoading(name))
+            {
+                _models.of(name).loading--;
+            }
         }
 
         /** Whether a ModelLoader is loading a model of this name. A model of the same name may already be added. */

@@ -137,6 +137,20 @@ package starlogo
                 });
         }
 
+        [Test]
+        public function aLoadThatEndsWithoutABeginningChangesNothing():void
+        {
+            var other:GreatLand = new GreatLand();
+            other.expectNoMore("bear");
+            other.expect("bear");
+            assertTrue("of a name that was unknown", other.isLoading("bear"));
+            other.expectNoMore("bear");
+            other.expectNoMore("bear");
+            assertFalse(other.isLoading("bear"));
+            other.expect("bear");
+            assertTrue("of one that was known", other.isLoading("bear"));
+        }
+
         private function systems():Array
         {
             return [new BinCollider(_greatLand), new TightestFitCollider(_greatLand), new HierarchicalCollider(_greatLand),

@@ -17,7 +17,7 @@ package starlogo.libraries
      *
      * <p>An entry is a cooked file without the model. It is found by the model's geometry and all settings that matter. The model's name
      * does not matter. A changed, incomplete or forged entry is ignored and replaced. If there is not enough room, the least recently used
-     * entries are removed. If nothing can be stored, games still work.</p>
+     * entries are removed. An entry for which that gives no room is not stored. If nothing can be stored, games still work.</p>
      *
      * <p>Several games may share a storage at the same time, for example in several tabs. Each entry is stored separately, so no game
      * overwrites another's entries. If two games write the list of entries at the same time, an entry may be missing from the list until
@@ -35,7 +35,9 @@ package starlogo.libraries
 
         private var _storage:FitStorage;
         private var _capacity:Number;
-        private var _isOff:Boolean = false;
+
+        // The storage has refused an entry of so many bytes, so no entry of this length or more is tried again.
+        private var _refusedLength:Number = Infinity;
 
         /**
          * Creates a store of a given size.
@@ -121,16 +123,19 @@ package starlogo.libraries
         /**
          * Whether there may be room for the results for a model.
          *
+         * @param hasTree whether its hierarchy is one of them
+         *
          * @private
          */
-        engine function mayHold(model:Model):Boolean
+        engine function mayHold(model:Model, hasTree:Boolean):Boolean
         {
             var itemCount:int = (model.triangles == null ? model.vertices.length : model.triangles.length) / 3;
-            return !_isOff && itemCount * TreeWriter.widthFor(itemCount) <= _capacity;
+            return mayTake(hasTree ? itemCount * TreeWriter.widthFor(itemCount) : 0);
         }
 
         /**
-         * Stores the file of a geometry.
+         * Stores the file of a geometry. It removes the least recently used entries until there is room. If the storage refuses the file
+         * even without them, it puts them back.
          *
          * @param geometry the fingerprint of the model's vertices and triangles
          * @return whether it is stored
@@ -139,22 +144,54 @@ package starlogo.libraries
          */
         engine function keep(geometry:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
         {
-            if (_isOff || bytes.length > _capacity)
+            if (!mayTake(bytes.length))
             {
                 return false;
             }
             var name:String = nameOf(geometry, settings);
-            var others:Array = entriesBut(name);
-            var isKept:Boolean = lengthOf(others) + bytes.length <= _capacity && _storage.write(name, bytes);
-            while (!isKept && others.length > 0)
+            var entries:Array = entriesBut(name);
+            var removed:Vector.<ByteArray> = new Vector.<ByteArray>();
+            var isKept:Boolean = writeBeside(entries, name, bytes);
+            while (!isKept && removed.length < entries.length)
             {
-                _storage.remove(nameIn(others.shift()));
-                isKept = lengthOf(others) + bytes.length <= _capacity && _storage.write(name, bytes);
+                var oldest:String = nameIn(entries[removed.length]);
+                removed.push(_storage.read(oldest));
+                _storage.remove(oldest);
+                isKept = writeBeside(entries.slice(removed.length), name, bytes);
             }
-            // there is no room even for one entry
-            _isOff = !isKept;
-            list(others, name, isKept ? bytes : null);
-            return isKept;
+            if (isKept)
+            {
+                writeList(entries.slice(removed.length).concat(entryOf(name, bytes)));
+                return true;
+            }
+            putBack(entries, removed);
+            // if even the list is refused, the storage is switched off
+            _refusedLength = writeList(entries) ? bytes.length : 0;
+            return false;
+        }
+
+        // Whether an entry of some bytes may be stored, if others go for it.
+        private function mayTake(length:Number):Boolean
+        {
+            return length <= _capacity && length < _refusedLength;
+        }
+
+        // Writes an entry if there is room for it beside others.
+        private function writeBeside(others:Array, name:String, bytes:ByteArray):Boolean
+        {
+            return lengthOf(others) + bytes.length <= _capacity && _storage.write(name, bytes);
+        }
+
+        // Writes the first entries of a list again.
+        private function putBack(entries:Array, contents:Vector.<ByteArray>):void
+        {
+            for (var i:int = 0; i < contents.length; i++)
+            {
+                if (contents[i] != null)
+                {
+                    _storage.write(nameIn(entries[i]), contents[i]);
+                }
+            }
         }
 
         // A copy of an entry; null if there is none. It counts as used.
@@ -164,7 +201,7 @@ package starlogo.libraries
             var bytes:ByteArray = _storage.read(name);
             if (bytes != null)
             {
-                list(entriesBut(name), name, bytes);
+                writeList(entriesBut(name).concat(entryOf(name, bytes)));
             }
             return bytes;
         }
@@ -205,12 +242,17 @@ package starlogo.libraries
             return entries;
         }
 
-        // Writes the list, with one more entry unless its bytes are null.
-        private function list(others:Array, name:String, bytes:ByteArray):void
+        // Returns whether it is stored.
+        private function writeList(entries:Array):Boolean
         {
             var text:ByteArray = new ByteArray();
-            text.writeUTFBytes(others.join("") + (bytes == null ? "" : name + " " + bytes.length + "\n"));
-            _storage.write(LIST, text);
+            text.writeUTFBytes(entries.join(""));
+            return _storage.write(LIST, text);
+        }
+
+        private static function entryOf(name:String, bytes:ByteArray):String
+        {
+            return name + " " + bytes.length + "\n";
         }
 
         private static function nameOf(geometry:Fingerprint, settings:FitSettings):String

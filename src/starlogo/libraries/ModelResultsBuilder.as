@@ -148,7 +148,7 @@ package starlogo.libraries
         private function keep():void
         {
             var isKept:Boolean = _isTaken && (treeBuilder == null || treeBuilder.isStored);
-            if (_store != null && !isKept && _store.mayHold(_model))
+            if (_store != null && !isKept && _store.mayHold(_model, treeBuilder != null))
             {
                 _store.keep(_geometry, _settings, write(_geometry, null));
             }

@@ -156,6 +156,50 @@ package starlogo.libraries
         }
 
         [Test]
+        public function anEntryThatTheStorageRefusesCostsNoOther():void
+        {
+            var models:Vector.<Model> = someModels(4);
+            for (var i:int = 0; i < 3; i++)
+            {
+                newGame(_store).addModel(models[i]);
+            }
+            _storage.room = 3.9 * _store.length / 3;
+            var large:Model = new Model("large", PointSets.cloud(new SeededRandom(21), 3000, 1, 1, 1));
+            newGame(_store).addModel(large);
+            assertTrue("it is refused", _storage.refusalCount > 0);
+            assertEquals("the others are put back", 3, _storage.names.length);
+            assertEquals("and listed", 3, listedCount());
+            _fitter.count = 0;
+            newGame(_store).addModel(models[2]);
+            newGame(_store).addModel(models[1]);
+            assertEquals("whole", 0, _fitter.count);
+            newGame(_store).addModel(models[3]);
+            _fitter.count = 0;
+            newGame(_store).addModel(models[3]);
+            assertEquals("smaller ones are still stored", 0, _fitter.count);
+            var refusals:int = _storage.refusalCount;
+            newGame(_store).addModel(large);
+            assertEquals("the large one is not tried again", refusals, _storage.refusalCount);
+        }
+
+        [Test]
+        public function anEntryWithoutAHierarchyNeedsLittleRoom():void
+        {
+            var small:FitStore = new FitStore(900, _storage);
+            var model:Model = new Model("large", PointSets.cloud(new SeededRandom(22), 1000, 1, 1, 1));
+            for (var i:int = 0; i < 2; i++)
+            {
+                var game:GreatLand = newGame(small);
+                game.loadHierarchies = false;
+                game.addModel(model);
+            }
+            assertEquals(1, _storage.names.length);
+            assertEquals("computed once", 1, _fitter.count);
+            newGame(small).addModel(model);
+            assertEquals("with a hierarchy it is too large", 1, _storage.names.length);
+        }
+
+        [Test]
         public function aDamagedListOfEntriesLosesNone():void
         {
             var models:Vector.<Model> = someModels(3);

@@ -4,14 +4,20 @@ package starlogo.blocks
     import starlogo.agents.Agent;
     import starlogo.collision.Collider;
     import starlogo.collision.Contact;
+    import starlogo.engine;
+    import starlogo.search.CollisionSearch;
+
+    use namespace engine;
 
     /** Contacts in the collision system of blocks: as the last frame saw them, and as they are now. */
     internal final class BlockContacts
     {
         private var _collisions:CollisionBlocks;
 
-        // Its systems never search, so they give contacts of the agents' present places.
-        private var _now:CollisionBlocks;
+        // The collider that was asked last about present places, and a search with its settings. That search never gets a list of agents, so it
+        // takes all agents where they are now.
+        private var _collider:Collider;
+        private var _search:CollisionSearch;
 
         public function BlockContacts(collisions:CollisionBlocks)
         {
@@ -21,7 +27,7 @@ package starlogo.blocks
         /** How two agents touch, or touched in the last frame. */
         public function ofFrame(agent:Agent, other:Agent):Contact
         {
-            return Collider(_collisions.systemNamed(_collisions.systemName)).contactOf(agent, other);
+            return inUse.contactOf(agent, other);
         }
 
         /** Moves an agent out of another one by the shortest way, from where both are now; null if they do not touch. */
@@ -39,12 +45,18 @@ package starlogo.blocks
         /** How two agents touch where they are now; null if they do not. */
         public function now(agent:Agent, other:Agent):Contact
         {
-            if (_now == null)
+            var collider:Collider = inUse;
+            if (collider !== _collider)
             {
-                _now = new CollisionBlocks(_collisions.greatLand, new <Agent>[]);
+                _collider = collider;
+                _search = new CollisionSearch(collider.narrowPhase);
             }
-            var system:Collider = Collider(_now.systemNamed(_collisions.systemName));
-            return system.areColliding(agent, other) ? system.contactOf(agent, other) : null;
+            return _search.areColliding(agent, other) ? collider.contactIn(_search, agent, other, new Contact()) : null;
+        }
+
+        private function get inUse():Collider
+        {
+            return Collider(_collisions.systemNamed(_collisions.systemName));
         }
     }
 }

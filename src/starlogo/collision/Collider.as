@@ -37,7 +37,7 @@ package starlogo.collision
         private static const SEARCHING:int = 1;
         private static const HANDLING:int = 2;
 
-        /** @private Has the choice of shapes, and tests pairs of agents, for questions too. */
+        /** @private Has the choice of shapes and the settings, and tests pairs of agents, for questions too. */
         engine var narrowPhase:NarrowPhase;
 
         /** @private The search that the collider makes. */
@@ -137,10 +137,15 @@ package starlogo.collision
         override public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
         {
             requireTwo(collider, collidee);
-            var contact:Contact = out || new Contact();
+            return contactIn(_contactSearch, collider, collidee, out || new Contact());
+        }
+
+        /** @private As contactOf, in one of the collider's searches. */
+        engine function contactIn(by:CollisionSearch, collider:Agent, collidee:Agent, contact:Contact):Contact
+        {
             var motion:RelativeMotion = _motion;
             var point:ContactPoint = _point;
-            _contactSearch.findContact(collider, collidee, motion, point);
+            by.findContact(collider, collidee, motion, point);
             contact.time = motion.time;
             contact.depth = point.depth;
             contact.approachSpeed = Math.max(0, -(motion.x * point.normalX + motion.y * point.normalY + motion.z * point.normalZ));

@@ -16,7 +16,8 @@ package starlogo.fitting
      * through the smallest circle around them, and takes the best of several radii. Then it takes the best capsules and moves their ends
      * as long as the volume shrinks. The smallest sphere is a candidate too. It is a capsule whose ends are one point.</p>
      *
-     * <p>The cost in Ruffle is 0.1 seconds for ten corners of the hull, and two to three seconds for 500.</p>
+     * <p>The cost in Ruffle is 0.1 seconds for ten corners of the hull, and two to three seconds for 500. All of it is one step, even while a
+     * ModelLoader loads the model, so a running game waits. Fit models with many corners before the game, for example with cooked models.</p>
      */
     public final class MinimalCapsuleFitter extends Fitter
     {

@@ -2,9 +2,13 @@ package starlogo.blocks
 {
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.Contact;
+    import starlogo.collision.HierarchicalCollider;
     import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
     import support.assertClose;
     import support.assertThrows;
     import support.create;
@@ -76,6 +80,41 @@ package starlogo.blocks
             _bear.moveTo(-5, 0, 0);
             _blocks.pushAway(_bear, _wall);
             assertEquals(-5, _bear.x);
+        }
+
+        [Test]
+        public function pushesAwayWithTheSettingsOfTheGame():void
+        {
+            // the roots' boxes overlap, the leaves' boxes do not
+            var greatLand:GreatLand = landOf(new Model("corner", cornerVertices()));
+            var collisions:CollisionBlocks = new CollisionBlocks(greatLand, _agents);
+            var blocks:ContactBlocks = new ContactBlocks(collisions);
+            var corner:Agent = new Agent("corner");
+            var other:Agent = new Agent("corner");
+            other.moveTo(0.3, 0.3, 0);
+            collisions.useCollisionSystem(CollisionBlocks.HIERARCHIES);
+            blocks.pushAway(corner, other);
+            assertEquals("no boxes touch", 0, Math.abs(corner.x) + Math.abs(corner.y));
+            var system:HierarchicalCollider = HierarchicalCollider(collisions.systemNamed(CollisionBlocks.HIERARCHIES));
+            system.maxDepth = 1;
+            assertTrue("the roots do", system.areColliding(corner, other));
+            blocks.pushAway(corner, other);
+            assertTrue("so they part", Math.abs(corner.x) + Math.abs(corner.y) > 0.1);
+            system.maxDepth = 5;
+            corner.moveTo(0, 0, 0);
+            blocks.pushAway(corner, other);
+            assertEquals("at once", 0, Math.abs(corner.x) + Math.abs(corner.y));
+        }
+
+        // Points of two walls along two edges of a square, one high.
+        private static function cornerVertices():Vector.<Number>
+        {
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = 0; i <= 64; i++)
+            {
+                vertices.push(i / 64, 0, 0, 0, i / 64, 0, i / 64, 0, 1, 0, i / 64, 1);
+            }
+            return vertices;
         }
 
         [Test]

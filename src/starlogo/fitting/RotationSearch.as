@@ -13,8 +13,8 @@ package starlogo.fitting
     /**
      * The brute-force search of thesis §3.4.2: rotates a hull by every rotation of a discrete set, and keeps the rotation whose
      * axis-aligned box is the smallest. The rotations are about x first, then y, then z, each from 0 to below 90 degrees. If several boxes
-     * have the same volume, the first one counts. The very first box is the axis-aligned one. A step tries all rotations about z that
-     * follow one rotation about x and y.
+     * have the same volume, the first one that is tried counts. The very first box is the axis-aligned one. A step tries all rotations about z
+     * that follow one rotation about x and y. Every second step tries them from the largest angle to the smallest.
      *
      * <p>Three methods make the search faster. None changes the result, but for the rounding of the hull. First, the whole hull is rotated about x
      * and y once. The rotations about z that follow do not change the extent along z. The extents along x and y are found in the plane of x and y.

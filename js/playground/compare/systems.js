@@ -10,7 +10,7 @@ export const SYSTEMS = CollisionBlocks.systemNames.flatMap((name) => (name === C
 /** Every agent is the hull of its model. */
 class Hulls extends ShapeChoice {
 	bind(shape) {
-		shape.setStructure(this.greatLand.boundingStructures.hull(shape.model));
+		shape.setStructure(this.greatLand.boundingStructures.hull(shape.modelName));
 	}
 }
 

@@ -154,7 +154,8 @@ package starlogo.ground
             var width:Number = _grid.cellWidth;
             if (_box.floor == -Infinity)
             {
-                low = Math.max(low, Math.min(_wholePassage.low, Math.min(top, endTop)) - width);
+                var cut:Number = Math.min(_wholePassage.low, Math.min(top, endTop)) - width;
+                low = cut > low ? cut : low;
             }
             if (Math.min(top, endTop) > _wholePassage.high + width)
             {

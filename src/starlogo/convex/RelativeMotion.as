@@ -1,6 +1,6 @@
 package starlogo.convex
 {
-    import starlogo.geometry.Touching;
+    import starlogo.geometry.Tolerances;
 
     /**
      * A sweep of one shape against another that stands still, as a record: the straight motion from time 0 to time 1, without rotation or
@@ -83,7 +83,14 @@ package starlogo.convex
         /** Computes the margin. */
         public function findMargin():void
         {
-            margin = Touching.marginOfMotion(startX, startY, startZ) + Touching.marginOfMotion(x, y, z);
+            // Touching.marginOfMotion() of both vectors, written out: this is asked for each triangle, and V8 makes objects of Numbers that are passed
+            var start:Number = startX < 0 ? -startX : startX;
+            start = startY < 0 ? start - startY : start + startY;
+            start = startZ < 0 ? start - startZ : start + startZ;
+            var displacement:Number = x < 0 ? -x : x;
+            displacement = y < 0 ? displacement - y : displacement + y;
+            displacement = z < 0 ? displacement - z : displacement + z;
+            margin = Tolerances.ROUNDING * start + Tolerances.ROUNDING * displacement;
         }
     }
 }

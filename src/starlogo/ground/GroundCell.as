@@ -154,8 +154,7 @@ package starlogo.ground
             var width:Number = _grid.cellWidth;
             if (_box.floor == -Infinity)
             {
-                var cut:Number = Math.min(_wholePassage.low, Math.min(top, endTop)) - width;
-                low = cut > low ? cut : low;
+                low = Math.max(low, Math.min(_wholePassage.low, Math.min(top, endTop)) - width);
             }
             if (Math.min(top, endTop) > _wholePassage.high + width)
             {

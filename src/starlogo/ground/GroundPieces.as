@@ -55,8 +55,11 @@ package starlogo.ground
         private var _first:int = 0;
         private var _end:int = 0;
 
-        // A point of the current piece. The margin of the model's place and surface, and that of the piece without that of a triangle.
+        // A point of the current piece, and the ground there.
         private var _point:Vector3D = new Vector3D();
+        private var _ground:GroundPoint = new GroundPoint();
+
+        // The margin of the model's place and surface, and that of the piece without that of a triangle.
         private var _margin:Number = 0;
         private var _pieceMargin:Number = 0;
 
@@ -189,7 +192,10 @@ package starlogo.ground
         /** Whether a point of the piece is at least this deep under the ground. */
         public function isUnder(depth:Number):Boolean
         {
-            return grid.heightAt(_point.x + box.origin.x, _point.y + box.origin.y) - depth >= _point.z + box.origin.z;
+            _ground.x = _point.x + box.origin.x;
+            _ground.y = _point.y + box.origin.y;
+            grid.findHeight(_ground);
+            return _ground.height - depth >= _point.z + box.origin.z;
         }
 
         /** Puts the box around the whole model. */

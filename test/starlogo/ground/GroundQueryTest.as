@@ -140,13 +140,14 @@ package starlogo.ground
             assertTrue(onSurface > 0);
         }
 
-        // The greatest height of the ground near a place, which may be the side of a column or the ground's border.
+        // The greatest height of the ground near a place: there, because it may be on a ridge, and around it, because it may be the side of a column
+        // or the ground's border.
         private function heightAround(x:Number, y:Number, slack:Number):Number
         {
             var greatest:Number = -Infinity;
-            for (var i:int = 0; i < 4; i++)
+            for each (var away:Array in [[0, 0], [-1, -1], [1, -1], [-1, 1], [1, 1]])
             {
-                var height:Number = _terrain.heightAt(x + (i % 2 == 0 ? slack : -slack), y + (i < 2 ? slack : -slack));
+                var height:Number = _terrain.heightAt(x + away[0] * slack, y + away[1] * slack);
                 greatest = height > greatest ? height : greatest;
             }
             return greatest;

@@ -77,9 +77,10 @@ function chooseOne(pattern, classes, sources, { tests, used, farther, said }) {
 	if (isFile || !ofClass.some(isOwn)) {
 		for (const source of [...sources.keys()].filter((name) => simpleName(name).toLowerCase() === wanted)) {
 			const nearest = nearestTests(source, classes, sources);
+			const areMany = countOf(nearest, classes) > MANY;
 			for (const name of take(`classes that use ${source}`, nearest)) {
 				used.add(name);
-				if (countOf(nearest, classes) > MANY) farther.add(name);
+				if (areMany) farther.add(name);
 			}
 			const beside = testsOfPackage(source, classes, sources).filter((name) => !nearest.includes(name));
 			for (const name of take(`tests beside ${source}, which no test uses itself`, beside)) {

@@ -117,7 +117,7 @@ export function surfaceOf(name, source, up, isPlaced = false) {
 	else if (source?.isObject3D) {
 		updateMatrices(source);
 		eachMesh(source, isPlaced ? source.matrix : identity, (mesh, place) => surface.addMesh(mesh, place));
-	} else throw new ModelError(String(name), "", `expected an Object3D or a BufferGeometry, not ${textOf(source)}`);
+	} else throw new ModelError(name, "", `expected an Object3D or a BufferGeometry, not ${textOf(source)}`);
 	return surface;
 }
 
@@ -234,7 +234,7 @@ class Surface {
 
 	#error(mesh, problem) {
 		const title = titleOf(mesh);
-		return new ModelError(String(this.#name), title && `mesh "${title}"`, problem);
+		return new ModelError(this.#name, title && `mesh "${title}"`, problem);
 	}
 }
 
@@ -272,8 +272,8 @@ function geometryOf(mesh, instance) {
  */
 function drawnTriangles({ index, attributes, drawRange, groups }, material) {
 	const total = index ? index.count : attributes.position.count;
-	const drawn = Array.isArray(material) ? groups.filter(({ materialIndex }) => material[materialIndex]) : [{ start: 0, count: total, materialIndex: 0 }];
-	const materialOf = (index) => (Array.isArray(material) ? material[index] : material);
+	const hasGroups = Array.isArray(material);
+	const drawn = hasGroups ? groups.filter(({ materialIndex }) => material[materialIndex]) : [{ start: 0, count: total, materialIndex: 0 }];
 	const materials = [];
 	const taken = new Uint8Array(total);
 	const corners = new Float64Array(3 * total);
@@ -282,7 +282,7 @@ function drawnTriangles({ index, attributes, drawRange, groups }, material) {
 		const end = Math.min(total, start + count, drawRange.start + drawRange.count);
 		for (let i = Math.max(start, drawRange.start); i + 2 < end; i += 3) {
 			if (taken[i]++) continue;
-			materials.push(materialOf(materialIndex));
+			materials.push(hasGroups ? material[materialIndex] : material);
 			for (let k = i; k < i + 3; k++) corners[length++] = index ? index.getX(k) : k;
 		}
 	}

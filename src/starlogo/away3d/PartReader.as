@@ -33,6 +33,9 @@ package starlogo.away3d
         private var _numbers:Vector.<Number>;
         private var _pointOf:Vector.<int>;
 
+        // the coordinates of the vertex that is read
+        private var _point:Vector.<Number> = new Vector.<Number>(3, true);
+
         /**
          * @param name the model's name
          * @param part the sub-geometry
@@ -119,9 +122,11 @@ package starlogo.away3d
             if (_pointOf[vertex] < 0)
             {
                 var at:int = _part.vertexOffset + vertex * _part.vertexStride;
-                var point:Vector.<Number> = _numbers.slice(at, at + 3);
-                _transform.transformPoints(point, 0, 1, point, 0);
-                _pointOf[vertex] = points.indexOf(point[0], point[1], point[2]);
+                _point[0] = _numbers[at];
+                _point[1] = _numbers[int(at + 1)];
+                _point[2] = _numbers[int(at + 2)];
+                _transform.transformPoints(_point, 0, 1, _point, 0);
+                _pointOf[vertex] = points.indexOf(_point[0], _point[1], _point[2]);
             }
             return _pointOf[vertex];
         }

@@ -18,10 +18,10 @@ package starlogo.convex
     {
         private var _distance:CoreDistance = new CoreDistance();
         private var _overlap:CoreOverlap = new CoreOverlap();
-        private var _sweep:ConvexSweep = new ConvexSweep();
         private var _common:CommonPoint = new CommonPoint();
         private var _cores:CorePair = new CorePair();
         private var _witness:CoreWitness = new CoreWitness();
+        private var _sweep:ConvexSweep = new ConvexSweep(_distance, _overlap, _witness);
 
         /** Whether two shapes touch or overlap. */
         public function areTouching(a:ConvexShape, b:ConvexShape):Boolean

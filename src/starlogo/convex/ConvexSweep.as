@@ -12,14 +12,22 @@ package starlogo.convex
     {
         private static const MOST_STEPS:int = 80;
 
-        private var _distance:CoreDistance = new CoreDistance();
-        private var _overlap:CoreOverlap = new CoreOverlap();
-        private var _witness:CoreWitness = new CoreWitness();
+        private var _distance:CoreDistance;
+        private var _overlap:CoreOverlap;
+        private var _witness:CoreWitness;
         private var _exact:ContactPoint = new ContactPoint();
         private var _balls:CoreGap = new CoreGap();
 
         // The latest time at which the shapes touch within rounding.
         private var _lastTouch:Number = 0;
+
+        /** Takes what a ConvexPair asks with. */
+        public function ConvexSweep(distance:CoreDistance, overlap:CoreOverlap, witness:CoreWitness)
+        {
+            _distance = distance;
+            _overlap = overlap;
+            _witness = witness;
+        }
 
         /**
          * Finds the time.

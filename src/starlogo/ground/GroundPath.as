@@ -54,6 +54,12 @@ package starlogo.ground
             length = Math.max(2 * _half.x + pathX, 2 * _half.y + pathY) + 2 * box.maxDistance;
         }
 
+        /** How wide the squares of a level are. */
+        public function widthAt(level:int):Number
+        {
+            return _grid.cellWidth * (1 << level * HeightPyramid.SHIFT);
+        }
+
         /** Narrows a range of squares to those that the box may pass over in a passage. */
         public function narrowRange(level:int, passage:GroundPassage, range:SquareRange):void
         {
@@ -145,11 +151,5 @@ package starlogo.ground
             _least.setTo(x - _slack, y - _slack, heights.least - _slack);
             _greatest.setTo(x + width + _slack, y + width + _slack, heights.greatest + _slack);
             return _separation.isBeyond(_box, _least, _greatest);
-        }
-
-        private function widthAt(level:int):Number
-        {
-            return _grid.cellWidth * (1 << level * HeightPyramid.SHIFT);
-        }
-    }
+        }    }
 }

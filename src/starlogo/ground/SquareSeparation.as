@@ -1,7 +1,6 @@
 package starlogo.ground
 {
     import flash.geom.Vector3D;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.convex.RelativeMotion;
     import starlogo.intersection.Zonotope;
 

@@ -2,7 +2,6 @@ package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.engine;
-    import starlogo.geometry.HashTable;
 
     use namespace engine;
 

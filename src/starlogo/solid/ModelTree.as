@@ -128,7 +128,7 @@ package starlogo.solid
         /** @private Prepares the triangles for exact tests if they are not prepared yet. */
         engine function prepare():void
         {
-            if (hasTriangles && interior == null)
+            if (interior == null && hasTriangles)
             {
                 finish(new SolidBuilder(this, true));
             }

@@ -1,6 +1,5 @@
 package starlogo.solid
 {
-    import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
     import starlogo.geometry.Placement;

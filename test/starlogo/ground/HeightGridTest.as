@@ -60,7 +60,7 @@ package starlogo.ground
             {
                 assertEquals("between columns, " + reach, 0, grid.leastExit(border, 0, 0.5, reach));
                 assertEquals("at the end, " + reach, 0, grid.leastExit(-2 - WIDTH / 2, 0, 0.5, reach));
-                assertEquals("inside, " + reach, Math.min(0.5, reach < 0.1 ? 0.5 : 0), grid.leastExit(border - WIDTH / 3, 0, 0.5, reach));
+                assertEquals("inside, " + reach, reach < 0.1 ? 0.5 : 0, grid.leastExit(border - WIDTH / 3, 0, 0.5, reach));
             }
         }
 

@@ -513,9 +513,7 @@ package starlogo.queries
         public function atItsBorderTheGroundsFirstSurfaceIsItsHit():void
         {
             var terrain:Terrain = new Terrain(5, 5, 1, 0, 0);
-            var collision:Collision = new Collision(EachCollider.make("triangles", sGreatLand));
-            collision.terrain = terrain;
-            var queries:AgentQueries = new AgentQueries(collision);
+            var queries:AgentQueries = queriesOver(terrain);
             var hits:int = 0;
             for (var i:int = 0; i < 300; i++)
             {

@@ -2,7 +2,6 @@ package starlogo.intersection.ray
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Capsule;
-    import starlogo.geometry.Tolerances;
 
     /**
      * Narrows a ray to the part inside of a capsule: two balls, and the cylinder between them. Touching counts, to

@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.ModelBudget;
-    import starlogo.models.ModelError;
+    import starlogo.models.refuseIf;
     import starlogo.models.text.NextOfTwo;
     import starlogo.steps.Steps;
 
@@ -171,10 +171,7 @@ package starlogo.models.collada
 
         private function refuse(isWrong:Boolean, problem:String = "this is not well-formed XML, or cut off"):void
         {
-            if (isWrong)
-            {
-                throw new ModelError(_budget.name, toString(), problem);
-            }
+            refuseIf(isWrong, _budget.name, problem, this);
         }
 
         private static function localName(name:String):String

@@ -254,7 +254,7 @@ package starlogo.models.gltf
             if (uri.indexOf("data:") == 0)
             {
                 var comma:int = uri.indexOf(",");
-                refuseIf(uri.substring(0, comma).substr(-7) != ";base64", budget.name, "expected data in base64", place + ".uri");
+                json.refuseIf(uri.substring(0, comma).substr(-7) != ";base64", "expected data in base64", place + ".uri");
                 var bytes:ByteArray = new ByteArray();
                 add(Base64.decoding(budget.name, uri, comma + 1, place + ".uri", bytes)).call(function():void
                     {

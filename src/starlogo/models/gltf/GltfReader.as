@@ -35,7 +35,7 @@ package starlogo.models.gltf
             var json:GltfJson = _file.json;
             for (var i:int = 0; i < json.count("materials"); i++)
             {
-                data.materials.names.push(textOf(json.entry("materials", i).name));
+                data.materials.addNumber(textOf(json.entry("materials", i).name));
             }
             var scene:GltfScene = new GltfScene(json, turnUp, _animated);
             var next:int = 0;

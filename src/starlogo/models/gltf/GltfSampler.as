@@ -1,7 +1,6 @@
 package starlogo.models.gltf
 {
     import starlogo.geometry.Trigonometry;
-    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
     /** A property of a node over time: the keys of an animation's sampler, and what is between them. */
@@ -38,7 +37,7 @@ package starlogo.models.gltf
             _values = file.accessor(output, path == "weights" ? "SCALAR" : (_isRotation ? "VEC4" : "VEC3"));
             var perKey:int = _interpolation == CUBIC ? 3 : 1;
             var wanted:Number = Number(_times.count) * perKey;
-            refuseIf(_times.count == 0 || _values.count < wanted || _values.count % wanted != 0 || path != "weights" && _values.count != wanted, json.name,
+            json.refuseIf(_times.count == 0 || _values.count < wanted || _values.count % wanted != 0 || path != "weights" && _values.count != wanted,
                     "it has " + _values.count + " elements for " + _times.count + " keys", _values.place);
             add(_times).add(_values);
         }

@@ -45,13 +45,17 @@ package starlogo.models.polygons
          */
         public function addPolygon(outline:Vector.<uint>, holes:Vector.<Vector.<uint>> = null):void
         {
+            if (outline.length < 3)
+            {
+                return;
+            }
             var hasHoles:Boolean = holes != null && holes.length > 0;
             if (!hasHoles && outline.length <= 4)
             {
                 addSmall(outline);
                 return;
             }
-            if (outline.length < 3 || !_rings.setOutline(outline))
+            if (!_rings.setOutline(outline))
             {
                 return;
             }
@@ -109,13 +113,9 @@ package starlogo.models.polygons
             };
         }
 
-        // Adds an outline of at most four corners. A quad is cut along the diagonal inside it.
+        // Adds an outline of three or four corners. A quad is cut along the diagonal inside it.
         private function addSmall(outline:Vector.<uint>):void
         {
-            if (outline.length < 3)
-            {
-                return;
-            }
             var a:uint = outline[0];
             var b:uint = outline[1];
             var c:uint = outline[2];

@@ -151,5 +151,6 @@ package starlogo.ground
             _least.setTo(x - _slack, y - _slack, heights.least - _slack);
             _greatest.setTo(x + width + _slack, y + width + _slack, heights.greatest + _slack);
             return _separation.isBeyond(_box, _least, _greatest);
-        }    }
+        }
+    }
 }

@@ -16,6 +16,7 @@ import { ROOT, moduleRoots, publicSignatures } from "./names.mjs";
 
 const [transpiled, out] = process.argv.slice(2);
 const NAME = "starlogo-collision";
+const DIGITS = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
 
 const types = publicSignatures();
 const program = translate(transpiled, types, { roots: moduleRoots(types) });
@@ -103,7 +104,7 @@ function adapterTexts(folder) {
  */
 function minify(code, hidden) {
 	// $stateOf shows no names with a _, and a game's own subclass hardly has one with _$
-	const mangleCache = Object.fromEntries(hidden.filter((name) => /^[_$]/.test(name)).map((name, i) => [name, `_$${i.toString(36)}`]));
+	const mangleCache = Object.fromEntries(byUse(code, hidden.filter((name) => /^[_$]/.test(name))).map((name, i) => [name, `_$${shortName(i)}`]));
 	const mangleProps = new RegExp(`^(?:${hidden.map((name) => name.replaceAll("$", "\\$")).join("|")})$`);
 	// as long as the mark, so that the columns of the map are right
 	const name = "__PURE_MARK__";
@@ -111,6 +112,19 @@ function minify(code, hidden) {
 	const options = { minifyWhitespace: true, minifyIdentifiers: true, mangleProps, mangleCache, format: "esm", target: "es2022", sourcemap: "external", sourcesContent: false, sourcefile: source };
 	const { code: written, map } = transformSync(code.replaceAll("/* @__PURE__ */", `${name}&&`), options);
 	return { code: written.replaceAll(`${name}&&`, "/* @__PURE__ */"), map };
+}
+
+/** Names in the order of how often a text has them, the most frequent first. */
+function byUse(code, names) {
+	const uses = new Map(names.map((name) => [name, 0]));
+	for (const [word] of code.matchAll(/[\w$]+/g)) if (uses.has(word)) uses.set(word, uses.get(word) + 1);
+	return [...names].sort((a, b) => uses.get(b) - uses.get(a));
+}
+
+/** A number, written in letters and digits. */
+function shortName(number) {
+	const rest = Math.floor(number / DIGITS.length);
+	return (rest > 0 ? shortName(rest) : "") + DIGITS[number % DIGITS.length];
 }
 
 function fail(qname) {

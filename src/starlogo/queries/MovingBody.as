@@ -173,7 +173,7 @@ package starlogo.queries
             var whole:Body = wholeAt(place);
             if (other.form == ModelShape.GROUND)
             {
-                return _seen.narrowPhase.testsOf(whole, other).isDeeper(whole, other, slop);
+                return _seen.narrowPhase.groundTestsOf(other).isDeeper(whole, other, slop);
             }
             _smaller.readShrunk(other, null, shrinkOf(other.largestHalf, other.leastHalf, slop));
             return areTouching(whole, _smaller);

@@ -3,12 +3,10 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.ray.ConvexRay;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.rayStructure;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.NarrowPhase;
     import starlogo.search.TreeLimits;
     import starlogo.solid.ModelRayQuery;
 
@@ -52,7 +50,7 @@ package starlogo.queries
             ray.triangle = -1;
             if (body.form == ModelShape.GROUND)
             {
-                return _seen.narrowPhase.testsOfWorldAgent(body).isMet(body, ray);
+                return _seen.narrowPhase.groundTestsOf(body).isMet(body, ray);
             }
             var placement:Placement = body.placement;
             var line:Ray = _inModel;
@@ -74,12 +72,6 @@ package starlogo.queries
             ray.triangle = line.triangle;
             turnNormal(line, placement, ray);
             return true;
-        }
-
-        /** The test of rays for convex structures of a game's own; null if the collision system has no tests of structures. */
-        public static function convexRayOf(narrowPhase:NarrowPhase):ConvexRay
-        {
-            return narrowPhase.structureTests == null ? null : narrowPhase.structureTests.convexRay;
         }
 
         /** How far the place of a row is along a ray. */
@@ -129,7 +121,7 @@ package starlogo.queries
                 found.triangle = _solid.triangle;
                 return isMet;
             }
-            return rayStructure(found, shape.structure, convexRayOf(_seen.narrowPhase));
+            return rayStructure(found, shape.structure, _seen.narrowPhase.convexRay);
         }
     }
 }

@@ -54,7 +54,7 @@ package starlogo.queries
             crossings.count = 0;
             if (isGround)
             {
-                _seen.narrowPhase.testsOfWorldAgent(body).findCrossings(body, ray, crossings);
+                _seen.narrowPhase.groundTestsOf(body).findCrossings(body, ray, crossings);
             }
             else
             {
@@ -100,7 +100,7 @@ package starlogo.queries
             {
                 return _solid.findAll(shape.hierarchy, _seen.narrowPhase.treeLimits.depthOf(body), _seen.narrowPhase.treeLimits.exact, line, out);
             }
-            crossStructure(line, shape.structure, 0, _part, RowRays.convexRayOf(_seen.narrowPhase), out);
+            crossStructure(line, shape.structure, 0, _part, _seen.narrowPhase.convexRay, out);
             return false;
         }
     }

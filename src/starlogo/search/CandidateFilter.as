@@ -123,8 +123,7 @@ package starlogo.search
             }
             else
             {
-                var body:Body = _table.bodyOf(worldAgent);
-                count = _narrowPhase.testsOfWorldAgent(body).keepRows(_table, others, count, body);
+                count = _narrowPhase.keepTouching(_table, 0, worldAgent, others, count);
             }
             _out.addPairs(worldAgent, others, count);
         }

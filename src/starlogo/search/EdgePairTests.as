@@ -51,6 +51,12 @@ package starlogo.search
             _narrowPhase = narrowPhase;
         }
 
+        /** Lets a narrow phase test bodies and the edges of the world. */
+        public static function bringTo(narrowPhase:NarrowPhase):void
+        {
+            narrowPhase.edgeTests ||= new EdgePairTests(narrowPhase);
+        }
+
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {

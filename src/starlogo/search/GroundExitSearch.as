@@ -8,7 +8,7 @@ package starlogo.search
      * Finds a short way out of the ground. An agent in the ground may have many. Its contact may have a lower bound of their lengths
      * (<code>leastDepth</code>). If the first push is hardly longer, it is taken.
      *
-     * <p>Otherwise each side of the ground that the deepest touched part is behind begins a push of its own (<code>PairTests.findExits()</code>). The
+     * <p>Otherwise each side of the ground that the deepest touched part is behind begins a push of its own (<code>GroundPairTests.findExits()</code>). The
      * shortest push that frees the agent is taken. Contacts may contradict each other, as opposite walls do, and the ground ends at edges, where a
      * push out of the whole plane is longer than needed. So a push that does not free the agent is changed: it goes as far along the ground,
      * and from there as high as the agent has to be lifted. The shortest of these ways is taken if no push is shorter. One sweep down finds each
@@ -28,6 +28,7 @@ package starlogo.search
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
         private var _pushOut:PushOut;
+        private var _ground:GroundPairTests;
 
         // The contacts with which other ways begin, and the displacement that is tried.
         private var _exits:Vector.<ContactPoint> = new Vector.<ContactPoint>();
@@ -45,12 +46,14 @@ package starlogo.search
          * @param pair a body and the ground; it has begun when a method is called
          * @param directions finds the length of a way that ends with a lift
          * @param pushOut pushes the body out of contacts
+         * @param ground finds contacts with which other ways out begin
          */
-        public function GroundExitSearch(pair:DisplacedPair, directions:DirectionSearch, pushOut:PushOut)
+        public function GroundExitSearch(pair:DisplacedPair, directions:DirectionSearch, pushOut:PushOut, ground:GroundPairTests)
         {
             _pair = pair;
             _directions = directions;
             _pushOut = pushOut;
+            _ground = ground;
         }
 
         /**
@@ -92,30 +95,24 @@ package starlogo.search
             _pushOut.restartWithTests();
             for (var tries:int = MOST_PUSHES; tries > 0; tries--)
             {
-                _pushOut.addLast();
                 addExits(maxDistance);
                 tryLift();
-                if (!_pushOut.pushes.next())
-                {
-                    return false;
-                }
-                if (_pushOut.pushes.length > Math.min(maxDistance / NEEDED, _liftLength))
+                var result:int = _pushOut.tryNext(Math.min(maxDistance / NEEDED, _liftLength), out);
+                if (result == PushOut.TOO_LONG)
                 {
                     tryLift();
-                    return false;
                 }
-                if (_pushOut.tryPush(out))
+                if (result != PushOut.BLOCKED)
                 {
-                    return true;
+                    return result == PushOut.FREE;
                 }
-                _pushOut.findCorner();
             }
             return false;
         }
 
         private function addExits(maxDistance:Number):void
         {
-            var count:int = _pair.pairTests.findExits(_pair.first, _pair.second, maxDistance, _exits);
+            var count:int = _ground.findExits(_pair.first, _pair.second, maxDistance, _exits);
             for (var i:int = 0; i < count; i++)
             {
                 _pushOut.add(_exits[i]);
@@ -128,8 +125,8 @@ package starlogo.search
         // half as far as the shortest way.
         private function tryLift():void
         {
-            var x:Number = _pushOut.pushes.push.x;
-            var y:Number = _pushOut.pushes.push.y;
+            var x:Number = _pushOut.push.x;
+            var y:Number = _pushOut.push.y;
             var length:Number = Math.sqrt(x * x + y * y);
             var farther:Number = length > 0 ? 1 + PushOut.ROOM * _pair.extent / length : 1;
             if (length >= _liftLength)

@@ -40,8 +40,14 @@ package starlogo.search
         public function GroundPairTests(narrowPhase:NarrowPhase)
         {
             _narrowPhase = narrowPhase;
-            _separation = new PenetrationSearch(this, narrowPhase.treeLimits);
+            _separation = new PenetrationSearch(this, narrowPhase.treeLimits, this);
             _extents.grow(1);
+        }
+
+        /** Lets a narrow phase test bodies and the ground. */
+        public static function bringTo(narrowPhase:NarrowPhase):void
+        {
+            narrowPhase.groundTests ||= new GroundPairTests(narrowPhase);
         }
 
         /** @inheritDoc */
@@ -58,46 +64,41 @@ package starlogo.search
             return found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && queryOf(a, b).overlapsAt(RelativeMotion.NONE, 0);
         }
 
-        /** @inheritDoc */
-        override public function isMet(b:Body, ray:Ray):Boolean
+        /** Whether a ray meets the ground. If it does, the ray begins there, and has the normal. */
+        public function isMet(b:Body, ray:Ray):Boolean
         {
             return _rays.find(gridOf(b), ray);
         }
 
-        /** @inheritDoc */
-        override public function findCrossings(b:Body, ray:Ray, out:RayCrossings):void
+        /** Adds all crossings of a ray with the ground's surface. */
+        public function findCrossings(b:Body, ray:Ray, out:RayCrossings):void
         {
             _rays.findAll(gridOf(b), ray, out);
         }
 
-        /** @inheritDoc */
-        override public function isDeeper(a:Body, b:Body, depth:Number):Boolean
+        /** Whether a piece of a body is deeper in the ground than this, in patches. */
+        public function isDeeper(a:Body, b:Body, depth:Number):Boolean
         {
             return queryOf(a, b).isDeeper(depth);
         }
 
         /** @inheritDoc */
-        override public function keepRows(table:AgentTable, rows:Vector.<int>, count:int, b:Body):int
+        override public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
         {
-            var earlyOut:GroundEarlyOut = earlyOutOf(b);
+            var ground:Body = table.bodyOf(row);
+            var earlyOut:GroundEarlyOut = earlyOutOf(ground);
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
-                var row:int = rows[i];
-                var found:int = earlyOut.decide(table.extents, table.forms[row], row);
-                if (found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && queryOf(table.bodyOf(row), b).overlapsAt(RelativeMotion.NONE, 0))
+                var other:int = others[i];
+                var found:int = earlyOut.decide(table.extents, table.forms[other], other);
+                if (found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && queryOf(table.bodyOf(other), ground).overlapsAt(RelativeMotion.NONE, 0))
                 {
-                    rows[kept] = row;
+                    others[kept] = other;
                     kept++;
                 }
             }
             return kept;
-        }
-
-        /** @inheritDoc */
-        override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
-        {
-            findFirst(a, b, motion, null);
         }
 
         /** @inheritDoc */
@@ -130,8 +131,14 @@ package starlogo.search
             queryOf(a, b).findOuterContact(out);
         }
 
-        /** @inheritDoc */
-        override public function findExits(a:Body, b:Body, maxDistance:Number, exits:Vector.<ContactPoint>):int
+        /**
+         * Finds contacts with which other ways out of the ground may begin. The last contact that was found must be of the same two bodies.
+         *
+         * @param maxDistance parts of the ground farther away do not count
+         * @param exits receives the contacts, each with another direction
+         * @return their number
+         */
+        public function findExits(a:Body, b:Body, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
             var count:int = queryOf(a, b).findExits(maxDistance, exits);
             if (a.form == ModelShape.TREE)

@@ -26,7 +26,7 @@ package starlogo.search
                 {
                     continue;
                 }
-                var held:WorldAgent = _heldAgents[row] ||= new WorldAgent(worldAgent.breed, worldAgent.testsClass);
+                var held:WorldAgent = _heldAgents[row] ||= new WorldAgent(worldAgent.breed, worldAgent.bringTests);
                 held.edges = worldAgent.edges;
                 if (worldAgent.grid != null)
                 {

@@ -5,6 +5,7 @@ package starlogo.search
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
+    import starlogo.intersection.ray.ConvexRay;
 
     use namespace engine;
 
@@ -24,6 +25,15 @@ package starlogo.search
         /** Tests pairs of which at least one is a tree; null if none of the shapes is a tree, or only rays are asked for. */
         public var treeTests:TreePairTests = null;
 
+        /** Tests rays and convex structures of a game's own; it comes with structureTests. */
+        public var convexRay:ConvexRay = null;
+
+        /** Tests pairs with the ground; null before the first such pair. */
+        public var groundTests:GroundPairTests = null;
+
+        /** Tests pairs with the edges of the world; null before the first such pair. */
+        public var edgeTests:EdgePairTests = null;
+
         /** How far trees are tested. */
         public var treeLimits:TreeLimits = new TreeLimits();
 
@@ -32,10 +42,6 @@ package starlogo.search
 
         /** Says which shape each agent has. */
         public var choice:AgentShapes;
-
-        // Tests of pairs with the ground and with the edges of the world, from the first such pair on.
-        private var _groundTests:PairTests = null;
-        private var _edgeTests:PairTests = null;
 
         /** @param choice gives the rows their shapes */
         public function NarrowPhase(choice:AgentShapes)
@@ -58,32 +64,19 @@ package starlogo.search
             }
         }
 
-        /**
-         * Keeps the candidates that touch a row, and moves them to the beginning of the list.
-         *
-         * @param slack how far apart the extents of touching rows may be
-         * @param others the candidates, whose circles on the ground overlap the row's circle
-         * @param count the number of candidates
-         * @return the number of candidates that it keeps
-         */
+        /** Keeps the candidates that touch a row: see PairTests.keepTouching. The row's form chooses the tests; the others may have any shape. */
         public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
         {
-            if (table.forms[row] != ModelShape.TREE)
+            var form:int = table.forms[row];
+            if (form >= ModelShape.GROUND)
             {
-                return structureTests.keepTouching(table, slack, row, others, count);
+                return testsOfWorldAgent(table.bodyOf(row)).keepTouching(table, slack, row, others, count);
             }
-            var body:Body = table.bodyOf(row);
-            var kept:int = 0;
-            for (var i:int = 0; i < count; i++)
+            if (form == ModelShape.TREE)
             {
-                var other:int = others[i];
-                if (areNear(table.extents, slack, row, other) && treeTests.areTouching(body, table.bodyOf(other)))
-                {
-                    others[kept] = other;
-                    kept++;
-                }
+                return treeTests.keepTouching(table, slack, row, others, count);
             }
-            return kept;
+            return structureTests.keepTouching(table, slack, row, others, count);
         }
 
         /** Whether two bodies touch. */
@@ -196,14 +189,28 @@ package starlogo.search
             return last == BoundingStructure.SPHERE ? sphereTests : structureTests;
         }
 
-        /** The tests with the ground or the edges of the world. Their own agent brings them, and they stay. */
-        public function testsOfWorldAgent(body:Body):PairTests
+        /** The tests with the ground. Its agent brings them. */
+        public function groundTestsOf(ground:Body):GroundPairTests
         {
-            if (body.form == ModelShape.EDGES)
+            if (groundTests == null)
             {
-                return _edgeTests ||= body.shape.worldAgent.newTests(this);
+                ground.shape.worldAgent.bringTests(this);
             }
-            return _groundTests ||= body.shape.worldAgent.newTests(this);
+            return groundTests;
+        }
+
+        // The tests with the ground or the edges of the world.
+        private function testsOfWorldAgent(body:Body):PairTests
+        {
+            if (body.form == ModelShape.GROUND)
+            {
+                return groundTestsOf(body);
+            }
+            if (edgeTests == null)
+            {
+                body.shape.worldAgent.bringTests(this);
+            }
+            return edgeTests;
         }
     }
 }

@@ -28,14 +28,15 @@ package starlogo.search
         /**
          * @param pairTests decides whether bodies touch, and when. It is for pairs with a tree, or with the ground
          * @param limits how far trees are tested
+         * @param ground the ground's own tests, if it is the second body; otherwise null
          */
-        public function PenetrationSearch(pairTests:PairTests, limits:TreeLimits)
+        public function PenetrationSearch(pairTests:PairTests, limits:TreeLimits, ground:GroundPairTests = null)
         {
             _limits = limits;
             _pair = new DisplacedPair(pairTests);
             _directions = new DirectionSearch(_pair);
             _pushOut = new PushOut(_pair, _directions);
-            _groundExits = new GroundExitSearch(_pair, _directions, _pushOut);
+            _groundExits = ground == null ? null : new GroundExitSearch(_pair, _directions, _pushOut, ground);
         }
 
         /**

@@ -1,5 +1,6 @@
 package starlogo.search
 {
+    import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.geometry.Tolerances;
 
@@ -7,10 +8,8 @@ package starlogo.search
      * Pushes the first of two bodies out of the second. It tries the shortest push out of all contacts so far (PushQueue). If the two still touch
      * after it, their contact there is added. So a box in a corner of floor and wall goes out of both at once.
      *
-     * <p>A search begins with <code>begin()</code>. <code>find()</code> is a whole search. Another search takes its steps itself, in this order:
-     * <code>restartWithTests()</code>, and then in each round <code>addLast()</code>, <code>add()</code> for contacts of its own,
-     * <code>pushes.next()</code>, <code>tryPush()</code>, and <code>findCorner()</code> if the push does not free the body. Each step goes on
-     * from the push, the contact and the place of the first body that the step before has left.</p>
+     * <p>A search begins with <code>begin()</code>. <code>find()</code> is a whole search. Another search takes its steps itself:
+     * <code>restartWithTests()</code>, and then in each round <code>add()</code> for contacts of its own, and <code>tryNext()</code>.</p>
      */
     internal final class PushOut
     {
@@ -19,6 +18,18 @@ package starlogo.search
          * Otherwise it ends in a gap between parts of the second body.
          */
         public static const ROOM:Number = 100 * Tolerances.SEPARATION;
+
+        /** A result of <code>tryNext()</code>: the push frees the body. */
+        public static const FREE:int = 0;
+
+        /** A result of <code>tryNext()</code>: the push does not free the body. Pushes that also lead out of the contact there are added. */
+        public static const BLOCKED:int = 1;
+
+        /** A result of <code>tryNext()</code>: the push is too long, and was not tried. */
+        public static const TOO_LONG:int = 2;
+
+        /** A result of <code>tryNext()</code>: no push is left that can free the body. */
+        public static const NONE:int = 3;
 
         // The most contacts that a push leads out of.
         private static const MOST_CONTACTS:int = 4;
@@ -35,8 +46,8 @@ package starlogo.search
         // surfaces touch.
         private static const SLACK:Number = 0.001;
 
-        /** The pushes. The current one is tried. */
-        public var pushes:PushQueue = new PushQueue();
+        // The _pushes. The current one is tried.
+        private var _pushes:PushQueue = new PushQueue();
 
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
@@ -76,32 +87,16 @@ package starlogo.search
         public function find(most:Number, out:ContactPoint):Boolean
         {
             restart();
+            add(_contact);
             for (var tries:int = MOST_CONTACTS; tries > 0; tries--)
             {
-                add(_contact);
-                if (!pushes.next() || pushes.length > most)
+                var result:int = tryNext(most, out);
+                if (result != BLOCKED)
                 {
-                    return false;
-                }
-                if (tryPush(out))
-                {
-                    return true;
-                }
-                if (!findCorner())
-                {
-                    return false;
+                    return result == FREE;
                 }
             }
             return false;
-        }
-
-        /** Begins with the first contact again, where it was. */
-        public function restart():void
-        {
-            pushes.begin();
-            _contact.copyFrom(_first);
-            _slack = SLACK * Tolerances.SEPARATION * _pair.extent + _pair.rounding;
-            _pair.putBack();
         }
 
         /** Begins with the first contact again, and lets the tests find it if they have found another one since. */
@@ -112,46 +107,66 @@ package starlogo.search
             {
                 _pair.findContact(_contact);
             }
-        }
-
-        /** Adds the push out of the contact that was found last. */
-        public function addLast():void
-        {
             add(_contact);
         }
 
-        /** Adds the push out of another contact. */
+        /** Adds the push that also leads out of a contact, which was found after the current push. */
         public function add(contact:ContactPoint):void
         {
-            pushes.add(contact, _slack);
+            _pushes.add(contact, _slack);
+        }
+
+        /** The push that was tried last; 0 at the beginning. Do not change it. */
+        public function get push():Vector3D
+        {
+            return _pushes.push;
         }
 
         /**
-         * Tries the current push.
+         * Goes on to the shortest push that is left, and tries it.
          *
+         * @param most the length of the longest push that counts
          * @param out receives its normal and its depth if the first body is free after it
-         * @return whether the body is free
+         * @return FREE, BLOCKED, TOO_LONG or NONE
          */
-        public function tryPush(out:ContactPoint):Boolean
+        public function tryNext(most:Number, out:ContactPoint):int
         {
+            if (!_pushes.next())
+            {
+                return NONE;
+            }
+            if (_pushes.length > most)
+            {
+                return TOO_LONG;
+            }
             if (!testPush())
             {
                 takePush(out);
-                return true;
+                return FREE;
             }
-            return false;
+            if (!findCorner())
+            {
+                return NONE;
+            }
+            add(_contact);
+            return BLOCKED;
         }
 
-        /**
-         * Finds the contact after a push that does not free the body.
-         *
-         * @return whether it may be a side of a corner. It may not if it points against the push, or along it after a long one, as for agents deep in
-         *     each other. In the ground it always may
-         */
-        public function findCorner():Boolean
+        // Begins with the first contact again, where it was.
+        private function restart():void
+        {
+            _pushes.begin();
+            _contact.copyFrom(_first);
+            _slack = SLACK * Tolerances.SEPARATION * _pair.extent + _pair.rounding;
+            _pair.putBack();
+        }
+
+        // Finds the contact after a push that does not free the body. Returns whether it may be a side of a corner. It may not if it points
+        // against the push, or along it after a long one, as for agents deep in each other. In the ground it always may.
+        private function findCorner():Boolean
         {
             var isGround:Boolean = _pair.isSecondGround;
-            if (!isGround && pushes.length > LARGEST_CORNER * _pair.extent)
+            if (!isGround && _pushes.length > LARGEST_CORNER * _pair.extent)
             {
                 return false;
             }
@@ -159,24 +174,24 @@ package starlogo.search
             _pair.findContact(_contact);
             var cosine:Number = _contact.normalX * _tried.x + _contact.normalY * _tried.y + _contact.normalZ * _tried.z;
             // the body is a little farther than the push
-            _contact.depth += (_tried.distance - pushes.length) * cosine;
+            _contact.depth += (_tried.distance - _pushes.length) * cosine;
             if (isGround)
             {
                 return true;
             }
-            var isShort:Boolean = pushes.length <= 2 * LARGEST_CORNER * Math.min(_pair.first.largestHalf, _pair.second.largestHalf);
+            var isShort:Boolean = _pushes.length <= 2 * LARGEST_CORNER * Math.min(_pair.first.largestHalf, _pair.second.largestHalf);
             return isShort ? cosine > LEAST_ACUTE_COSINE : cosine > LEAST_COSINE && cosine < MOST_COSINE;
         }
 
         // Puts the first body behind the current push. Returns whether the two touch there.
         private function testPush():Boolean
         {
-            _tried.setDirection(pushes.push.x / pushes.length, pushes.push.y / pushes.length, pushes.push.z / pushes.length);
-            var farther:Number = pushes.length + _pair.nearby;
-            if (pushes.deciding > 1)
+            _tried.setDirection(_pushes.push.x / _pushes.length, _pushes.push.y / _pushes.length, _pushes.push.z / _pushes.length);
+            var farther:Number = _pushes.length + _pair.nearby;
+            if (_pushes.deciding > 1)
             {
                 // beyond its end, a push out of several contacts may lead into one of them again
-                _tried.distance = pushes.length;
+                _tried.distance = _pushes.length;
                 if (_pair.testAt(_tried))
                 {
                     return true;
@@ -187,11 +202,11 @@ package starlogo.search
             {
                 return true;
             }
-            if (pushes.deciding == 1)
+            if (_pushes.deciding == 1)
             {
                 return false;
             }
-            _tried.distance = pushes.length + ROOM * _pair.extent;
+            _tried.distance = _pushes.length + ROOM * _pair.extent;
             return _pair.testAt(_tried);
         }
 
@@ -200,12 +215,12 @@ package starlogo.search
         private function takePush(out:ContactPoint):void
         {
             out.setNormal(_tried.x, _tried.y, _tried.z);
-            out.depth = pushes.length;
+            out.depth = _pushes.length;
             if (!_isFirstLost && _pair.isSecondGround && _first.isDepthSure)
             {
                 return;
             }
-            _tried.distance = pushes.length - _pair.nearby;
+            _tried.distance = _pushes.length - _pair.nearby;
             if (_tried.distance > 0 && !_pair.testAt(_tried))
             {
                 _directions.shorten(_tried, out);

@@ -18,9 +18,6 @@ package starlogo.search
      */
     public final class StructurePairTests extends PairTests
     {
-        /** Tests rays and convex structures of a game's own. */
-        public var convexRay:ConvexRay = new ConvexRay();
-
         // The number of tests since takeCounts(), by the kinds of the first and the second structure.
         private var _testCounts:Vector.<int> = new Vector.<int>(BoundingStructure.KIND_COUNT * BoundingStructure.KIND_COUNT, true);
 
@@ -39,13 +36,15 @@ package starlogo.search
         {
             SpherePairTests.bringTo(narrowPhase);
             narrowPhase.structureTests ||= new StructurePairTests(narrowPhase);
+            narrowPhase.convexRay ||= new ConvexRay();
         }
 
         /**
-         * See NarrowPhase.keepTouching. The row is a structure, the others may have any shape. Two boxes are tested here, and all other pairs where
-         * they belong. The loop is in this class because a game of spheres does not load its test of boxes.
+         * @inheritDoc
+         *
+         * <p>The row is a structure, the others may have any shape. Two boxes are tested here, and all other pairs where they belong.</p>
          */
-        public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
+        override public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
         {
             var spheres:SpherePairTests = _narrowPhase.sphereTests;
             var forms:Vector.<int> = table.forms;

@@ -60,9 +60,20 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
+        override public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
         {
-            findFirst(a, b, motion, null);
+            var body:Body = table.bodyOf(row);
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                if (NarrowPhase.areNear(table.extents, slack, row, other) && areTouching(body, table.bodyOf(other)))
+                {
+                    others[kept] = other;
+                    kept++;
+                }
+            }
+            return kept;
         }
 
         /** @inheritDoc */

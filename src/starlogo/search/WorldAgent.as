@@ -21,21 +21,21 @@ package starlogo.search
         /** The edges that it stands for, or null: the least and the greatest x, then y, then z. */
         public var edges:Vector.<Number> = null;
 
-        /** The class of the tests of pairs with it, whose constructor takes a NarrowPhase; null if there are none. */
-        public var testsClass:Class;
+        /** Brings the tests of pairs with it: <code>function(narrowPhase:NarrowPhase):void</code>; null if there are none. */
+        public var bringTests:Function;
 
         private static var sCreated:int = 0;
 
         /**
          * @param breed Breeds.TERRAIN or Breeds.EDGE
-         * @param testsClass the class of the tests of pairs with it; null if there are none
+         * @param bringTests brings the tests of pairs with it; null if there are none
          */
-        public function WorldAgent(breed:String, testsClass:Class = null)
+        public function WorldAgent(breed:String, bringTests:Function = null)
         {
             // the name without its asterisk
             super(breed.substr(1));
             breedNumber = Breeds.numberOf(breed);
-            this.testsClass = testsClass;
+            this.bringTests = bringTests;
         }
 
         /** @private It does not count as an agent of the game. */
@@ -49,12 +49,6 @@ package starlogo.search
         public function get isGround():Boolean
         {
             return breedNumber == ListedAgents.GROUND;
-        }
-
-        /** Creates the tests of pairs with what it stands for. */
-        public function newTests(narrowPhase:NarrowPhase):PairTests
-        {
-            return new testsClass(narrowPhase);
         }
     }
 }

@@ -26,11 +26,8 @@ package starlogo.convex
         /** The length of the overlap along the normal: 0 if the shapes just touch. */
         public var depth:Number = 0;
 
-        /** A lower bound for the length of every way out; 0 if none is known. Only a contact with the ground has it. */
-        public var leastDepth:Number = 0;
-
-        /** Whether the first shape is known to touch wherever it goes less than the depth along the normal. Only a contact with the ground has it. */
-        public var isDepthSure:Boolean = false;
+        /** What a test of the ground knows of the depth besides. Null if the record has never had a contact with the ground. */
+        public var ground:GroundDepth = null;
 
         /** Becomes the same as another contact. */
         public function copyFrom(other:ContactPoint):void
@@ -42,8 +39,22 @@ package starlogo.convex
             normalY = other.normalY;
             normalZ = other.normalZ;
             depth = other.depth;
-            leastDepth = other.leastDepth;
-            isDepthSure = other.isDepthSure;
+            if (other.ground != null)
+            {
+                clearGround().copyFrom(other.ground);
+            }
+            else if (ground != null)
+            {
+                ground.clear();
+            }
+        }
+
+        /** Returns what the ground knows of the depth, for a contact of which it knows nothing yet. */
+        public function clearGround():GroundDepth
+        {
+            ground ||= new GroundDepth();
+            ground.clear();
+            return ground;
         }
 
         /**

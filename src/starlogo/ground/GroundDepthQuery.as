@@ -1,7 +1,7 @@
 package starlogo.ground
 {
-    import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
+    import starlogo.convex.GroundDepth;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -29,46 +29,34 @@ package starlogo.ground
         // The contact with the last triangle that was tried.
         private var _tried:ContactPoint = new ContactPoint();
 
-        // The triangle of the ground that the model was deepest in at the last contact, whether there was one, and where the model stood then. The
-        // triangle is relative to that place.
-        private var _deepest:GroundTriangle = new GroundTriangle();
-        private var _hasDeepest:Boolean = false;
-        private var _stood:Vector3D = new Vector3D();
-
         /** @param pieces of the model, where it stands */
         public function GroundDepthQuery(pieces:GroundPieces)
         {
             _pieces = pieces;
         }
 
-        /** Forgets the triangle of the last contact: <code>findExits()</code> does not go by it. A first touch may be at an edge of several triangles. */
-        public function forget():void
-        {
-            _hasDeepest = false;
-        }
-
         /**
          * Finds the contact with the triangle that the model is deepest in.
          *
-         * @param out receives the contact, in the world
+         * @param out receives the contact, in the world, with the triangle
          * @return whether the model meets a triangle
          */
         public function find(out:ContactPoint):Boolean
         {
-            forget();
+            var ground:GroundDepth = out.clearGround();
             findDeepestPoint(out);
             // a point of the model is that deep behind a triangle
-            out.isDepthSure = _hasDeepest;
-            if (!_hasDeepest)
+            ground.isSure = ground.hasTriangle;
+            if (!ground.hasTriangle)
             {
                 findDeepestOverlap(out);
             }
-            if (_hasDeepest)
+            if (ground.hasTriangle)
             {
-                out.leastDepth = out.isDepthSure || isNeeded(out) ? out.depth : 0;
+                ground.leastDepth = ground.isSure || isNeeded(out) ? out.depth : 0;
                 _pieces.moveToWorld(out);
             }
-            return _hasDeepest;
+            return ground.hasTriangle;
         }
 
         /** Whether a piece of the model overlaps the surface by more than a depth, or a point of it is as deep under the ground. */
@@ -101,11 +89,12 @@ package starlogo.ground
         /**
          * Finds the planes of triangles that the standing structure around the model is behind, as <code>GroundQuery.findExits()</code> does.
          *
+         * @param deepest has the triangle that no plane may be behind, if there is one
          * @param maxDistance how far away triangles may be
          * @param exits receives the contacts that lead out of the planes
          * @return their number
          */
-        public function findExits(maxDistance:Number, exits:Vector.<ContactPoint>):int
+        public function findExits(deepest:GroundDepth, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
             var count:int = 0;
             _pieces.beginWhole(RelativeMotion.NONE, maxDistance);
@@ -113,7 +102,7 @@ package starlogo.ground
             while (_pieces.nextTriangle())
             {
                 _pieces.test.findBehind(RelativeMotion.NONE, _tried);
-                if (_tried.depth >= -_pieces.triangle.margin && (!_hasDeepest || isDeepestBehind()))
+                if (_tried.depth >= -_pieces.triangle.margin && (!deepest.hasTriangle || isBehind(deepest)))
                 {
                     count = addExit(exits, count);
                 }
@@ -136,7 +125,7 @@ package starlogo.ground
                 while (_pieces.nextTriangle())
                 {
                     var isFootInside:Boolean = _pieces.test.findBehind(RelativeMotion.NONE, _tried);
-                    if (isFootInside && isClearlyDeeper(deepest) && isNeeded(_tried) && isDeeperThan(deepest))
+                    if (isFootInside && isClearlyDeeper(deepest) && isNeeded(_tried) && isDeeperThan(deepest, out))
                     {
                         deepest = _pieces.box.above = _tried.depth;
                         keep(out);
@@ -156,7 +145,7 @@ package starlogo.ground
                 {
                     // no overlap is deeper than the piece is behind the plane
                     _pieces.test.findBehind(RelativeMotion.NONE, _tried);
-                    if (isClearlyDeeper(deepest) && findOverlap() && isDeeperThan(deepest))
+                    if (isClearlyDeeper(deepest) && findOverlap() && isDeeperThan(deepest, out))
                     {
                         deepest = _tried.depth;
                         _pieces.test.leadOutside(RelativeMotion.NONE, _tried);
@@ -173,9 +162,9 @@ package starlogo.ground
         }
 
         // Whether the last contact is deeper than the deepest one so far, or the first one.
-        private function isDeeperThan(deepest:Number):Boolean
+        private function isDeeperThan(deepest:Number, out:ContactPoint):Boolean
         {
-            return _tried.depth > deepest || _tried.depth == deepest && !_hasDeepest;
+            return _tried.depth > deepest || _tried.depth == deepest && !out.ground.hasTriangle;
         }
 
         // Finds the contact of the piece and the triangle, along the shortest way apart. Returns false if they do not touch.
@@ -189,14 +178,20 @@ package starlogo.ground
             return true;
         }
 
-        // Writes the last contact, and keeps its triangle.
+        // Writes the last contact, with its triangle.
         private function keep(out:ContactPoint):void
         {
-            out.copyFrom(_tried);
-            _deepest.copyFrom(_pieces.triangle);
-            _hasDeepest = true;
             var origin:Placement = _pieces.box.origin;
-            _stood.setTo(origin.x, origin.y, origin.z);
+            var ground:GroundDepth = out.ground;
+            out.copyFrom(_tried);
+            ground.hasTriangle = true;
+            ground.x = origin.x;
+            ground.y = origin.y;
+            ground.z = origin.z;
+            for (var i:int = 0; i < 9; i++)
+            {
+                ground.corners[i] = _pieces.triangle.corners[i];
+            }
         }
 
         // Whether each exit from the ground is at least about as long as a contact is deep, because the piece's deepest point has to get out.
@@ -214,19 +209,19 @@ package starlogo.ground
             return depth == 0 || _pieces.grid.leastExit(x, y, z, depth) >= NEEDED * depth;
         }
 
-        // Whether the triangle of the last contact is not in front of the plane of the exit that was tried.
-        private function isDeepestBehind():Boolean
+        // Whether a triangle is not in front of the plane of the exit that was tried.
+        private function isBehind(deepest:GroundDepth):Boolean
         {
             var origin:Placement = _pieces.box.origin;
-            var x:Number = origin.x - _stood.x;
-            var y:Number = origin.y - _stood.y;
-            var z:Number = origin.z - _stood.z;
+            var x:Number = origin.x - deepest.x;
+            var y:Number = origin.y - deepest.y;
+            var z:Number = origin.z - deepest.z;
             var slack:Number = IN_FRONT * _pieces.triangle.margin + x * _tried.normalX + y * _tried.normalY + z * _tried.normalZ;
             if (x != 0 || y != 0 || z != 0)
             {
                 slack += 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
             }
-            return _pieces.test.isBehindPlane(_deepest.corners, slack);
+            return _pieces.test.isBehindPlane(deepest.corners, slack);
         }
 
         // Adds the exit that was tried to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.

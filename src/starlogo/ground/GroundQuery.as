@@ -106,15 +106,10 @@ package starlogo.ground
          * Finds when the model first touches the surface as it moves, and how.
          *
          * @param motion of the model; takes the time, from 0 to 1, or RelativeMotion.NEVER
-         * @param out receives the contact, with a normal that points out of the ground; null if only the time is needed. Then the last contact stays
-         *     the one that <code>findExits()</code> goes by
+         * @param out receives the contact, with a normal that points out of the ground; null if only the time is needed
          */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            if (out != null)
-            {
-                _depths.forget();
-            }
             var first:Number = RelativeMotion.NEVER;
             _sweep.x = motion.x;
             _sweep.y = motion.y;
@@ -140,8 +135,7 @@ package starlogo.ground
             motion.time = first;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
-                out.leastDepth = 0;
-                out.isDepthSure = false;
+                out.clearGround();
                 _pieces.moveToWorld(out);
             }
         }
@@ -175,16 +169,16 @@ package starlogo.ground
 
         /**
          * Finds the planes of triangles that the standing structure around the model is behind: of planes with nearly the same direction, the one
-         * that it is least behind. The last contact has to be of the same two. If the model was deepest in a triangle of the ground then, and
-         * did not first touch it, only planes that this triangle is not in front of count.
+         * that it is least behind. If the contact has a triangle of the ground, only planes that this triangle is not in front of count.
          *
+         * @param contact of the model and the ground, here or near here
          * @param maxDistance how far away triangles may be
          * @param exits receives the contacts that lead out of the planes
          * @return their number
          */
-        public function findExits(maxDistance:Number, exits:Vector.<ContactPoint>):int
+        public function findExits(contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
-            return _depths.findExits(maxDistance, exits);
+            return _depths.findExits(contact.ground, maxDistance, exits);
         }
 
         /** Finds the contact that lifts the model from its lowest place above all ground under it. */
@@ -199,8 +193,7 @@ package starlogo.ground
             out.x = box.x;
             out.y = box.y;
             out.z = low + out.depth / 2;
-            out.leastDepth = 0;
-            out.isDepthSure = false;
+            out.clearGround();
             _pieces.moveToWorld(out);
         }
 

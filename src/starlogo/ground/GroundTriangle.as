@@ -15,16 +15,5 @@ package starlogo.ground
 
         /** The margin that the triangle has because of its size (see Touching). */
         public var margin:Number = 0;
-
-        /** Becomes the same as another triangle. */
-        public function copyFrom(other:GroundTriangle):void
-        {
-            for (var i:int = 0; i < 9; i++)
-            {
-                corners[i] = other.corners[i];
-            }
-            size = other.size;
-            margin = other.margin;
-        }
     }
 }

@@ -6,7 +6,7 @@ package starlogo.search
 
     /**
      * Finds a short way out of the ground. An agent in the ground may have many. Its contact may have a lower bound of their lengths
-     * (<code>leastDepth</code>). If the first push is hardly longer, it is taken.
+     * (GroundDepth). If the first push is hardly longer, it is taken.
      *
      * <p>Otherwise each side of the ground that the deepest touched part is behind begins a push of its own (<code>GroundPairTests.findExits()</code>). The
      * shortest push that frees the agent is taken. Contacts may contradict each other, as opposite walls do, and the ground ends at edges, where a
@@ -67,7 +67,7 @@ package starlogo.search
         {
             var maxDistance:Number = Math.max(DirectionSearch.IMPROVED_DEPTH * _pair.extent, Math.min(first.depth, _pair.extent));
             _pushOut.begin(first);
-            if (_pushOut.find(Math.max(first.leastDepth / NEEDED, PushOut.ROOM * _pair.extent), out))
+            if (_pushOut.find(Math.max(first.ground.leastDepth / NEEDED, PushOut.ROOM * _pair.extent), out))
             {
                 return;
             }
@@ -112,7 +112,7 @@ package starlogo.search
 
         private function addExits(maxDistance:Number):void
         {
-            var count:int = _ground.findExits(_pair.first, _pair.second, maxDistance, _exits);
+            var count:int = _ground.findExits(_pair.first, _pair.second, _pushOut.contact, maxDistance, _exits);
             for (var i:int = 0; i < count; i++)
             {
                 _pushOut.add(_exits[i]);

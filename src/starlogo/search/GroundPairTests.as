@@ -132,15 +132,16 @@ package starlogo.search
         }
 
         /**
-         * Finds contacts with which other ways out of the ground may begin. The last contact that was found must be of the same two bodies.
+         * Finds contacts with which other ways out of the ground may begin.
          *
+         * @param contact of the two, here or near here
          * @param maxDistance parts of the ground farther away do not count
          * @param exits receives the contacts, each with another direction
          * @return their number
          */
-        public function findExits(a:Body, b:Body, maxDistance:Number, exits:Vector.<ContactPoint>):int
+        public function findExits(a:Body, b:Body, contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
-            var count:int = queryOf(a, b).findExits(maxDistance, exits);
+            var count:int = queryOf(a, b).findExits(contact, maxDistance, exits);
             if (a.form == ModelShape.TREE)
             {
                 for (var i:int = 0; i < count; i++)

@@ -46,17 +46,19 @@ package starlogo.search
         // surfaces touch.
         private static const SLACK:Number = 0.001;
 
-        // The _pushes. The current one is tried.
+        /** The contact that was found last: the first one, or the one after a push. Read only. */
+        public var contact:ContactPoint = new ContactPoint();
+
+        // The pushes. The current one is tried.
         private var _pushes:PushQueue = new PushQueue();
 
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
 
-        // The contact that a search begins with, and whether the tests have found another one since; the contact that was found last; how much
-        // farther than its depth a push leads out of each; and the displacement that is tried.
+        // The contact that a search begins with, and whether the tests have found another one since; how much farther
+        // than its depth a push leads out of each; and the displacement that is tried.
         private var _first:ContactPoint = new ContactPoint();
         private var _isFirstLost:Boolean = false;
-        private var _contact:ContactPoint = new ContactPoint();
         private var _slack:Number = 0;
         private var _tried:Displacement = new Displacement();
 
@@ -87,7 +89,7 @@ package starlogo.search
         public function find(most:Number, out:ContactPoint):Boolean
         {
             restart();
-            add(_contact);
+            add(contact);
             for (var tries:int = MOST_CONTACTS; tries > 0; tries--)
             {
                 var result:int = tryNext(most, out);
@@ -99,21 +101,21 @@ package starlogo.search
             return false;
         }
 
-        /** Begins with the first contact again, and lets the tests find it if they have found another one since. */
+        /** Begins with the first contact again, and finds it anew where the first body stands if another one has been found since. */
         public function restartWithTests():void
         {
             restart();
             if (_isFirstLost)
             {
-                _pair.findContact(_contact);
+                _pair.findContact(contact);
             }
-            add(_contact);
+            add(contact);
         }
 
         /** Adds the push that also leads out of a contact, which was found after the current push. */
-        public function add(contact:ContactPoint):void
+        public function add(found:ContactPoint):void
         {
-            _pushes.add(contact, _slack);
+            _pushes.add(found, _slack);
         }
 
         /** The push that was tried last; 0 at the beginning. Do not change it. */
@@ -148,7 +150,7 @@ package starlogo.search
             {
                 return NONE;
             }
-            add(_contact);
+            add(contact);
             return BLOCKED;
         }
 
@@ -156,7 +158,7 @@ package starlogo.search
         private function restart():void
         {
             _pushes.begin();
-            _contact.copyFrom(_first);
+            contact.copyFrom(_first);
             _slack = SLACK * Tolerances.SEPARATION * _pair.extent + _pair.rounding;
             _pair.putBack();
         }
@@ -171,10 +173,10 @@ package starlogo.search
                 return false;
             }
             _isFirstLost = true;
-            _pair.findContact(_contact);
-            var cosine:Number = _contact.normalX * _tried.x + _contact.normalY * _tried.y + _contact.normalZ * _tried.z;
+            _pair.findContact(contact);
+            var cosine:Number = contact.normalX * _tried.x + contact.normalY * _tried.y + contact.normalZ * _tried.z;
             // the body is a little farther than the push
-            _contact.depth += (_tried.distance - _pushes.length) * cosine;
+            contact.depth += (_tried.distance - _pushes.length) * cosine;
             if (isGround)
             {
                 return true;
@@ -216,7 +218,7 @@ package starlogo.search
         {
             out.setNormal(_tried.x, _tried.y, _tried.z);
             out.depth = _pushes.length;
-            if (!_isFirstLost && _pair.isSecondGround && _first.isDepthSure)
+            if (!_isFirstLost && _pair.isSecondGround && _first.ground.isSure)
             {
                 return;
             }

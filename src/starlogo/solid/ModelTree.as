@@ -63,7 +63,8 @@ package starlogo.solid
         {
             if (mesh == null)
             {
-                finish(new SolidBuilder(this, false));
+                mesh = new TriangleMesh(tree);
+                mesh.placeCorners(0, tree.order.length);
             }
             return mesh;
         }
@@ -81,39 +82,7 @@ package starlogo.solid
             {
                 isOutside = ESCAPE.hasOpenSide(middle, tree);
             }
-            return !isOutside && prepareInterior().isClosed && interior.isInside(middle);
-        }
-
-        /**
-         * Writes the corners of a range of triangles, in the tree's order.
-         *
-         * @param first the first triangle's number in this order
-         * @param end the number after the last one
-         * @param welded for each vertex, the vertex whose place it has; null for its own
-         * @param out receives nine numbers for each triangle
-         * @param to the index of the first
-         */
-        internal function writeCorners(first:int, end:int, welded:Vector.<int>, out:Vector.<Number>, to:int):void
-        {
-            var vertices:Vector.<Number> = tree.vertices;
-            var triangles:Vector.<uint> = tree.triangles;
-            for (var i:int = first; i < end; i++)
-            {
-                var corner:int = 3 * tree.order[i];
-                for (var last:int = corner + 3; corner < last; corner++)
-                {
-                    var at:int = triangles[corner];
-                    if (welded != null)
-                    {
-                        at = welded[at];
-                    }
-                    at *= 3;
-                    out[to] = vertices[at];
-                    out[int(to + 1)] = vertices[int(at + 1)];
-                    out[int(to + 2)] = vertices[int(at + 2)];
-                    to += 3;
-                }
-            }
+            return !isOutside && prepareInterior().isClosed && interior.windings.isInside(middle);
         }
 
         /**
@@ -130,7 +99,7 @@ package starlogo.solid
         {
             if (interior == null && hasTriangles)
             {
-                finish(new SolidBuilder(this, true));
+                finish(new InteriorBuilder(this));
             }
         }
 
@@ -149,7 +118,6 @@ package starlogo.solid
             }
             if (mesh != null)
             {
-                writeCorners(0, tree.order.length, null, mesh.corners, 0);
                 mesh.refit();
             }
         }

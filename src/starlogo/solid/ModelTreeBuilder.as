@@ -56,7 +56,7 @@ package starlogo.solid
             begin(readStored).begin(divide);
             if (preparesExact && triangles != null)
             {
-                begin(newSolid);
+                begin(newInterior);
             }
         }
 
@@ -114,9 +114,9 @@ package starlogo.solid
             return new BoxTreeBuilder(modelTree.tree, _minVerticesToSplit, maxDepth, _splitByMean);
         }
 
-        private function newSolid():Steps
+        private function newInterior():Steps
         {
-            return new SolidBuilder(modelTree, true);
+            return new InteriorBuilder(modelTree);
         }
     }
 }

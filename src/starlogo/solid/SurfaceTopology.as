@@ -3,8 +3,8 @@ package starlogo.solid
     import flash.utils.ByteArray;
 
     /**
-     * The properties of a model's surface as a whole: its parts, its shells, and which of these are closed. A SurfaceBuilder, a
-     * CavityFinder and a SolidBuilder compute them, and a cooked file stores them.
+     * The properties of a model's surface as a whole: its parts, its shells, and which of these are closed. A SurfaceBuilder computes them,
+     * and a cooked file stores them.
      *
      * @private
      */
@@ -26,8 +26,7 @@ package starlogo.solid
         public var partNumberEnd:int = 0;
 
         /**
-         * For each triangle, the number of its part. At first, triangles that share vertices are one part. The SolidBuilder joins parts
-         * that overlap.
+         * For each triangle, the number of its part. Triangles that share vertices are one part, and so are parts that overlap.
          */
         public var parts:Vector.<int>;
 

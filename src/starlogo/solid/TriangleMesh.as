@@ -8,7 +8,7 @@ package starlogo.solid
 
     use namespace engine;
 
-    /** A model's triangles, for exact tests: their corners, planes and extents, in the order of the tree. A SolidBuilder makes it. */
+    /** A model's triangles, for exact tests: their corners, planes and extents, in the order of the tree. */
     internal final class TriangleMesh
     {
         /** The boxes around the triangles. */
@@ -41,14 +41,53 @@ package starlogo.solid
             measure();
         }
 
+        /** Places the corners of a range of triangles. Must be called for all triangles before anything else. */
+        public function placeCorners(first:int, end:int):void
+        {
+            writeCorners(first, end, null, corners, 9 * first);
+        }
+
+        /**
+         * Writes the corners of a range of triangles, in the tree's order.
+         *
+         * @param first the first triangle's number in this order
+         * @param end the number after the last one
+         * @param welded for each vertex, the vertex whose place it has; null for its own
+         * @param out receives nine numbers for each triangle
+         * @param to the index of the first
+         */
+        public function writeCorners(first:int, end:int, welded:Vector.<int>, out:Vector.<Number>, to:int):void
+        {
+            var vertices:Vector.<Number> = tree.vertices;
+            var triangles:Vector.<uint> = tree.triangles;
+            for (var i:int = first; i < end; i++)
+            {
+                var corner:int = 3 * tree.order[i];
+                for (var last:int = corner + 3; corner < last; corner++)
+                {
+                    var at:int = triangles[corner];
+                    if (welded != null)
+                    {
+                        at = welded[at];
+                    }
+                    at *= 3;
+                    out[to] = vertices[at];
+                    out[int(to + 1)] = vertices[int(at + 1)];
+                    out[int(to + 2)] = vertices[int(at + 2)];
+                    to += 3;
+                }
+            }
+        }
+
         private function measure():void
         {
             flatness = Tolerances.PLANES * tree.radiusAboutOrigin;
         }
 
-        /** Takes over new corners, after the tree has new boxes. */
+        /** Follows the tree, which has new boxes and vertices. */
         public function refit():void
         {
+            placeCorners(0, corners.length / 9);
             measure();
             if (planes != null)
             {

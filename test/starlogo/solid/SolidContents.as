@@ -17,9 +17,12 @@ package starlogo.solid
             {
                 return "none";
             }
-            var solid:Interior = hierarchy.prepareInterior();
-            return [solid.isClosed, solid.surface.signedShells, solid.surface.shellStates, solid.surface.widestSeam, solid.places, solid.placesAt, solid.leastPartExtent, solid.partPoints, solid.mesh.corners,
-                    solid.mesh.prepareExtents(), solid.mesh.preparePlanes(), axesOf(hierarchy.tree)].join("\n");
+            var interior:Interior = hierarchy.prepareInterior();
+            var windings:WindingCounter = interior.windings;
+            var surface:SurfaceTopology = windings.surface;
+            var mesh:TriangleMesh = windings.mesh;
+            return [interior.isClosed, surface.signedShells, surface.shellStates, surface.widestSeam, windings.places, windings.placesAt, interior.leastPartExtent, interior.partPoints, mesh.corners,
+                    mesh.prepareExtents(), mesh.preparePlanes(), axesOf(hierarchy.tree)].join("\n");
         }
 
         private static function axesOf(tree:BoxTree):String

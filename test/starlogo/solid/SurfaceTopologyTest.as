@@ -4,9 +4,11 @@ package starlogo.solid
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.engine;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
-    import starlogo.steps.finish;
+
+    use namespace engine;
 
     public class SurfaceTopologyTest
     {
@@ -199,9 +201,7 @@ package starlogo.solid
 
         private static function surfaceOf(vertices:Vector.<Number>, triangles:Vector.<uint>):SurfaceTopology
         {
-            var builder:SurfaceBuilder = new SurfaceBuilder(vertices, triangles);
-            finish(builder);
-            return builder.surface;
+            return new ModelTreeBuilder(vertices, triangles, ModelTreeBuilder.MIN_VERTICES_TO_SPLIT, ModelTreeBuilder.MAX_DEPTH, false, true).finishTree().surface;
         }
     }
 }

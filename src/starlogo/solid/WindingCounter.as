@@ -1,0 +1,222 @@
+package starlogo.solid
+{
+    import flash.geom.Vector3D;
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.BoxSearch;
+    import starlogo.hierarchy.LeafTest;
+
+    use namespace engine;
+
+    /**
+     * Counts how often the shells of a surface wind around a point, so it knows what is inside of them. As a test, it counts the triangles that a
+     * ray along an axis crosses. A SurfaceBuilder makes it.
+     */
+    internal final class WindingCounter extends LeafTest
+    {
+        /** The triangles. */
+        public var mesh:TriangleMesh;
+
+        /** The surface that they make. */
+        public var surface:SurfaceTopology;
+
+        /** The corners of the triangles that were moved when seams were welded: nine numbers each. */
+        public var places:Vector.<Number> = new Vector.<Number>();
+
+        /** For each triangle, the index of its first number in <code>places</code>, or -1. Null if all vertices of each seam are at one place. */
+        public var placesAt:Vector.<int> = null;
+
+        /** How often each shell winds around the point of the last <code>count()</code>. */
+        public var windings:Vector.<int>;
+
+        /** The shells that may wind around that point. Shells of points before may come after them. */
+        public var crossed:Vector.<int> = new Vector.<int>();
+
+        /** How many of them there are. */
+        public var crossedCount:int = 0;
+
+        private var _boxes:BoxSearch = new BoxSearch();
+
+        // The axis of all rays, 0 for x, and the next two axes. It is the axis along which the model is shortest.
+        private var _axis:int;
+        private var _axisB:int;
+        private var _axisC:int;
+
+        // The current ray: its origin along these axes, and whether it goes towards the smaller coordinates.
+        private var _a:Number;
+        private var _b:Number;
+        private var _c:Number;
+        private var _isBackward:Boolean;
+
+        /**
+         * @param mesh the triangles
+         * @param surface the surface that they make: its shells must be known
+         */
+        public function WindingCounter(mesh:TriangleMesh, surface:SurfaceTopology)
+        {
+            var box:Vector.<Number> = mesh.tree.boxes;
+            this.mesh = mesh;
+            this.surface = surface;
+            windings = new Vector.<int>(surface.shellStates.length, true);
+            least = Infinity;
+            _axis = box[3] <= box[4] && box[3] <= box[5] ? 0 : (box[4] <= box[5] ? 1 : 2);
+            _axisB = (_axis + 1) % 3;
+            _axisC = (_axis + 2) % 3;
+        }
+
+        /** One more than the number of a triangle's shell, negative if the triangle is reversed; 0 if two of its corners are at one place. */
+        public function sideOf(triangle:int):int
+        {
+            return surface.signedShells[mesh.tree.order[triangle]];
+        }
+
+        /**
+         * Whether a point is inside of the surface. The point must not be on it. A point is inside if a solid shell winds around it, and no
+         * shell that bounds a cavity in that one. The surface must have a closed shell.
+         */
+        public function isInside(point:Vector3D):Boolean
+        {
+            count(point.x, point.y, point.z);
+            var isFound:Boolean = false;
+            for (var i:int = 0; i < crossedCount; i++)
+            {
+                isFound ||= isAround(crossed[i]);
+            }
+            clear();
+            return isFound;
+        }
+
+        /** Whether the point of the last <code>count()</code> is inside of a shell, and not in a cavity of it. */
+        public function isAround(shell:int):Boolean
+        {
+            var state:int = surface.shellStates[shell];
+            return state == SurfaceTopology.SOLID && windings[shell] != 0 || state == SurfaceTopology.ONE_SIDED && (windings[shell] & 1) != 0;
+        }
+
+        /**
+         * Counts how often each shell winds around a point. A shell counts 0 if the point is in a cavity of it. A ray along an axis, towards
+         * the nearer side of the box around all triangles, counts the triangles that it crosses.
+         *
+         * <p>Seen along the ray, an edge is crossed by a half-line across the ray, or it is not. The two triangles at the edge have the same
+         * answer to the last bit, because they have the same corners. So a ray through an edge or a corner needs no special case.</p>
+         */
+        public function count(x:Number, y:Number, z:Number):void
+        {
+            _a = _axis == 0 ? x : (_axis == 1 ? y : z);
+            _b = _axis == 0 ? y : (_axis == 1 ? z : x);
+            _c = _axis == 0 ? z : (_axis == 1 ? x : y);
+            _isBackward = _a < mesh.tree.boxes[_axis];
+            var margin:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.tree.radiusAboutOrigin;
+            _boxes.setPlace(x, y, z, margin);
+            _boxes.setAxis(_axis, _isBackward ? -1 : 1);
+            _boxes.find(mesh.tree, int.MAX_VALUE, this);
+            for (var i:int = 0; i < crossedCount; i++)
+            {
+                var state:int = surface.shellStates[crossed[i]];
+                if (state >= 0 && windings[crossed[i]] != 0)
+                {
+                    windings[state] = 0;
+                }
+            }
+        }
+
+        /** Forgets the windings. Must be called between two calls of <code>count()</code>. */
+        public function clear():void
+        {
+            for (var i:int = 0; i < crossedCount; i++)
+            {
+                windings[crossed[i]] = 0;
+            }
+            crossedCount = 0;
+        }
+
+        /** @inheritDoc */
+        override public function testLeaf(node:int, first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                cross(i);
+            }
+        }
+
+        // Adds a triangle to its shell's winding number if the ray crosses it.
+        private function cross(triangle:int):void
+        {
+            var points:Vector.<Number> = mesh.corners;
+            var at:int = 9 * triangle;
+            if (placesAt != null && placesAt[triangle] >= 0)
+            {
+                points = places;
+                at = placesAt[triangle];
+            }
+            var b:Number = _b;
+            var c:Number = _c;
+            var pc:Number = points[int(at + _axisC)] - c;
+            var qc:Number = points[int(at + 3 + _axisC)] - c;
+            var rc:Number = points[int(at + 6 + _axisC)] - c;
+            if (pc > 0 == qc > 0 && qc > 0 == rc > 0)
+            {
+                return;
+            }
+            var pb:Number = points[int(at + _axisB)] - b;
+            var qb:Number = points[int(at + 3 + _axisB)] - b;
+            var rb:Number = points[int(at + 6 + _axisB)] - b;
+            var crossing:int = passes(pb, pc, qb, qc) + passes(qb, qc, rb, rc) + passes(rb, rc, pb, pc);
+            if (crossing == 0)
+            {
+                return;
+            }
+            // The corner that is alone on its side of the half-line's plane.
+            var alone:int = pc > 0 == qc > 0 ? 6 : (pc > 0 == rc > 0 ? 3 : 0);
+            if (!isAhead(points, at + alone, at + (alone + 3) % 9, at + (alone + 6) % 9))
+            {
+                return;
+            }
+            var side:int = sideOf(triangle);
+            var shell:int = side > 0 ? side - 1 : -side - 1;
+            if (shell >= 0)
+            {
+                var winding:int = windings[shell];
+                if (winding == 0)
+                {
+                    crossed[crossedCount++] = shell;
+                }
+                windings[shell] = side > 0 ? winding + crossing : winding - crossing;
+            }
+        }
+
+        // Whether the edge from p to q, seen along the ray, crosses the half-line from the ray: 1 if upwards, -1 if downwards, 0 if not. From
+        // q to p it is exactly the negative.
+        private static function passes(pb:Number, pc:Number, qb:Number, qc:Number):int
+        {
+            if (pc > 0 == qc > 0)
+            {
+                return 0;
+            }
+            var turn:Number = pb * qc - qb * pc;
+            if (qc > 0)
+            {
+                return turn > 0 ? 1 : 0;
+            }
+            return turn < 0 ? -1 : 0;
+        }
+
+        // Whether a triangle that the ray's line crosses is ahead of its origin. It is measured between the two edges that cross the plane
+        // of the half-line. Both begin at the same corner.
+        private function isAhead(points:Vector.<Number>, alone:int, q:int, r:int):Boolean
+        {
+            var ac:Number = points[int(alone + _axisC)] - _c;
+            var toQ:Number = ac / (ac - (points[int(q + _axisC)] - _c));
+            var toR:Number = ac / (ac - (points[int(r + _axisC)] - _c));
+            var ab:Number = points[int(alone + _axisB)] - _b;
+            var qb:Number = ab + toQ * (points[int(q + _axisB)] - _b - ab);
+            var rb:Number = ab + toR * (points[int(r + _axisB)] - _b - ab);
+            var aa:Number = points[int(alone + _axis)] - _a;
+            var qa:Number = aa + toQ * (points[int(q + _axis)] - _a - aa);
+            var ra:Number = aa + toR * (points[int(r + _axis)] - _a - aa);
+            var share:Number = qb == rb ? 0.5 : qb / (qb - rb);
+            share = share < 0 ? 0 : (share > 1 ? 1 : share);
+            return qa + share * (ra - qa) > 0 != _isBackward;
+        }
+    }
+}

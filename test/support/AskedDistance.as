@@ -6,10 +6,10 @@ package support
     import starlogo.engine;
     import starlogo.queries.DistanceQueries;
     import starlogo.search.AgentShapes;
-    import starlogo.search.AgentTable;
     import starlogo.search.Body;
     import starlogo.search.ModelShapes;
     import starlogo.search.NarrowPhase;
+    import starlogo.search.table.AgentTable;
 
     use namespace engine;
 

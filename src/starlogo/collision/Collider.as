@@ -12,7 +12,7 @@ package starlogo.collision
     import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.SpherePairTests;
+    import starlogo.search.pairs.SpherePairTests;
 
     use namespace engine;
 

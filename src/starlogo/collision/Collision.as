@@ -1,6 +1,6 @@
 // This room is what a game calls: a Collision finds who touches, once a frame, and calls handlers. Collider is the base of the four collision
-// systems, and BaseCollider of a game's own; HandlerCalls makes the calls, FrameContacts computes contacts for them, and Snapshots goes back to
-// earlier frames. Read this file first, then Collider, and then CollisionSearch in the room search.
+// systems, and BaseCollider of a game's own; HandlerCalls makes the calls, FrameContacts computes contacts for them, and Snapshots (snapshots/)
+// goes back to earlier frames. Read this file first, then Collider, and then CollisionSearch in the room search.
 package starlogo.collision
 {
     import flash.errors.IllegalOperationError;
@@ -9,6 +9,7 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.agents.AgentPredicate;
     import starlogo.agents.Breeds;
+    import starlogo.collision.snapshots.Snapshots;
     import starlogo.engine;
     import starlogo.geometry.requireGiven;
     import starlogo.handlers.CollisionHandler;

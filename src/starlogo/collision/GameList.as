@@ -2,7 +2,7 @@ package starlogo.collision
 {
     import starlogo.agents.Agent;
     import starlogo.search.FoundPairs;
-    import starlogo.search.ListedAgents;
+    import starlogo.search.table.ListedAgents;
 
     /** The game's own list of a frame, which handlers may change. It knows which agents are still in it. */
     internal final class GameList

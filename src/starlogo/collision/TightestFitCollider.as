@@ -2,7 +2,7 @@ package starlogo.collision
 {
     import starlogo.GreatLand;
     import starlogo.engine;
-    import starlogo.search.StructurePairTests;
+    import starlogo.search.pairs.StructurePairTests;
     import starlogo.search.TightestShapes;
 
     use namespace engine;

@@ -2,8 +2,8 @@ package starlogo.collision
 {
     import starlogo.engine;
     import starlogo.search.AgentShapes;
-    import starlogo.search.StructurePairTests;
-    import starlogo.search.TreePairTests;
+    import starlogo.search.pairs.StructurePairTests;
+    import starlogo.search.pairs.TreePairTests;
 
     use namespace engine;
 

@@ -5,6 +5,9 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireGiven;
+    import starlogo.queries.trees.Collector;
+    import starlogo.queries.trees.Cone;
+    import starlogo.queries.trees.NearSearch;
 
     use namespace engine;
 

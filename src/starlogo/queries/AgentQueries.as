@@ -7,7 +7,7 @@ package starlogo.queries
     import starlogo.collision.Contact;
     import starlogo.collision.QuerySource;
     import starlogo.engine;
-    import starlogo.search.StructurePairTests;
+    import starlogo.search.pairs.StructurePairTests;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
 

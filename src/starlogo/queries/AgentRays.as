@@ -8,6 +8,11 @@ package starlogo.queries
     import starlogo.geometry.requireInWorld;
     import starlogo.intersection.isAfter;
     import starlogo.intersection.ray.Ray;
+    import starlogo.queries.rays.RowRays;
+    import starlogo.queries.rays.RowSurfaces;
+    import starlogo.queries.rays.TriangleOfHit;
+    import starlogo.queries.trees.Collector;
+    import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
 
     use namespace engine;

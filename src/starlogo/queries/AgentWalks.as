@@ -5,8 +5,8 @@ package starlogo.queries
     import starlogo.collision.Contact;
     import starlogo.engine;
     import starlogo.geometry.requireGiven;
-    import starlogo.search.StructurePairTests;
-    import starlogo.search.TreePairTests;
+    import starlogo.search.pairs.StructurePairTests;
+    import starlogo.search.pairs.TreePairTests;
 
     use namespace engine;
 

@@ -3,6 +3,7 @@ package starlogo.queries
     import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
+    import starlogo.queries.trees.Collector;
     import starlogo.search.KeySort;
 
     use namespace engine;

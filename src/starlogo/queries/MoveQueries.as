@@ -8,6 +8,15 @@ package starlogo.queries
     import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.geometry.requireInWorld;
+    import starlogo.queries.motion.MotionResult;
+    import starlogo.queries.motion.Mover;
+    import starlogo.queries.motion.PlannedMotion;
+    import starlogo.queries.motion.SlideLimits;
+    import starlogo.queries.motion.SlideResult;
+    import starlogo.queries.motion.StartLift;
+    import starlogo.queries.rays.TriangleOfHit;
+    import starlogo.queries.trees.Collector;
+    import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NumberList;

@@ -6,9 +6,11 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.requireGiven;
     import starlogo.geometry.requireInWorld;
-    import starlogo.search.AgentTable;
+    import starlogo.queries.trees.Collector;
+    import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
-    import starlogo.search.ListedAgents;
+    import starlogo.search.table.AgentTable;
+    import starlogo.search.table.ListedAgents;
     import starlogo.terrain.WorldBounds;
 
     use namespace engine;

@@ -2,6 +2,7 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.queries.motion.PlannedMotion;
 
     /**
      * A walk: what the options mean for this agent, and how far it has come. WalkQueries writes it.

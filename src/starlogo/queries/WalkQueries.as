@@ -8,9 +8,14 @@ package starlogo.queries
     import starlogo.geometry.Trigonometry;
     import starlogo.geometry.requireInWorld;
     import starlogo.intersection.ray.Ray;
-    import starlogo.search.AgentTable;
+    import starlogo.queries.motion.MotionResult;
+    import starlogo.queries.motion.Mover;
+    import starlogo.queries.motion.SlideLimits;
+    import starlogo.queries.motion.SlideResult;
+    import starlogo.queries.rays.RowRays;
     import starlogo.search.Body;
-    import starlogo.search.ListedAgents;
+    import starlogo.search.table.AgentTable;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 

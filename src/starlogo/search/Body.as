@@ -7,6 +7,8 @@ package starlogo.search
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.requireInWorld;
+    import starlogo.search.table.ListedAgents;
+    import starlogo.search.table.RowPlaces;
 
     use namespace engine;
 
@@ -43,7 +45,7 @@ package starlogo.search
         /**
          * Whether the leaves of its tree are tested instead of triangles. They find every touch that triangles find, in a tenth of the time.
          */
-        internal var stopsAtLeaves:Boolean = false;
+        engine var stopsAtLeaves:Boolean = false;
 
         /** Half of the length of the extents along x. */
         public var halfX:Number = 0;
@@ -51,12 +53,12 @@ package starlogo.search
         public var halfZ:Number = 0;
 
         // The way from the place to the middle of the extents.
-        internal var offsetX:Number = 0;
-        internal var offsetY:Number = 0;
-        internal var offsetZ:Number = 0;
+        engine var offsetX:Number = 0;
+        engine var offsetY:Number = 0;
+        engine var offsetZ:Number = 0;
 
         // For the body of a row: the row's revision at which it has followed the row. The body's own placement.
-        internal var revision:int = 0;
+        engine var revision:int = 0;
         private var _ownPlacement:Placement;
 
         // The structure in the world, and whether it is at the body's place. By kind: structures of other shapes, for later use; shapes for
@@ -218,7 +220,7 @@ package starlogo.search
         }
 
         /** For the body of a row: goes to the row's place. */
-        internal function follow(agent:Agent, places:RowPlaces, row:int):void
+        engine function follow(agent:Agent, places:RowPlaces, row:int):void
         {
             revision = places.revisions[row];
             var at:Placement = agent.revision == revision && !shape.isUpright ? agent.placement : _ownPlacement;
@@ -236,7 +238,7 @@ package starlogo.search
         }
 
         /** Whether the body is where its row is. The agent may have changed since. */
-        internal function isOf(agent:Agent, seen:int):Boolean
+        engine function isOf(agent:Agent, seen:int):Boolean
         {
             return revision == seen && (placement === _ownPlacement || agent.revision == seen);
         }
@@ -288,7 +290,7 @@ package starlogo.search
         }
 
         /** The radius of a circle on the ground around the middle that encloses the extents, or the sphere. */
-        internal function get radius():Number
+        engine function get radius():Number
         {
             if (form == BoundingStructure.SPHERE)
             {

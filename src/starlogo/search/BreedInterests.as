@@ -3,6 +3,7 @@ package starlogo.search
     import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.geometry.HashTable;
+    import starlogo.search.table.AgentTable;
 
     use namespace engine;
 

@@ -4,6 +4,7 @@ package starlogo.search
     import starlogo.broadphase.PairSink;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
+    import starlogo.search.table.AgentTable;
 
     use namespace engine;
 

@@ -1,7 +1,7 @@
-// This room finds the pairs of agents that touch, and how they touch. AgentTable reads the agents into rows; CandidateFilter and NarrowPhase keep
-// the pairs of the broad phase that touch, by a PairTests for each kind of pairs; PairOrder puts them into the order of the list, and KeptPairs
-// takes those of the last frame if little has changed. Read this file first, then AgentTable for the rows, NarrowPhase for the tests, and
-// PenetrationSearch for depths.
+// This room finds the pairs of agents that touch, and how they touch. AgentTable (table/) reads the agents into rows; CandidateFilter and
+// NarrowPhase keep the pairs of the broad phase that touch, by a PairTests for each kind of pairs (pairs/); PairOrder puts them into the order of
+// the list, and KeptPairs takes those of the last frame if little has changed. Read this file first, then AgentTable for the rows, NarrowPhase
+// for the tests, and PenetrationSearch (penetration/) for depths.
 package starlogo.search
 {
     import starlogo.agents.Agent;
@@ -11,6 +11,8 @@ package starlogo.search
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
+    import starlogo.search.table.AgentTable;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 

@@ -3,6 +3,7 @@ package starlogo.search
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.geometry.HashTable;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 

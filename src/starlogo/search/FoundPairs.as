@@ -2,6 +2,7 @@ package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 

@@ -1,6 +1,8 @@
 package starlogo.search
 {
     import starlogo.engine;
+    import starlogo.search.table.AgentTable;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 

@@ -3,6 +3,8 @@ package starlogo.search
     import starlogo.broadphase.BinLevels;
     import starlogo.broadphase.CellLists;
     import starlogo.engine;
+    import starlogo.search.table.AgentTable;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 

@@ -34,7 +34,7 @@ package starlogo.search
         internal var next:ModelShape = null;
 
         /** @private Whether the model has a newer revision, so that this shape is void. */
-        internal var isVoid:Boolean = false;
+        engine var isVoid:Boolean = false;
 
         /** @private The kind of the structure, or TREE, GROUND or EDGES. */
         engine var form:int = -1;

@@ -6,6 +6,13 @@ package starlogo.search
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.intersection.ray.ConvexRay;
+    import starlogo.search.pairs.EdgePairTests;
+    import starlogo.search.pairs.GroundPairTests;
+    import starlogo.search.pairs.PairTests;
+    import starlogo.search.pairs.SpherePairTests;
+    import starlogo.search.pairs.StructurePairTests;
+    import starlogo.search.pairs.TreePairTests;
+    import starlogo.search.table.AgentTable;
 
     use namespace engine;
 

@@ -1,5 +1,7 @@
 package starlogo.search
 {
+    import starlogo.search.table.ListedAgents;
+
     /**
      * Puts pairs into the order of the list: by the first agent's index and then by the second's. If an agent
      * sweeps, they come by their times, and pairs of the same time in the order of the list.

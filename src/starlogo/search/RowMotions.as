@@ -11,6 +11,7 @@ package starlogo.search
     import starlogo.engine;
     import starlogo.intersection.sweep.AxisMotion;
     import starlogo.intersection.sweep.ContactInterval;
+    import starlogo.search.table.AgentTable;
 
     use namespace engine;
 

@@ -2,6 +2,7 @@ package starlogo.search
 {
     import starlogo.GreatLand;
     import starlogo.engine;
+    import starlogo.search.pairs.StructurePairTests;
 
     use namespace engine;
 

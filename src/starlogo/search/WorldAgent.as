@@ -4,6 +4,7 @@ package starlogo.search
     import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.ground.HeightGrid;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 

@@ -10,7 +10,7 @@ package starlogo.terrain
     import starlogo.geometry.requireInWorld;
     import starlogo.ground.GroundPoint;
     import starlogo.ground.HeightGrid;
-    import starlogo.search.GroundPairTests;
+    import starlogo.search.pairs.GroundPairTests;
     import starlogo.search.WorldAgent;
 
     use namespace engine;

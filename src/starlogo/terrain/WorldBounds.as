@@ -4,7 +4,7 @@ package starlogo.terrain
     import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.geometry.requireInWorld;
-    import starlogo.search.EdgePairTests;
+    import starlogo.search.pairs.EdgePairTests;
     import starlogo.search.WorldAgent;
 
     use namespace engine;

@@ -4,6 +4,7 @@ package starlogo.collision
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
+    import starlogo.collision.snapshots.SnapshotPlatforms;
 
     /** A snapshot's standings: each number that no game can have is refused. */
     public class SnapshotPlatformsTest

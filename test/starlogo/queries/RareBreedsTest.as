@@ -11,6 +11,7 @@ package starlogo.queries
     import starlogo.bounding.Sphere;
     import starlogo.collision.BinCollider;
     import starlogo.engine;
+    import starlogo.queries.trees.RowTree;
 
     use namespace engine;
 

@@ -14,10 +14,10 @@ package starlogo.queries
     import starlogo.models.ObjModel;
     import starlogo.search.AgentShapes;
     import starlogo.search.NarrowPhase;
+    import starlogo.search.pairs.StructurePairTests;
+    import starlogo.search.pairs.TreePairTests;
     import starlogo.search.SphereShapes;
-    import starlogo.search.StructurePairTests;
     import starlogo.search.TightestShapes;
-    import starlogo.search.TreePairTests;
     import starlogo.search.TreeShapes;
     import support.AskedDistance;
     import support.DistanceReference;

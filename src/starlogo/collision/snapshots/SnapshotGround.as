@@ -1,0 +1,131 @@
+package starlogo.collision.snapshots
+{
+    import flash.utils.ByteArray;
+    import starlogo.engine;
+    import starlogo.geometry.isInWorld;
+    import starlogo.terrain.Terrain;
+
+    use namespace engine;
+
+    /**
+     * Writes and reads the ground in a snapshot. The bytes are: the number of columns; the number of rows; the width of a cell; its place; whether
+     * the surface is columns; then the heights; then the holes, a bit for each, as numbers of 32 bits. After a number of 0 comes the count of numbers
+     * that are 0 from there on, and only the first of them is written.
+     *
+     * @private
+     */
+    internal final class SnapshotGround
+    {
+        // The number of bytes before the surface.
+        private static const HEAD:int = 4 + 4 + 3 * 8;
+
+        /** Writes a ground. */
+        public static function write(bytes:ByteArray, terrain:Terrain):void
+        {
+            bytes.writeInt(terrain.columns);
+            bytes.writeInt(terrain.rows);
+            bytes.writeDouble(terrain.cellWidth);
+            bytes.writeDouble(terrain.x);
+            bytes.writeDouble(terrain.y);
+            bytes.writeBoolean(terrain.isBlocky);
+            writeNumbers(bytes, terrain.grid.heights, false);
+            var holes:Vector.<int> = terrain.grid.holes;
+            var numbers:Vector.<Number> = new Vector.<Number>(countHoleNumbers(terrain), true);
+            for (var i:int = 0; holes != null && i < numbers.length; i++)
+            {
+                numbers[i] = holes[i];
+            }
+            writeNumbers(bytes, numbers, true);
+        }
+
+        /**
+         * Returns whether bytes are a ground, and goes to their end.
+         *
+         * @throws ArgumentError if they are a ground of other cells
+         * @throws EOFError if they are cut off
+         */
+        public static function areValid(bytes:ByteArray, terrain:Terrain):Boolean
+        {
+            var columns:int = bytes.readInt();
+            var rows:int = bytes.readInt();
+            var cellWidth:Number = bytes.readDouble();
+            var x:Number = bytes.readDouble();
+            var y:Number = bytes.readDouble();
+            if (columns != terrain.columns || rows != terrain.rows || cellWidth != terrain.cellWidth || x != terrain.x || y != terrain.y)
+            {
+                throw new ArgumentError("bytes are no snapshot with this ground, but with " + columns + " by " + rows + " heights from (" + x + ", " + y
+                        + ") on, in cells " + cellWidth + " wide");
+            }
+            return bytes.readUnsignedByte() <= 1 && readNumbers(bytes, columns * rows, false) != null
+                && readNumbers(bytes, countHoleNumbers(terrain), true) != null;
+        }
+
+        /** Gives a ground the surface that was written. */
+        public static function read(bytes:ByteArray, terrain:Terrain):void
+        {
+            bytes.position += HEAD;
+            terrain.isBlocky = bytes.readBoolean();
+            var heights:Vector.<Number> = readNumbers(bytes, terrain.columns * terrain.rows, false);
+            var numbers:Vector.<Number> = readNumbers(bytes, countHoleNumbers(terrain), true);
+            terrain.grid.holes = null;
+            for (var i:int = 0; i < numbers.length; i++)
+            {
+                if (numbers[i] != 0)
+                {
+                    terrain.grid.holes ||= new Vector.<int>(numbers.length, true);
+                    terrain.grid.holes[i] = numbers[i];
+                }
+            }
+            terrain.setHeights(0, 0, terrain.columns, terrain.rows, heights);
+        }
+
+        private static function writeNumbers(bytes:ByteArray, numbers:Vector.<Number>, areInts:Boolean):void
+        {
+            for (var at:int = 0; at < numbers.length; at += count)
+            {
+                var count:int = 1;
+                if (areInts)
+                {
+                    bytes.writeInt(numbers[at]);
+                }
+                else
+                {
+                    bytes.writeDouble(numbers[at]);
+                }
+                if (numbers[at] == 0)
+                {
+                    while (at + count < numbers.length && numbers[at + count] == 0)
+                    {
+                        count++;
+                    }
+                    bytes.writeInt(count);
+                }
+            }
+        }
+
+        // Null if there are not so many numbers, or a height is not in the world.
+        private static function readNumbers(bytes:ByteArray, length:int, areInts:Boolean):Vector.<Number>
+        {
+            var numbers:Vector.<Number> = new Vector.<Number>(length, true);
+            for (var at:uint = 0; at < length; at += count)
+            {
+                numbers[at] = areInts ? bytes.readInt() : bytes.readDouble();
+                var count:uint = 1;
+                if (numbers[at] == 0)
+                {
+                    count = bytes.readUnsignedInt();
+                }
+                if (!areInts && !isInWorld(numbers[at], 0, 0) || count == 0 || count > length - at)
+                {
+                    return null;
+                }
+            }
+            return numbers;
+        }
+
+        private static function countHoleNumbers(terrain:Terrain):int
+        {
+            return (terrain.columns * terrain.rows + 31) >> 5;
+        }
+    }
+}

@@ -1,0 +1,275 @@
+package starlogo.collision.snapshots
+{
+    import flash.errors.IllegalOperationError;
+    import flash.utils.ByteArray;
+    import flash.utils.Endian;
+    import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
+    import starlogo.engine;
+    import starlogo.geometry.isInWorld;
+    import starlogo.handlers.Touch;
+    import starlogo.handlers.TouchTracker;
+    import starlogo.search.CollisionSearch;
+    import starlogo.search.table.AgentTable;
+    import starlogo.search.WorldAgent;
+    import starlogo.terrain.Terrain;
+
+    use namespace engine;
+
+    /**
+     * Writes and reads the snapshots of one Collision. A snapshot has what the next frame needs besides the agents' traits, and the traits if
+     * asked. Agents are numbers in it: their indices in the last frame's list.
+     *
+     * <p>The bytes are: a mark; what is in the snapshot; the number of agents; names; for each agent whether it may have a motion from its last
+     * position, and that position; the touching pairs, and for each its agents, their breeds, and whether it touches both ways; what agents stand
+     * on; the ground; the traits. In a pair, the indices after those of the agents are the ground, the edges, and a ground and edges that were
+     * exchanged after the frame: their touches end in the next frame.</p>
+     *
+     * <p>Nothing in the bytes depends on the program that runs. Machines in step write the same bytes.</p>
+     *
+     * @private
+     */
+    public final class Snapshots
+    {
+        // "SLF5"
+        private static const MARK:uint = 0x534C4635;
+        private static const BYTES_PER_AGENT:int = 25;
+
+        // What is in a snapshot, as a sum: traits; whether there was ground; the ground's heights.
+        private static const TRAITS:int = 1;
+        private static const GROUND:int = 2;
+        private static const HEIGHTS:int = 4;
+
+        private var _register:SnapshotRegister = new SnapshotRegister();
+
+        // The agents of the ground and the edges that were exchanged before the last snapshot. In a Collision that has taken none, new agents
+        // stand for them.
+        private var _former:Vector.<Agent> = new <Agent>[new WorldAgent(Breeds.TERRAIN), new WorldAgent(Breeds.EDGE)];
+
+        /**
+         * Returns the bytes of a snapshot.
+         *
+         * @param tracker knows the touching pairs
+         * @param table has the last frame's agents
+         * @param agents the last frame's list. It is empty if there was no frame
+         * @param keepsMotions whether the agents' next motions begin at their positions in the table
+         * @param terrain the ground, or null
+         * @param worldAgents the agents of the ground and of the edges, or null
+         * @param withTraits whether the agents' traits are written
+         * @param withGround whether the ground's heights are written
+         * @throws IllegalOperationError if the collision system has searched another list
+         */
+        public function write(tracker:TouchTracker, table:AgentTable, agents:Vector.<Agent>, keepsMotions:Boolean, terrain:Terrain,
+                worldAgents:Vector.<Agent>, withTraits:Boolean, withGround:Boolean):ByteArray
+        {
+            if (agents.length > 0 && !table.list.isListed(agents))
+            {
+                throw new IllegalOperationError("the collision system has searched another list since the last frame");
+            }
+            var hasHeights:Boolean = withGround && terrain != null;
+            var names:SnapshotNames = new SnapshotNames();
+            var rest:ByteArray = newBytes();
+            SnapshotPlaces.write(rest, agents, table, keepsMotions);
+            writePairs(rest, names, tracker, table, worldAgents);
+            SnapshotPlatforms.write(rest, agents, table);
+            if (hasHeights)
+            {
+                SnapshotGround.write(rest, terrain);
+            }
+            if (withTraits)
+            {
+                SnapshotTraits.write(rest, agents, names);
+            }
+            var bytes:ByteArray = newBytes();
+            bytes.writeUnsignedInt(MARK);
+            bytes.writeByte(int(withTraits) * TRAITS + int(terrain != null) * GROUND + int(hasHeights) * HEIGHTS);
+            bytes.writeInt(agents.length);
+            names.write(bytes);
+            bytes.writeBytes(rest);
+            _register.note(bytes, agents);
+            bytes.position = 0;
+            return bytes;
+        }
+
+        /**
+         * Goes back to a snapshot. The last search is then the one before the snapshot was taken.
+         *
+         * @param terrain the ground, which gets the heights that are in the snapshot; or null
+         * @param worldAgents the agents of the ground and of the edges, or null
+         * @return the tracker that knows which pairs touched then
+         * @throws ArgumentError as Collision.restore does; nothing has changed then
+         */
+        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, terrain:Terrain, worldAgents:Vector.<Agent>):TouchTracker
+        {
+            search.table.list.propose(agents);
+            var copy:ByteArray = newBytes();
+            copy.writeBytes(bytes);
+            copy.position = 0;
+            if (copy.length < 4 || copy.readUnsignedInt() != MARK)
+            {
+                throw new ArgumentError("bytes are no snapshot: they do not begin as one");
+            }
+            var parts:SnapshotParts = new SnapshotParts();
+            try
+            {
+                checkAll(copy, agents, terrain, worldAgents, parts);
+            }
+            catch (error:Error)
+            {
+                // others are an EOFError, and a RangeError of the names
+                check(error is ArgumentError);
+                throw error;
+            }
+            restoreAgents(copy, agents, search, parts);
+            copy.position = parts.platformsAt;
+            SnapshotPlatforms.read(copy, agents);
+            if ((parts.contents & HEIGHTS) != 0)
+            {
+                copy.position = parts.groundAt;
+                SnapshotGround.read(copy, terrain);
+            }
+            return parts.touches;
+        }
+
+        // Puts the agents back: their traits, if these are in the snapshot, and their places in the last frame. If that fails, the agents have the
+        // traits that they had before.
+        private function restoreAgents(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, parts:SnapshotParts):void
+        {
+            var namesBefore:SnapshotNames = new SnapshotNames();
+            var before:ByteArray = newBytes();
+            try
+            {
+                if ((parts.contents & TRAITS) != 0)
+                {
+                    SnapshotTraits.write(before, agents, namesBefore);
+                    readTraits(bytes, agents, parts);
+                }
+                bytes.position = parts.placesAt;
+                SnapshotPlaces.restore(bytes, agents, search.table);
+                search.forgetSearch();
+            }
+            catch (error:Error)
+            {
+                if (before.length > 0)
+                {
+                    before.position = 0;
+                    SnapshotTraits.read(before, agents, namesBefore);
+                }
+                throw error;
+            }
+        }
+
+        private static function readTraits(bytes:ByteArray, agents:Vector.<Agent>, parts:SnapshotParts):void
+        {
+            bytes.position = parts.traitsAt;
+            try
+            {
+                SnapshotTraits.read(bytes, agents, parts.names);
+            }
+            catch (error:Error)
+            {
+                check(false);
+            }
+            check(bytes.position == bytes.length);
+        }
+
+        private function writePairs(bytes:ByteArray, names:SnapshotNames, tracker:TouchTracker, table:AgentTable, worldAgents:Vector.<Agent>):void
+        {
+            var touches:Vector.<Touch> = tracker.inOrder();
+            bytes.writeInt(touches.length);
+            for (var i:int = 0; i < touches.length; i++)
+            {
+                var pair:Touch = touches[i];
+                bytes.writeInt(table.list.ranks[table.list.rowOf(pair.first)]);
+                bytes.writeInt(Breeds.isReserved(pair.secondBreed) ? table.list.count + enterWorldAgent(pair, worldAgents) : table.list.ranks[table.list.rowOf(pair.second)]);
+                bytes.writeInt(names.ofBreed(pair.firstBreed));
+                bytes.writeInt(names.ofBreed(pair.secondBreed));
+                bytes.writeBoolean(pair.isBothWays);
+            }
+        }
+
+        // Finds the index of the ground or the edges of a pair after those of the agents. If they were exchanged, it keeps their agent for restore().
+        // The reserved breeds have the first numbers, and the ground's breed is the first of them.
+        private function enterWorldAgent(pair:Touch, worldAgents:Vector.<Agent>):int
+        {
+            var index:int = pair.secondBreed;
+            if (pair.second !== worldAgents[index])
+            {
+                _former[index] = pair.second;
+                index += worldAgents.length;
+            }
+            return index;
+        }
+
+        // Checks all parts but the traits, finds where they begin, and reads the touching pairs. The last argument receives what it has found.
+        private function checkAll(bytes:ByteArray, agents:Vector.<Agent>, terrain:Terrain, worldAgents:Vector.<Agent>, parts:SnapshotParts):void
+        {
+            var contents:int = parts.contents = bytes.readUnsignedByte();
+            check(contents <= (TRAITS | GROUND | HEIGHTS) && (contents & (GROUND | HEIGHTS)) != HEIGHTS);
+            var count:uint = bytes.readUnsignedInt();
+            check(count <= bytes.bytesAvailable / BYTES_PER_AGENT);
+            var countedAt:uint = bytes.position;
+            _register.check(bytes, count, agents);
+            bytes.position = countedAt;
+            parts.names.read(bytes);
+            parts.placesAt = bytes.position;
+            for (var i:int = 0; i < count; i++)
+            {
+                check(bytes.readUnsignedByte() <= 1 && isInWorld(bytes.readDouble(), bytes.readDouble(), bytes.readDouble()));
+            }
+            readPairs(bytes, agents.concat(worldAgents, _former), count, parts);
+            parts.platformsAt = bytes.position;
+            check(SnapshotPlatforms.areValid(bytes, count));
+            var hasGround:Boolean = (contents & GROUND) != 0;
+            if (hasGround != (terrain != null))
+            {
+                var which:String = hasGround ? "without" : "with";
+                throw new ArgumentError("bytes are no snapshot of a Collision " + which + " ground");
+            }
+            if ((contents & HEIGHTS) != 0)
+            {
+                parts.groundAt = bytes.position;
+                check(SnapshotGround.areValid(bytes, terrain));
+            }
+            parts.traitsAt = bytes.position;
+            check((contents & TRAITS) != 0 || parts.traitsAt == bytes.length);
+        }
+
+        private static function readPairs(bytes:ByteArray, agents:Vector.<Agent>, count:int, parts:SnapshotParts):void
+        {
+            var pairs:uint = bytes.readUnsignedInt();
+            for (var left:uint = pairs; left > 0; left--)
+            {
+                var first:uint = bytes.readUnsignedInt();
+                var second:uint = bytes.readUnsignedInt();
+                var firstBreed:int = Breeds.numberOf(parts.names.nameAt(bytes.readUnsignedInt()));
+                var secondBreed:int = Breeds.numberOf(parts.names.nameAt(bytes.readUnsignedInt()));
+                var flag:int = bytes.readUnsignedByte();
+                check(first < count && second < agents.length && first != second && flag <= 1);
+                if (agents[second] == null)
+                {
+                    var missing:String = second == count ? "ground" : "bounds";
+                    throw new ArgumentError("bytes are no snapshot of a Collision without " + missing);
+                }
+                parts.touches.touchOrStart(pairs - left, agents[first], agents[second], firstBreed, secondBreed, flag == 1);
+            }
+            // each pair is there once
+            check(parts.touches.count == pairs);
+        }
+
+        private static function check(isSnapshot:Boolean):void
+        {
+            if (!isSnapshot)
+            {
+                throw new ArgumentError("bytes are no snapshot any more: they begin as one, but something in them was changed or cut off");
+            }
+        }
+
+        private static function newBytes():ByteArray
+        {
+            var bytes:ByteArray = new ByteArray();
+            bytes.endian = Endian.LITTLE_ENDIAN;
+            return bytes;
+        }
+    }
+}

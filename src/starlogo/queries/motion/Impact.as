@@ -1,0 +1,33 @@
+package starlogo.queries.motion
+{
+    import starlogo.convex.ContactPoint;
+
+    /**
+     * What the core of a body meets first on a motion. CoreSweep writes it.
+     *
+     * @private
+     */
+    public final class Impact
+    {
+        /** The row that is met; -1 if none is. */
+        public var row:int = -1;
+
+        /** When the core meets it, as a part of the motion; Infinity if it meets none. */
+        public var time:Number = Infinity;
+
+        /** When the whole body touches it. It is NaN until that is known. */
+        public var touchTime:Number = NaN;
+
+        /** The contact of the core at <code>time</code>. Its normal always points against the motion. */
+        public var contact:ContactPoint = new ContactPoint();
+
+        /** How far the motion goes along the contact's normal, less than 0. */
+        public var along:Number = 0;
+
+        /** Whether no contact showed what is met, so that the normal is just the opposite of the motion. */
+        public var isNormalFallback:Boolean = false;
+
+        /** A row that the whole body touches nowhere on the motion; -1 if none is known. */
+        public var clearRow:int = -1;
+    }
+}

@@ -1,0 +1,37 @@
+package starlogo.queries.motion
+{
+    import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
+
+    /**
+     * How a straight motion of a body ends. Mover writes it.
+     *
+     * @private
+     */
+    public final class MotionResult
+    {
+        /** The place of the body at the end. */
+        public var place:Vector3D = new Vector3D();
+
+        /** The free part of the motion, from 0 to 1. */
+        public var fraction:Number = 1;
+
+        /** The row that stops it; -1 for none. */
+        public var row:int = -1;
+
+        /** The contact with that row. */
+        public var contact:ContactPoint = new ContactPoint();
+
+        /** How far the whole motion goes along the contact's normal, less than 0, if the fraction is not 0. */
+        public var along:Number = 0;
+
+        /** Where the core of the body touches that row, if the fraction is not 0. */
+        public var corePlace:Vector3D = new Vector3D();
+
+        /** Whether it began deep in another row. */
+        public var isDeep:Boolean = false;
+
+        /** Whether it began with a lift out of a row. */
+        public var isLifted:Boolean = false;
+    }
+}

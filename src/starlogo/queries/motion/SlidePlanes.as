@@ -1,0 +1,212 @@
+package starlogo.queries.motion
+{
+    import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
+    import starlogo.geometry.HalfSpaceSolver;
+    import starlogo.geometry.ShortestExit;
+
+    /**
+     * Keeps the rest of a motion, and the planes of the contacts that it has met. It projects the motion on these planes (Fauerby, "Improved
+     * collision detection and response", 2003, which keeps two planes; here all are kept that the mover does not remove).
+     *
+     * @private
+     */
+    public final class SlidePlanes
+    {
+        /** A motion runs along a plane if the sine of the angle between them is at most this. */
+        public static const PARALLEL_SINE:Number = 1e-12;
+
+        // STUCK: a motion shorter than this fraction of the whole counts as none. SAME: two planes are the same if the cosine of the angle
+        // between them is greater than this.
+        private static const STUCK:Number = 1e-10;
+        private static const SAME:Number = 1 - 1e-14;
+
+        // A slope may be less steep than a fall needs by this fraction, because its normal has rounding errors.
+        private static const STEEPNESS_ROUNDING:Number = 1e-6;
+
+        /** The rest of the motion. */
+        public var motion:Vector3D = new Vector3D();
+
+        /** The length of the rest. It and <code>gone</code> are fields because V8 makes an object for each Number that is returned. */
+        public var length:Number = 0;
+
+        /** How far the motion has gone. */
+        public var gone:Number = 0;
+
+        /** The number of planes. */
+        public var count:int = 0;
+
+        /** The contacts that have the planes. */
+        public var planes:Vector.<ContactPoint> = new Vector.<ContactPoint>();
+
+        /** By plane: the row that it belongs to. */
+        public var rows:Vector.<int> = new Vector.<int>();
+
+        /** The index of the first plane of the current corner. */
+        public var corner:int = 0;
+
+        // How far the rest may go on the ground plane at most.
+        private var _maxHorizontal:Number = Infinity;
+
+        // How far a fall has to go down for each patch on the ground plane; less than 0 for a motion that is no fall.
+        private var _fallSlope:Number = -1;
+
+        // The rest of the motion when the corner began, and the shortest displacement out of the planes from its end.
+        private var _cornerMotion:Vector3D = new Vector3D();
+        private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
+        private var _exit:ShortestExit = new ShortestExit();
+
+        /**
+         * Begins a motion, without planes.
+         *
+         * @param limits how it may go
+         */
+        public function begin(whole:Vector3D, limits:SlideLimits):void
+        {
+            _maxHorizontal = limits.maxHorizontal;
+            _fallSlope = limits.fallSlope;
+            _cornerMotion.copyFrom(whole);
+            motion.copyFrom(whole);
+            length = Math.sqrt(whole.x * whole.x + whole.y * whole.y + whole.z * whole.z);
+            gone = 0;
+            count = 0;
+            beginCorner();
+        }
+
+        /**
+         * Begins a corner. All planes that are added from now on belong to it. <code>project()</code> then projects the motion that
+         * is left now, or for a fall the whole motion.
+         */
+        public function beginCorner():void
+        {
+            corner = count;
+            if (_fallSlope < 0)
+            {
+                _cornerMotion.copyFrom(motion);
+            }
+        }
+
+        /** Moves a place by a part of the rest, from 0 to 1, and takes this part off the rest. */
+        public function advance(place:Vector3D, part:Number):void
+        {
+            gone += part * length;
+            _maxHorizontal -= part * Math.sqrt(motion.x * motion.x + motion.y * motion.y);
+            place.x += part * motion.x;
+            place.y += part * motion.y;
+            place.z += part * motion.z;
+            motion.scaleBy(1 - part);
+            _cornerMotion.scaleBy(1 - part);
+            length *= 1 - part;
+        }
+
+        /**
+         * Adds the plane of a contact with a row. The motion must not cross it against its normal. If a plane with the same normal, except for
+         * rounding, is there already, it is replaced.
+         */
+        public function add(contact:ContactPoint, row:int):void
+        {
+            var same:int = 0;
+            while (same < count && !isSame(planes[same], contact))
+            {
+                same++;
+            }
+            if (same == planes.length)
+            {
+                planes.push(new ContactPoint());
+            }
+            planes[same].copyFrom(contact);
+            rows[same] = row;
+            count = Math.max(count, same + 1);
+        }
+
+        /** Makes the rest of the motion level. */
+        public function makeHorizontal():void
+        {
+            motion.z = _cornerMotion.z = 0;
+            length = motion.length;
+        }
+
+        /** Removes a plane. */
+        public function remove(at:int):void
+        {
+            count--;
+            planes[at].copyFrom(planes[count]);
+            rows[at] = rows[count];
+        }
+
+        /** The index of the plane that the motion crosses at the steepest angle; -1 if it crosses none. */
+        public function findCrossed():int
+        {
+            var crossed:int = -1;
+            var least:Number = -PARALLEL_SINE * length;
+            for (var i:int = 0; i < count; i++)
+            {
+                var along:Number = planes[i].along(motion);
+                if (along < least)
+                {
+                    least = along;
+                    crossed = i;
+                }
+            }
+            return crossed;
+        }
+
+        /**
+         * Projects the motion on the planes that it crosses. It takes the motion as it was when the corner began, and finds the nearest motion
+         * that crosses no plane.
+         *
+         * @param without the index of a plane that does not count; -1 for none
+         * @return whether any motion is left
+         */
+        public function project(without:int = -1):Boolean
+        {
+            _halfSpaces.begin();
+            for (var i:int = 0; i < count; i++)
+            {
+                if (i != without)
+                {
+                    _halfSpaces.add(planes[i].normalX, planes[i].normalY, planes[i].normalZ, -planes[i].along(_cornerMotion));
+                }
+            }
+            var whole:Number = Math.sqrt(_cornerMotion.x * _cornerMotion.x + _cornerMotion.y * _cornerMotion.y + _cornerMotion.z * _cornerMotion.z);
+            length = 0;
+            motion.setTo(0, 0, 0);
+            // at a point of three planes no motion is left
+            if (_halfSpaces.solve(2, PARALLEL_SINE * whole, _exit))
+            {
+                motion.copyFrom(_cornerMotion);
+                motion.incrementBy(_exit.displacement);
+                length = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
+            }
+            if (!isSteepEnough())
+            {
+                return false;
+            }
+            shortenHorizontally();
+            return length > STUCK * whole;
+        }
+
+        private static function isSame(a:ContactPoint, b:ContactPoint):Boolean
+        {
+            return a.normalX * b.normalX + a.normalY * b.normalY + a.normalZ * b.normalZ > SAME;
+        }
+
+        // Whether a fall goes down steeply enough. Other motions always do.
+        private function isSteepEnough():Boolean
+        {
+            return !(_fallSlope >= 0 && -motion.z < _fallSlope * Math.sqrt(motion.x * motion.x + motion.y * motion.y) * (1 - STEEPNESS_ROUNDING));
+        }
+
+        // Shortens the motion to how far it may still go on the ground plane.
+        private function shortenHorizontally():void
+        {
+            var wide:Number = Math.sqrt(motion.x * motion.x + motion.y * motion.y);
+            if (wide > _maxHorizontal)
+            {
+                var share:Number = Math.max(0, _maxHorizontal / wide);
+                motion.scaleBy(share);
+                length *= share;
+            }
+        }
+    }
+}

@@ -1,0 +1,31 @@
+package starlogo.queries.motion
+{
+    import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
+
+    /**
+     * How a slide of a body ends. Mover writes it.
+     *
+     * @private
+     */
+    public final class SlideResult
+    {
+        /** The place of the body at the end. */
+        public var place:Vector3D = new Vector3D();
+
+        /** The length of the body's way as a part of the length of the motion, from 0 to 1. */
+        public var fraction:Number = 1;
+
+        /** Whether it met a wall: a surface that was too steep for it. */
+        public var metWall:Boolean = false;
+
+        /** The most level contact that it has met: the one with the greatest z of its normal. */
+        public var floor:ContactPoint = new ContactPoint();
+
+        /** The other row of that contact; -1 if it has met nothing. */
+        public var floorRow:int = -1;
+
+        /** A row that the body is known not to touch at the end; -1 if none is. */
+        public var clearRow:int = -1;
+    }
+}

@@ -1,0 +1,163 @@
+package starlogo.queries.rays
+{
+    import starlogo.intersection.ray.RayCrossings;
+    import starlogo.search.KeySort;
+
+    /**
+     * Puts the crossings of a ray with one shape into the order of the ray, and leaves out those that are no surface of their own.
+     * AgentQueries.castAll says the rules.
+     *
+     * @private
+     */
+    public final class CrossingOrder
+    {
+        /** The number of crossings that are left. */
+        public var count:int = 0;
+
+        /** The indices of these crossings. */
+        public var indices:Vector.<int> = new Vector.<int>();
+
+        private var _keys:Vector.<Number> = new Vector.<Number>();
+        private var _sides:Vector.<int> = new Vector.<int>();
+        private var _sort:KeySort = new KeySort();
+
+        /**
+         * Sorts crossings.
+         *
+         * @param crossings how a ray crosses a shape
+         * @param areTriangles whether triangles are crossed; otherwise structures or nodes, which the ray enters and leaves
+         */
+        public function arrange(crossings:RayCrossings, areTriangles:Boolean):void
+        {
+            for (var i:int = 0; i < crossings.count; i++)
+            {
+                indices[i] = i;
+                _keys[i] = crossings.places[i];
+                if (!areTriangles && crossings.sides[i] == RayCrossings.ENTERS)
+                {
+                    // nodes that touch up to rounding overlap
+                    _keys[i] -= crossings.slacks[i];
+                }
+            }
+            _sort.sort(indices, _keys, crossings.count);
+            count = 0;
+            if (areTriangles)
+            {
+                keepTriangles(crossings);
+            }
+            else
+            {
+                keepEnds(crossings);
+            }
+        }
+
+        // Keeps where the ray enters the first of parts that overlap, and where it leaves the last.
+        private function keepEnds(crossings:RayCrossings):void
+        {
+            var depth:int = 0;
+            var start:Number = NaN;
+            for (var i:int = 0; i < crossings.count; i++)
+            {
+                var index:int = indices[i];
+                var isKept:Boolean = true;
+                switch (crossings.sides[index])
+                {
+                    case RayCrossings.INSIDE:
+                        start = crossings.places[index];
+                        break;
+                    case RayCrossings.ENTERS:
+                        isKept = depth == 0 && crossings.places[index] != start;
+                        depth++;
+                        break;
+                    default:
+                        depth--;
+                        isKept = depth == 0;
+                        break;
+                }
+                if (isKept)
+                {
+                    keep(index);
+                }
+            }
+        }
+
+        // Keeps one of the triangles that the ray meets at the same place from the same side, and one of those that it runs along.
+        private function keepTriangles(crossings:RayCrossings):void
+        {
+            var runsUntil:Number = -Infinity;
+            var mostSlack:Number = 0;
+            for (var i:int = 0; i < crossings.count; i++)
+            {
+                var index:int = indices[i];
+                var side:int = crossings.sides[index];
+                if (side == RayCrossings.EDGE_ON)
+                {
+                    var runsOn:Boolean = crossings.places[index] <= runsUntil;
+                    runsUntil = Math.max(runsUntil, crossings.ends[index]);
+                    if (runsOn)
+                    {
+                        continue;
+                    }
+                }
+                if (!joinKept(crossings, index, side, mostSlack))
+                {
+                    _sides[count] = side;
+                    mostSlack = Math.max(mostSlack, crossings.slacks[index]);
+                    keep(index);
+                }
+            }
+        }
+
+        // Joins a crossing to a kept one of the same surface. Returns whether there is one. As in RayTriangleTest, a triangle that the ray runs along
+        // gives way to one that it crosses at the same place.
+        private function joinKept(crossings:RayCrossings, index:int, side:int, mostSlack:Number):Boolean
+        {
+            var place:Number = crossings.places[index];
+            var slack:Number = crossings.slacks[index];
+            for (var k:int = count - 1; k >= 0; k--)
+            {
+                var other:int = indices[k];
+                var gap:Number = place - crossings.places[other];
+                if (gap > slack + mostSlack)
+                {
+                    return false;
+                }
+                var isSame:Boolean = side == _sides[k] || side == RayCrossings.EDGE_ON || _sides[k] == RayCrossings.EDGE_ON;
+                if (isSame && gap <= slack + crossings.slacks[other] && _sides[k] != RayCrossings.INSIDE)
+                {
+                    if (_sides[k] == RayCrossings.EDGE_ON && side != RayCrossings.EDGE_ON)
+                    {
+                        _sides[k] = side;
+                        if (gap <= crossings.slacks[other])
+                        {
+                            replaceKept(crossings, k, index);
+                        }
+                    }
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        // Replaces a kept crossing by one that is a little farther away.
+        private function replaceKept(crossings:RayCrossings, kept:int, index:int):void
+        {
+            var side:int = _sides[kept];
+            while (kept + 1 < count && crossings.places[indices[kept + 1]] < crossings.places[index])
+            {
+                indices[kept] = indices[kept + 1];
+                _sides[kept] = _sides[kept + 1];
+                kept++;
+            }
+            indices[kept] = index;
+            _sides[kept] = side;
+        }
+
+        // The crossings that are kept take the first places of the list.
+        private function keep(index:int):void
+        {
+            indices[count] = index;
+            count++;
+        }
+    }
+}

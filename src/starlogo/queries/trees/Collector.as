@@ -1,0 +1,297 @@
+package starlogo.queries.trees
+{
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+    import starlogo.queries.AgentFilter;
+    import starlogo.queries.SeenAgents;
+    import starlogo.search.KeySort;
+
+    use namespace engine;
+
+    /**
+     * Collects the rows that answer a question: the rows with the smallest keys, as many as are wanted. A key is a distance, a squared distance
+     * or a time. Rows with the same key are in the order of the list. The limit is the largest key that still counts. It shrinks when enough
+     * rows are found, so the search visits less.
+     *
+     * <p>A search leaves out the rows that a filter excludes before it tests them. A filter's own function, <code>accepts</code>, is called
+     * for rows that pass all tests, in the order of their keys, and no oftener than the answer needs; but motions and casts of shapes call it for all
+     * rows near the way. It may ask questions itself. These have
+     * another Collector, of nested questions.</p>
+     *
+     * @private
+     */
+    public final class Collector
+    {
+        /** A value of <code>wanted</code>: all rows. */
+        public static const ALL:int = int.MAX_VALUE;
+
+        /** The rows that count. */
+        public var filter:RowFilter;
+
+        /** The rows that were found, unsorted. If <code>accepts</code> decides, the rows that it has admitted come first. */
+        public var rows:Vector.<int> = new Vector.<int>();
+
+        /** The key of each row. */
+        public var keys:Vector.<Number> = new Vector.<Number>();
+
+        /** The number of rows that were found. */
+        public var count:int = 0;
+
+        /** The largest key that still counts. It is less than 0 if no more rows are wanted. */
+        public var limit:Number = Infinity;
+
+        /** The number of rows that are wanted, or ALL. */
+        public var wanted:int = ALL;
+
+        private var _seen:SeenAgents;
+        private var _sort:KeySort = new KeySort();
+
+        // When this number of rows is found, the rows that are not wanted are dropped. If 1 row is wanted, it is 1: each row that is found replaces
+        // the last one.
+        private var _dropAt:int = ALL;
+
+        // The number of rows that accepts has admitted. They come first, in order.
+        private var _admitted:int = 0;
+
+        private var _isAsking:Boolean = false;
+
+        /** @param seen the agents that questions are about */
+        public function Collector(seen:SeenAgents)
+        {
+            _seen = seen;
+            filter = new RowFilter(seen);
+        }
+
+        /**
+         * Begins a search.
+         *
+         * @param wanted how many of the rows with the smallest keys are wanted, or ALL
+         * @param limit the largest key
+         * @param asker the agent that asks, which does not count; or null
+         * @param agents the agents that count; null for all
+         */
+        public function begin(wanted:int, limit:Number, asker:Agent, agents:AgentFilter):void
+        {
+            filter.begin(asker, agents);
+            this.wanted = wanted;
+            this.limit = wanted == 0 ? -1 : limit;
+            _dropAt = wanted == 1 ? 1 : 2 * wanted;
+            if (filter.accepts != null || wanted > ALL / 2)
+            {
+                _dropAt = ALL;
+            }
+            count = _admitted = 0;
+        }
+
+        /** Whether a filter's <code>accepts</code> is being called. Then this must not begin another search. */
+        public function get isAsking():Boolean
+        {
+            return _isAsking;
+        }
+
+        /** Whether the search can end, because one row is wanted, which may be any, and is found. */
+        public function get canEnd():Boolean
+        {
+            return _dropAt == 1 && count > 0;
+        }
+
+        /** Asks a filter about one row, as a search of its own. Returns whether the row counts. */
+        public function askFilter(row:int, asker:Agent, agents:AgentFilter):Boolean
+        {
+            begin(1, 0, asker, agents);
+            if (filter.admits(row))
+            {
+                add(row, 0);
+            }
+            return end() > 0;
+        }
+
+        /** The next row of a search that counts and has a shape, or -1. Without a ground, the ground's row has none. */
+        public function nextOf(search:SweptBoxSearch):int
+        {
+            var row:int = search.next(filter.breeds, limit);
+            while (row >= 0)
+            {
+                if (row != filter.askerRow && _seen.table.shapes[row] != null)
+                {
+                    if (filter.admits(row))
+                    {
+                        return row;
+                    }
+                    search.passOver();
+                }
+                row = search.next(filter.breeds, limit);
+            }
+            return -1;
+        }
+
+        /**
+         * Takes a row that counts. This may lower the limit.
+         *
+         * @return false if only one row is wanted, and an earlier one is kept
+         */
+        public function add(row:int, key:Number):Boolean
+        {
+            if (_dropAt == 1)
+            {
+                return replace(row, key);
+            }
+            rows[count] = row;
+            keys[count] = key;
+            count++;
+            if (count == _dropAt)
+            {
+                sort();
+            }
+            return true;
+        }
+
+        // Takes a row in place of the last one if it comes before it.
+        private function replace(row:int, key:Number):Boolean
+        {
+            if (count > 0 && (key > keys[0] || (key == keys[0] && _seen.table.list.ranks[row] > _seen.table.list.ranks[rows[0]])))
+            {
+                return false;
+            }
+            rows[0] = row;
+            keys[0] = key;
+            count = 1;
+            limit = key;
+            return true;
+        }
+
+        // Sorts the rows, and keeps those that are wanted.
+        private function sort():void
+        {
+            _sort.sort(rows, keys, count, _seen.table.list.ranks);
+            if (count > wanted)
+            {
+                count = wanted;
+                limit = keys[int(wanted - 1)];
+            }
+        }
+
+        /**
+         * Calls <code>accepts</code> for the rows whose keys are smaller than a number, in the order of the keys, until enough are admitted. Rows
+         * that are found later must have no smaller keys.
+         */
+        public function ask(beyond:Number):void
+        {
+            var end:int = beyond < Infinity ? bringForward(beyond) : count;
+            if (end == _admitted)
+            {
+                return;
+            }
+            _sort.sort(rows, keys, end, _seen.table.list.ranks);
+            var decide:Function = filter.accepts;
+            _seen.lock();
+            _isAsking = true;
+            try
+            {
+                for (var i:int = _admitted; i < end && _admitted < wanted; i++)
+                {
+                    if (decide(agentAt(i)))
+                    {
+                        move(i, _admitted);
+                        _admitted++;
+                    }
+                }
+            }
+            finally
+            {
+                _isAsking = false;
+                _seen.unlock();
+            }
+            if (_admitted == wanted)
+            {
+                limit = -1;
+            }
+            var kept:int = _admitted;
+            for (i = end; i < count; i++)
+            {
+                move(i, kept);
+                kept++;
+            }
+            count = kept;
+        }
+
+        /** Ends the search. Returns how many rows are in the answer. */
+        public function end():int
+        {
+            if (filter.accepts != null)
+            {
+                ask(Infinity);
+            }
+            return count;
+        }
+
+        /** The agent of a row of the answer. */
+        public function agentAt(index:int):Agent
+        {
+            return _seen.table.list.agents[rows[index]];
+        }
+
+        /** Ends the search. Returns the agent of the first row of the answer, or null. */
+        public function firstAgent():Agent
+        {
+            return end() == 0 ? null : agentAt(0);
+        }
+
+        /** Ends the search, and sorts the rows of the answer. Returns how many they are. */
+        public function endSorted():int
+        {
+            if (filter.accepts == null)
+            {
+                sort();
+            }
+            return end();
+        }
+
+        /**
+         * Ends the search, and lists the agents of the answer in their order.
+         *
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
+         */
+        public function list(out:Vector.<Agent>):Vector.<Agent>
+        {
+            var listed:Vector.<Agent> = out || new Vector.<Agent>();
+            var length:int = endSorted();
+            // one element at a time, because V8 frees an array's memory if its length is set to less
+            while (listed.length > length)
+            {
+                listed.pop();
+            }
+            for (var i:int = 0; i < length; i++)
+            {
+                listed[i] = agentAt(i);
+            }
+            return listed;
+        }
+
+        // Brings the rows whose keys are smaller than a number to the front, behind the admitted ones. Returns where they end.
+        private function bringForward(beyond:Number):int
+        {
+            var end:int = _admitted;
+            for (var i:int = end; i < count; i++)
+            {
+                var key:Number = keys[i];
+                if (key < beyond)
+                {
+                    var row:int = rows[i];
+                    move(end, i);
+                    rows[end] = row;
+                    keys[end] = key;
+                    end++;
+                }
+            }
+            return end;
+        }
+
+        private function move(from:int, to:int):void
+        {
+            rows[to] = rows[from];
+            keys[to] = keys[from];
+        }
+    }
+}

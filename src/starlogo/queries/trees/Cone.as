@@ -1,0 +1,59 @@
+package starlogo.queries.trees
+{
+    import starlogo.broadphase.Points;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Trigonometry;
+
+    /**
+     * Tests whether places are in a cone. The cone's axis is the x axis of a placement. Places at the cone's tip are in the cone.
+     *
+     * @private
+     */
+    public final class Cone
+    {
+        private var _placement:Placement;
+
+        // The angle between the axis and the border, in degrees below 180, with its sine and cosine.
+        private var _angle:Number = 0;
+        private var _sine:Number = 0;
+        private var _cosine:Number = 1;
+
+        /**
+         * Sets the cone.
+         *
+         * @param placement the place and the rotation of the cone
+         * @param angle the angle between the axis and the border, in degrees below 180
+         * @return this cone
+         */
+        public function setTo(placement:Placement, angle:Number):Cone
+        {
+            _placement = placement;
+            if (angle != _angle)
+            {
+                _angle = angle;
+                _sine = Trigonometry.sine(angle);
+                _cosine = Trigonometry.cosine(angle);
+            }
+            return this;
+        }
+
+        /** Whether a place of a list is in the cone. */
+        public function contains(places:Points, at:int):Boolean
+        {
+            var axisX:Number = _placement.r00;
+            var axisY:Number = _placement.r10;
+            var axisZ:Number = _placement.r20;
+            var toX:Number = places.x[at] - _placement.x;
+            var toY:Number = places.y[at] - _placement.y;
+            var toZ:Number = places.z[at] - _placement.z;
+            var acrossX:Number = axisY * toZ - axisZ * toY;
+            var acrossY:Number = axisZ * toX - axisX * toZ;
+            var acrossZ:Number = axisX * toY - axisY * toX;
+            var across:Number = Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ);
+            var along:Number = axisX * toX + axisY * toY + axisZ * toZ;
+            // the left side is the sine of the angle beyond the border. It is 0 half a turn away too, so the last condition excludes rows there
+            return across * _cosine - along * _sine <= Tolerances.CONE * (across + Math.abs(along)) && (along >= 0 || _angle >= 45);
+        }
+    }
+}

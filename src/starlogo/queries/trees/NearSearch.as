@@ -1,0 +1,320 @@
+package starlogo.queries.trees
+{
+    import starlogo.broadphase.Points;
+
+    /**
+     * Finds or counts the rows of a tree of places that are near a place. To find rows, it goes down the tree, at each node to the nearer child
+     * first. If a filter's <code>accepts</code> decides, it visits the nearest of all nodes first.
+     *
+     * <p>It compares squared distances, always computed as (x x + y y) + z z. In this order rounding never makes the distance to a box larger
+     * than the distance to a place in the box.</p>
+     *
+     * @private
+     */
+    public final class NearSearch
+    {
+        private var _tree:RowTree;
+        private var _found:Collector;
+
+        // The place.
+        private var _x:Number = 0;
+        private var _y:Number = 0;
+        private var _z:Number = 0;
+
+        // The nodes that wait for a visit, and their squared distances.
+        private var _nodes:Vector.<int> = new Vector.<int>();
+        private var _squares:Vector.<Number> = new Vector.<Number>();
+
+        /**
+         * Finds the rows near a place.
+         *
+         * @param tree a tree of places
+         * @param x the place
+         * @param y the place
+         * @param z the place
+         * @param found says which rows are wanted, and collects them unsorted
+         * @param cone the rows must be in it too; null for none
+         */
+        public function find(tree:RowTree, x:Number, y:Number, z:Number, found:Collector, cone:Cone = null):void
+        {
+            setTo(tree, x, y, z, found);
+            var nodes:Vector.<int> = _nodes;
+            var squares:Vector.<Number> = _squares;
+            var firstLeaf:int = tree.firstLeaf;
+            var asks:Boolean = found.filter.accepts != null && found.wanted < Collector.ALL;
+            var waiting:int = begin();
+            while (waiting > 0)
+            {
+                waiting--;
+                if (asks)
+                {
+                    askBefore(waiting);
+                    if (found.limit < 0)
+                    {
+                        return;
+                    }
+                }
+                var node:int = nodes[waiting];
+                if (squares[waiting] > found.limit)
+                {
+                    continue;
+                }
+                if (node < firstLeaf)
+                {
+                    waiting = open(node << 1, waiting);
+                }
+                else
+                {
+                    visit(tree.starts[int(node - firstLeaf)], tree.starts[int(node + 1 - firstLeaf)], cone);
+                }
+            }
+        }
+
+        /**
+         * Counts the rows near a place, without the one that asks. If all rows count, a node that is wholly within the limit is counted without a
+         * look at its rows.
+         *
+         * @param tree a tree of places
+         * @param x the place
+         * @param y the place
+         * @param z the place
+         * @param found says which rows count, and collects none. The filter's accepts is not asked
+         */
+        public function count(tree:RowTree, x:Number, y:Number, z:Number, found:Collector):int
+        {
+            setTo(tree, x, y, z, found);
+            var filter:RowFilter = found.filter;
+            var counted:int = 0;
+            var waiting:int = tree.count > 0 ? measure(1, 0) : 0;
+            while (waiting > 0)
+            {
+                waiting--;
+                var node:int = _nodes[waiting];
+                if (!filter.excludes && isWithin(node))
+                {
+                    counted += tree.countIn(node);
+                }
+                else if (node < tree.firstLeaf)
+                {
+                    waiting = measure((node << 1) + 1, measure(node << 1, waiting));
+                }
+                else
+                {
+                    counted += countLeaf(node - tree.firstLeaf);
+                }
+            }
+            // the agent that asks was counted too
+            return filter.askerRow >= 0 && filter.admits(filter.askerRow) && tree.squareTo(filter.askerRow, x, y, z) <= found.limit ? counted - 1 : counted;
+        }
+
+        private function setTo(tree:RowTree, x:Number, y:Number, z:Number, found:Collector):void
+        {
+            _tree = tree;
+            _found = found;
+            _x = x;
+            _y = y;
+            _z = z;
+        }
+
+        // Whether the whole box of a node is within the limit.
+        private function isWithin(node:int):Boolean
+        {
+            var boxes:Vector.<Number> = _tree.nodeBoxes;
+            var box:int = RowTree.PER_BOX * node;
+            var toX:Number = Math.max(_x - boxes[box], boxes[int(box + 3)] - _x);
+            var toY:Number = Math.max(_y - boxes[int(box + 1)], boxes[int(box + 4)] - _y);
+            var toZ:Number = Math.max(_z - boxes[int(box + 2)], boxes[int(box + 5)] - _z);
+            return toX * toX + toY * toY + toZ * toZ <= _found.limit;
+        }
+
+        private function countLeaf(leaf:int):int
+        {
+            var filter:RowFilter = _found.filter;
+            var xs:Vector.<Number> = _tree.middles.x;
+            var ys:Vector.<Number> = _tree.middles.y;
+            var zs:Vector.<Number> = _tree.middles.z;
+            var x:Number = _x;
+            var y:Number = _y;
+            var z:Number = _z;
+            var limit:Number = _found.limit;
+            var counted:int = 0;
+            var passedOver:int = 0;
+            var end:int = _tree.starts[int(leaf + 1)];
+            for (var slot:int = _tree.starts[leaf]; slot < end; slot++)
+            {
+                var toX:Number = xs[slot] - x;
+                var toY:Number = ys[slot] - y;
+                var toZ:Number = zs[slot] - z;
+                if (toX * toX + toY * toY + toZ * toZ > limit)
+                {
+                    continue;
+                }
+                if (filter.admits(_tree.rows[slot]))
+                {
+                    counted++;
+                }
+                else
+                {
+                    passedOver++;
+                }
+            }
+            _tree.breeds.passOver(passedOver);
+            return counted;
+        }
+
+        // Puts the first nodes on the waiting list. Returns how many nodes wait.
+        private function begin():int
+        {
+            if (_tree.count == 0)
+            {
+                return 0;
+            }
+            return _found.filter.askerRow < 0 ? measure(1, 0) : beginBeside(_tree.leafOf(_found.filter.askerRow));
+        }
+
+        // Makes a leaf the next node, because it probably has the nearest rows. After it come the nodes beside the path from the root to the
+        // leaf.
+        private function beginBeside(leaf:int):int
+        {
+            var up:int = 0;
+            while (leaf >> up > 1)
+            {
+                up++;
+            }
+            var waiting:int = 0;
+            while (up > 0)
+            {
+                up--;
+                waiting = measure(leaf >> up ^ 1, waiting);
+            }
+            _nodes[waiting] = leaf;
+            _squares[waiting] = 0;
+            return waiting + 1;
+        }
+
+        // Makes the nearest of the waiting nodes the last of them. If it is a leaf, this first asks for the rows that are nearer than the leaf.
+        private function askBefore(last:int):void
+        {
+            var nearest:int = last;
+            for (var i:int = 0; i < last; i++)
+            {
+                if (_squares[i] < _squares[nearest])
+                {
+                    nearest = i;
+                }
+            }
+            var node:int = _nodes[nearest];
+            var square:Number = _squares[nearest];
+            _nodes[nearest] = _nodes[last];
+            _squares[nearest] = _squares[last];
+            _nodes[last] = node;
+            _squares[last] = square;
+            if (node >= _tree.firstLeaf)
+            {
+                _found.ask(square);
+            }
+        }
+
+        // Puts a node and its sibling on the waiting list, with the nearer one to be visited next. Returns how many nodes wait.
+        private function open(node:int, first:int):int
+        {
+            var second:int = measure(node, first);
+            var waiting:int = measure(node + 1, second);
+            if (waiting == first + 2)
+            {
+                var square:Number = _squares[first];
+                if (square < _squares[second])
+                {
+                    _squares[first] = _squares[second];
+                    _squares[second] = square;
+                    _nodes[first] = node + 1;
+                    _nodes[second] = node;
+                }
+            }
+            return waiting;
+        }
+
+        // Puts a node on the waiting list if its box is within the limit. Returns how many nodes wait.
+        private function measure(node:int, waiting:int):int
+        {
+            var boxes:Vector.<Number> = _tree.nodeBoxes;
+            var box:int = RowTree.PER_BOX * node;
+            var toX:Number = boxes[box] - _x;
+            if (toX < 0)
+            {
+                toX = _x - boxes[int(box + 3)];
+                if (toX < 0)
+                {
+                    toX = 0;
+                }
+            }
+            var toY:Number = boxes[int(box + 1)] - _y;
+            if (toY < 0)
+            {
+                toY = _y - boxes[int(box + 4)];
+                if (toY < 0)
+                {
+                    toY = 0;
+                }
+            }
+            var toZ:Number = boxes[int(box + 2)] - _z;
+            if (toZ < 0)
+            {
+                toZ = _z - boxes[int(box + 5)];
+                if (toZ < 0)
+                {
+                    toZ = 0;
+                }
+            }
+            var square:Number = toX * toX + toY * toY + toZ * toZ;
+            if (square > _found.limit || !_tree.breeds.mayHave(node, _found.filter.breeds))
+            {
+                return waiting;
+            }
+            _nodes[waiting] = node;
+            _squares[waiting] = square;
+            return waiting + 1;
+        }
+
+        // Gives the collector the rows of a leaf that are within the limit.
+        private function visit(start:int, end:int, cone:Cone):void
+        {
+            var found:Collector = _found;
+            var filter:RowFilter = found.filter;
+            var places:Points = _tree.middles;
+            var xs:Vector.<Number> = places.x;
+            var ys:Vector.<Number> = places.y;
+            var zs:Vector.<Number> = places.z;
+            var atX:Number = _x;
+            var atY:Number = _y;
+            var atZ:Number = _z;
+            var passedOver:int = 0;
+            for (var slot:int = start; slot < end; slot++)
+            {
+                var toX:Number = xs[slot] - atX;
+                var toY:Number = ys[slot] - atY;
+                var toZ:Number = zs[slot] - atZ;
+                var square:Number = toX * toX + toY * toY + toZ * toZ;
+                if (square > found.limit)
+                {
+                    continue;
+                }
+                var row:int = _tree.rows[slot];
+                if (row == filter.askerRow)
+                {
+                    continue;
+                }
+                if (!filter.admits(row))
+                {
+                    passedOver++;
+                    continue;
+                }
+                if (cone == null || cone.contains(places, slot))
+                {
+                    found.add(row, square);
+                }
+            }
+            _tree.breeds.passOver(passedOver);
+        }
+    }
+}

@@ -1,0 +1,127 @@
+package starlogo.queries.trees
+{
+    import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
+    import starlogo.engine;
+    import starlogo.queries.AgentFilter;
+    import starlogo.queries.SeenAgents;
+
+    use namespace engine;
+
+    /**
+     * The rows that count in a question: those of the agents that an AgentFilter admits, without the agent that asks. The filter is asked
+     * about each breed once a question, when a row of the breed is met. Its <code>accepts</code> is asked last, by the Collector.
+     *
+     * @private
+     */
+    public final class RowFilter
+    {
+        /** The filter's <code>accepts</code>; null if there is none. */
+        public var accepts:Function = null;
+
+        /** Whether breeds or agents are excluded. If not, <code>admits()</code> is true for all rows. */
+        public var excludes:Boolean = false;
+
+        /** The breeds that may count, a set of NodeBreeds. */
+        public var breeds:int = NodeBreeds.ALL;
+
+        /** The row of the agent that asks, which does not count; or -1. */
+        public var askerRow:int = -1;
+
+        private var _seen:SeenAgents;
+        private var _filter:AgentFilter;
+
+        // The number of the question, from 1 on. By row: the last question that excepted it. By the number of a breed: the last question that met
+        // it, less than 0 if the breed did not count.
+        private var _question:int = 0;
+        private var _exceptMarks:Vector.<int> = new Vector.<int>();
+        private var _breedMarks:Vector.<int> = new Vector.<int>();
+
+        /** @param seen the agents that questions are about */
+        public function RowFilter(seen:SeenAgents)
+        {
+            _seen = seen;
+        }
+
+        /**
+         * Begins a question.
+         *
+         * @param asker the agent that asks; or null
+         * @param filter the agents that count; null for all
+         */
+        public function begin(asker:Agent, filter:AgentFilter):void
+        {
+            askerRow = asker == null ? -1 : _seen.table.list.rowOf(asker);
+            _filter = filter;
+            excludes = false;
+            breeds = NodeBreeds.ALL;
+            accepts = null;
+            if (filter == null)
+            {
+                return;
+            }
+            accepts = filter.accepts;
+            _question = _question == int.MAX_VALUE ? forget() : _question + 1;
+            excludes = filter.breeds != null || filter.exceptBreeds != null;
+            if (filter.breeds != null)
+            {
+                breeds = NodeBreeds.setOfNames(filter.breeds);
+            }
+            else if (filter.exceptBreeds != null)
+            {
+                // the set may bring new names, with which sets are exact no longer
+                var excluded:int = NodeBreeds.setOfNames(filter.exceptBreeds);
+                breeds = NodeBreeds.areSetsExact ? ~excluded : NodeBreeds.ALL;
+            }
+            except(filter.except);
+        }
+
+        /** Whether a row's agent counts, if it is not the one that asks. The filter's <code>accepts</code> is not asked. */
+        public function admits(row:int):Boolean
+        {
+            return !excludes || (_exceptMarks[row] != _question && admitsBreedOf(_seen.table.list.agents[row]));
+        }
+
+        private function admitsBreedOf(agent:Agent):Boolean
+        {
+            var breed:int = agent.breedNumber;
+            if (breed >= _breedMarks.length)
+            {
+                _breedMarks.length = Breeds.count;
+            }
+            var known:int = _breedMarks[breed];
+            if (known == _question || known == -_question)
+            {
+                return known > 0;
+            }
+            var counts:Boolean = _filter.admitsBreed(agent.breed);
+            _breedMarks[breed] = counts ? _question : -_question;
+            return counts;
+        }
+
+        // Marks the rows of agents that do not count.
+        private function except(agents:Vector.<Agent>):void
+        {
+            if (_exceptMarks.length < _seen.table.list.agents.length)
+            {
+                _exceptMarks.length = _seen.table.list.agents.length;
+            }
+            for (var i:int = 0; agents != null && i < agents.length; i++)
+            {
+                var row:int = agents[i] == null ? -1 : _seen.table.list.rowOf(agents[i]);
+                if (row >= 0)
+                {
+                    excludes = true;
+                    _exceptMarks[row] = _question;
+                }
+            }
+        }
+
+        // Forgets all marks. Returns the number of the first question.
+        private function forget():int
+        {
+            _exceptMarks.length = _breedMarks.length = 0;
+            return 1;
+        }
+    }
+}

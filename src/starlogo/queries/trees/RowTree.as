@@ -1,0 +1,412 @@
+package starlogo.queries.trees
+{
+    import starlogo.broadphase.Extents;
+    import starlogo.broadphase.Points;
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * A balanced tree of boxes around rows of a table. NearSearch and SweptBoxSearch find rows in it without a test of
+     * every row (Bentley, "Multidimensional Binary Search Trees", 1975). In addition, each node has a box around its rows. A place is a box without size.
+     *
+     * <p>The nodes are numbered as in a heap: the root is node 1, and the children of node i are nodes 2 i and 2 i + 1. All leaves are on one
+     * level, and the nodes of each level have equal parts of the rows. So the tree has to store nothing but the boxes. The rows stand in slots,
+     * in the order of the leaves.</p>
+     *
+     * @private
+     */
+    public final class RowTree
+    {
+        /** How many numbers a box takes: its least x, y, z, then its greatest x, y, z. */
+        public static const PER_BOX:int = 6;
+
+        /** The most rows that a leaf can have. */
+        private static const LEAF_SIZE:int = 24;
+
+        // After this many moves per row the tree has to be built again, because its boxes have grown too much.
+        private static const MOVES:Number = 0.5;
+
+        /** The number of rows. */
+        public var count:int = 0;
+
+        /** The node number of the first leaf. The number of leaves is the same. */
+        public var firstLeaf:int = 1;
+
+        /** By leaf, from 0 on: the slot where the leaf's rows begin. One more entry is the end of the last leaf. */
+        public var starts:Vector.<int> = new Vector.<int>();
+
+        /** By slot: the row. */
+        public var rows:Vector.<int> = new Vector.<int>();
+
+        /** By slot: the middle of the row's box. */
+        public var middles:Points = new Points();
+
+        /** By slot: the row's box, widened by a slack that is larger than its rounding errors. A tree of places reads them only when a row moves. */
+        public var rowBoxes:Vector.<Number> = new Vector.<Number>();
+
+        /** By node: a box around the boxes of the node's rows. */
+        public var nodeBoxes:Vector.<Number> = new Vector.<Number>();
+
+        /** Which breeds the nodes have. */
+        public var breeds:NodeBreeds = new NodeBreeds();
+
+        // How many rows may still move. If it is less than 0, the tree is stale.
+        private var _movesLeft:int = -1;
+
+        // By row: its slot.
+        private var _slots:Vector.<int> = new Vector.<int>();
+
+        // The columns given to build(), by row: the middle of the row's box, and half of its lengths, or null for places.
+        private var _points:Points;
+        private var _sizes:Extents;
+
+        /**
+         * Builds the tree again. It keeps the columns, because <code>move()</code> reads them later.
+         *
+         * @param rows the rows that the tree has
+         * @param count how many of them count
+         * @param points by row: the middle of its box. Unless they are Extents, the rows are places
+         */
+        public function build(rows:Vector.<int>, count:int, points:Points):void
+        {
+            _movesLeft = MOVES * count;
+            breeds.forget();
+            this.count = count;
+            _points = points;
+            _sizes = points as Extents;
+            firstLeaf = 1;
+            while (firstLeaf * LEAF_SIZE < count)
+            {
+                firstLeaf *= 2;
+            }
+            grow(points.x.length);
+            for (var slot:int = 0; slot < count; slot++)
+            {
+                var row:int = rows[slot];
+                this.rows[slot] = row;
+                takeMiddle(slot, row);
+            }
+            for (var leaf:int = 0; leaf <= firstLeaf; leaf++)
+            {
+                starts[leaf] = leaf * count / firstLeaf;
+            }
+            divideAll();
+            boundAll();
+        }
+
+        /** Whether the tree must be built again before the next search. */
+        public function get isStale():Boolean
+        {
+            return _movesLeft < 0;
+        }
+
+        /** Makes the tree stale, because the rows have changed. */
+        public function clear():void
+        {
+            _movesLeft = -1;
+        }
+
+        /** The node number of the leaf that has a row. */
+        public function leafOf(row:int):int
+        {
+            return firstLeaf + int(((_slots[row] + 1) * firstLeaf - 1) / count);
+        }
+
+        /** The squared distance between a row's middle and a place. */
+        public function squareTo(row:int, x:Number, y:Number, z:Number):Number
+        {
+            var slot:int = _slots[row];
+            var toX:Number = middles.x[slot] - x;
+            var toY:Number = middles.y[slot] - y;
+            var toZ:Number = middles.z[slot] - z;
+            return toX * toX + toY * toY + toZ * toZ;
+        }
+
+        /** The number of rows in a node. */
+        public function countIn(node:int):int
+        {
+            var last:int = node;
+            while (node < firstLeaf)
+            {
+                node = node << 1;
+                last = (last << 1) + 1;
+            }
+            return starts[last + 1 - firstLeaf] - starts[node - firstLeaf];
+        }
+
+        /**
+         * Reads the box of one row again, unless the tree must be built again. The boxes around the row grow. So searches stay correct, but take more time
+         * than in a tree that was built again.
+         */
+        public function move(row:int):void
+        {
+            _movesLeft--;
+            if (_movesLeft < 0)
+            {
+                return;
+            }
+            var slot:int = _slots[row];
+            takeMiddle(slot, row);
+            boundRow(slot);
+            var node:int = leafOf(row);
+            // if a box does not grow, the boxes around it do not grow either
+            while (node > 0 && widen(PER_BOX * node, rowBoxes, PER_BOX * slot))
+            {
+                node >>= 1;
+            }
+        }
+
+        private function takeMiddle(slot:int, row:int):void
+        {
+            middles.x[slot] = _points.x[row];
+            middles.y[slot] = _points.y[row];
+            middles.z[slot] = _points.z[row];
+        }
+
+        private function grow(rowCount:int):void
+        {
+            if (_slots.length < rowCount)
+            {
+                _slots.length = rowCount;
+            }
+            if (rows.length < count)
+            {
+                rows.length = count;
+                middles.grow(count);
+                rowBoxes.length = PER_BOX * count;
+            }
+            if (starts.length <= firstLeaf)
+            {
+                starts.length = firstLeaf + 1;
+                nodeBoxes.length = 2 * firstLeaf * PER_BOX;
+            }
+        }
+
+        // Divides the rows of each node in two halves, along the longest side of the node's part of space. That part is stored for a while where
+        // the node's box will be written.
+        private function divideAll():void
+        {
+            boundMiddles(PER_BOX, 0, count);
+            var boxes:Vector.<Number> = nodeBoxes;
+            var width:int = 1;
+            for (var node:int = 1; node < firstLeaf; node++)
+            {
+                if (node == 2 * width)
+                {
+                    width = node;
+                }
+                var box:int = PER_BOX * node;
+                var axis:int = longestSide(box);
+                var keys:Vector.<Number> = axis == 0 ? middles.x : (axis == 1 ? middles.y : middles.z);
+                var nth:int = node - width;
+                var middle:int = (2 * nth + 1) * count / (2 * width);
+                select(keys, nth * count / width, (nth + 1) * count / width - 1, middle);
+                var child:int = 2 * box;
+                for (var i:int = 0; i < PER_BOX; i++)
+                {
+                    boxes[child + i] = boxes[child + PER_BOX + i] = boxes[box + i];
+                }
+                boxes[child + 3 + axis] = boxes[child + PER_BOX + axis] = keys[middle];
+            }
+        }
+
+        // Makes a node's box enclose the middles in some slots.
+        private function boundMiddles(box:int, first:int, end:int):void
+        {
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var keys:Vector.<Number> = axis == 0 ? middles.x : (axis == 1 ? middles.y : middles.z);
+                var least:Number = Infinity;
+                var greatest:Number = -Infinity;
+                for (var slot:int = first; slot < end; slot++)
+                {
+                    var key:Number = keys[slot];
+                    if (key < least)
+                    {
+                        least = key;
+                    }
+                    if (key > greatest)
+                    {
+                        greatest = key;
+                    }
+                }
+                nodeBoxes[box + axis] = least;
+                nodeBoxes[box + 3 + axis] = greatest;
+            }
+        }
+
+        private function longestSide(box:int):int
+        {
+            var alongX:Number = nodeBoxes[box + 3] - nodeBoxes[box];
+            var alongY:Number = nodeBoxes[box + 4] - nodeBoxes[box + 1];
+            var alongZ:Number = nodeBoxes[box + 5] - nodeBoxes[box + 2];
+            if (alongX >= alongY && alongX >= alongZ)
+            {
+                return 0;
+            }
+            return alongY >= alongZ ? 1 : 2;
+        }
+
+        // Sorts rows partly: the keys before the middle are not greater than the middle's key, the keys after it not smaller (Hoare, "Find",
+        // 1961).
+        private function select(keys:Vector.<Number>, first:int, last:int, middle:int):void
+        {
+            while (first < last)
+            {
+                var pivot:Number = medianOf(keys[first], keys[(first + last) >> 1], keys[last]);
+                var low:int = first;
+                var high:int = last;
+                while (low <= high)
+                {
+                    while (keys[low] < pivot)
+                    {
+                        low++;
+                    }
+                    while (keys[high] > pivot)
+                    {
+                        high--;
+                    }
+                    if (low <= high)
+                    {
+                        swap(low, high);
+                        low++;
+                        high--;
+                    }
+                }
+                if (middle <= high)
+                {
+                    last = high;
+                }
+                else if (middle >= low)
+                {
+                    first = low;
+                }
+                else
+                {
+                    return;
+                }
+            }
+        }
+
+        private static function medianOf(a:Number, b:Number, c:Number):Number
+        {
+            var least:Number = a < b ? a : b;
+            var greatest:Number = a < b ? b : a;
+            if (c < least)
+            {
+                return least;
+            }
+            return c < greatest ? c : greatest;
+        }
+
+        private function swap(a:int, b:int):void
+        {
+            var row:int = rows[a];
+            rows[a] = rows[b];
+            rows[b] = row;
+            var x:Vector.<Number> = middles.x;
+            var y:Vector.<Number> = middles.y;
+            var z:Vector.<Number> = middles.z;
+            var key:Number = x[a];
+            x[a] = x[b];
+            x[b] = key;
+            key = y[a];
+            y[a] = y[b];
+            y[b] = key;
+            key = z[a];
+            z[a] = z[b];
+            z[b] = key;
+        }
+
+        private function boundAll():void
+        {
+            for (var slot:int = 0; slot < count; slot++)
+            {
+                _slots[rows[slot]] = slot;
+            }
+            for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
+            {
+                var box:int = PER_BOX * node;
+                var leaf:int = node - firstLeaf;
+                if (leaf >= 0 && _sizes == null)
+                {
+                    boundMiddles(box, starts[leaf], starts[leaf + 1]);
+                    continue;
+                }
+                for (var side:int = 0; side < 3; side++)
+                {
+                    nodeBoxes[box + side] = Infinity;
+                    nodeBoxes[box + 3 + side] = -Infinity;
+                }
+                if (leaf < 0)
+                {
+                    widen(box, nodeBoxes, 2 * box);
+                    widen(box, nodeBoxes, 2 * box + PER_BOX);
+                    continue;
+                }
+                for (slot = starts[leaf]; slot < starts[leaf + 1]; slot++)
+                {
+                    boundRow(slot);
+                    widen(box, rowBoxes, PER_BOX * slot);
+                }
+            }
+        }
+
+        private function boundRow(slot:int):void
+        {
+            var x:Number = middles.x[slot];
+            var y:Number = middles.y[slot];
+            var z:Number = middles.z[slot];
+            var halfX:Number = 0;
+            var halfY:Number = 0;
+            var halfZ:Number = 0;
+            if (_sizes != null)
+            {
+                var row:int = rows[slot];
+                halfX = _sizes.halfX[row];
+                halfY = _sizes.halfY[row];
+                halfZ = _sizes.halfZ[row];
+                var slack:Number = slackOf(x, y, z, halfX, halfY, halfZ);
+                halfX += slack;
+                halfY += slack;
+                halfZ += slack;
+            }
+            var box:int = PER_BOX * slot;
+            rowBoxes[box] = x - halfX;
+            rowBoxes[int(box + 1)] = y - halfY;
+            rowBoxes[int(box + 2)] = z - halfZ;
+            rowBoxes[int(box + 3)] = x + halfX;
+            rowBoxes[int(box + 4)] = y + halfY;
+            rowBoxes[int(box + 5)] = z + halfZ;
+        }
+
+        /** The slack by which a box is widened. It is larger than the rounding errors of the box's middle and lengths. */
+        public static function slackOf(x:Number, y:Number, z:Number, halfX:Number, halfY:Number, halfZ:Number):Number
+        {
+            return Tolerances.EXTENTS * (halfX + halfY + halfZ)
+                + Tolerances.EXTENTS_GAPS * Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z));
+        }
+
+        // Makes a node's box contain another box. Returns whether it has grown.
+        private function widen(box:int, others:Vector.<Number>, other:int):Boolean
+        {
+            var boxes:Vector.<Number> = nodeBoxes;
+            var hasGrown:Boolean = false;
+            for (var side:int = 0; side < 3; side++)
+            {
+                var least:Number = others[int(other + side)];
+                if (least < boxes[int(box + side)])
+                {
+                    boxes[int(box + side)] = least;
+                    hasGrown = true;
+                }
+                var greatest:Number = others[int(other + 3 + side)];
+                if (greatest > boxes[int(box + 3 + side)])
+                {
+                    boxes[int(box + 3 + side)] = greatest;
+                    hasGrown = true;
+                }
+            }
+            return hasGrown;
+        }
+    }
+}

@@ -1,0 +1,301 @@
+package starlogo.queries.trees
+{
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+    import starlogo.search.Body;
+    import starlogo.search.ModelShape;
+    import starlogo.search.table.ListedAgents;
+
+    use namespace engine;
+
+    /**
+     * Finds the rows of a tree whose boxes a moving box meets. It returns one row at a time, roughly the nearest first. A ray is a moving box
+     * without size. A box that stands still has a motion without length.
+     *
+     * @private
+     */
+    public final class SweptBoxSearch
+    {
+        private var _tree:RowTree;
+
+        // How much of the motion is searched, as a multiple of its vector.
+        private var _limit:Number = 1;
+
+        private var _moves:Boolean = false;
+
+        // The way by axis, if the box moves; the box where the way begins; and the box around the whole way. The boxes are like those of a RowTree.
+        private var _along:Vector.<Number> = new Vector.<Number>(3, true);
+        private var _box:Vector.<Number> = new Vector.<Number>(RowTree.PER_BOX, true);
+        private var _around:Vector.<Number> = new Vector.<Number>(RowTree.PER_BOX, true);
+
+        // The nodes that wait for a visit, or 0 for the row of the ground, which every box meets; and where on the way the box meets them.
+        private var _nodes:Vector.<int> = new Vector.<int>();
+        private var _entries:Vector.<Number> = new Vector.<Number>();
+        private var _waiting:int = 0;
+
+        // Where on the way the box meets the box that was tested last.
+        private var _entry:Number = 0;
+
+        // The slots of the current leaf whose boxes overlap the box around the way; the next of them; and their number.
+        private var _slots:Vector.<int> = new Vector.<int>();
+        private var _next:int = 0;
+        private var _end:int = 0;
+
+        /**
+         * Begins with a box that stands still. Call <code>widen()</code> or <code>moveAlong()</code> afterwards if needed.
+         *
+         * @param tree has the rows
+         * @param x the box's middle
+         * @param y the box's middle
+         * @param z the box's middle
+         * @param halfX half of its length along x
+         * @param halfY half of its length along y
+         * @param halfZ half of its length along z
+         */
+        public function begin(tree:RowTree, x:Number, y:Number, z:Number, halfX:Number, halfY:Number, halfZ:Number):void
+        {
+            var slack:Number = RowTree.slackOf(x, y, z, halfX, halfY, halfZ);
+            _tree = tree;
+            _moves = false;
+            _around[0] = x - halfX - slack;
+            _around[1] = y - halfY - slack;
+            _around[2] = z - halfZ - slack;
+            _around[3] = x + halfX + slack;
+            _around[4] = y + halfY + slack;
+            _around[5] = z + halfZ + slack;
+            _next = _end = 0;
+            _nodes[0] = 0;
+            _nodes[1] = 1;
+            _entries[0] = 0;
+            _entries[1] = 0;
+            _waiting = tree.count > 0 ? 2 : 1;
+        }
+
+        /**
+         * Begins with the extents of a body. The ground and the edges of the world are near all rows.
+         *
+         * @param extents a tree of extents
+         */
+        public function beginAround(extents:RowTree, body:Body):void
+        {
+            begin(extents, body.x, body.y, body.z, body.halfX, body.halfY, body.halfZ);
+            if (body.form >= ModelShape.GROUND)
+            {
+                widen(4 * Agent.LARGEST_COORDINATE);
+            }
+        }
+
+        /**
+         * Makes the box larger. The box must stand still.
+         *
+         * @param by how far on all sides
+         * @param up how much farther upwards
+         * @param down how much farther downwards
+         */
+        public function widen(by:Number, up:Number = 0, down:Number = 0):void
+        {
+            _around[0] -= by;
+            _around[1] -= by;
+            _around[2] -= by + down;
+            _around[3] += by;
+            _around[4] += by;
+            _around[5] += by + up;
+        }
+
+        /**
+         * Lets the box move.
+         *
+         * @param dx the way along x
+         * @param dy the way along y
+         * @param dz the way along z
+         * @param limit how much of the motion is searched, as a multiple of its vector
+         */
+        public function moveAlong(dx:Number, dy:Number, dz:Number, limit:Number):void
+        {
+            _moves = true;
+            _along[0] = dx;
+            _along[1] = dy;
+            _along[2] = dz;
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                _box[axis] = _around[axis];
+                _box[axis + 3] = _around[axis + 3];
+                // 0 times Infinity is not a number
+                if (_along[axis] < 0)
+                {
+                    _around[axis] += limit * _along[axis];
+                }
+                if (_along[axis] > 0)
+                {
+                    _around[axis + 3] += limit * _along[axis];
+                }
+            }
+        }
+
+        /**
+         * The next row, or -1 if there are no more. The last one is the row of the ground, also if there is none.
+         *
+         * @param breeds the breeds that count, a set of NodeBreeds. Nodes without them are skipped, but single rows may have others
+         * @param limit if the box moves: how much of the motion is still searched, as a multiple of its vector. It may become less during the search
+         */
+        public function next(breeds:int, limit:Number):int
+        {
+            _limit = limit;
+            while (_next < _end || _waiting > 0)
+            {
+                if (_next < _end)
+                {
+                    var slot:int = _slots[_next];
+                    _next++;
+                    if (!_moves || findEntry(_tree.rowBoxes, RowTree.PER_BOX * slot))
+                    {
+                        return _tree.rows[slot];
+                    }
+                    continue;
+                }
+                _waiting--;
+                if (_nodes[_waiting] == 0)
+                {
+                    return ListedAgents.GROUND;
+                }
+                if (!_moves || _entries[_waiting] <= limit)
+                {
+                    visit(_nodes[_waiting], breeds);
+                }
+            }
+            return -1;
+        }
+
+        /** Counts a row that the filter does not let through. */
+        public function passOver():void
+        {
+            _tree.breeds.passOver(1);
+        }
+
+        // Finds the rows of a leaf, or puts the children of a node on the waiting list.
+        private function visit(node:int, breeds:int):void
+        {
+            if (!_tree.breeds.mayHave(node, breeds))
+            {
+                return;
+            }
+            var leaf:int = node - _tree.firstLeaf;
+            if (leaf >= 0)
+            {
+                _next = 0;
+                _end = findOverlapping(_tree.rowBoxes, _tree.starts[leaf], _tree.starts[leaf + 1], _slots, 0);
+                return;
+            }
+            var first:int = _waiting;
+            _waiting = findOverlapping(_tree.nodeBoxes, node << 1, (node << 1) + 2, _nodes, first);
+            if (_moves)
+            {
+                keepOnWay(first);
+            }
+        }
+
+        // Finds the boxes that overlap the box around the way. It appends their numbers to the first entries of a list, and returns the new
+        // number of entries.
+        private function findOverlapping(boxes:Vector.<Number>, first:int, end:int, out:Vector.<int>, count:int):int
+        {
+            var minX:Number = _around[0];
+            var minY:Number = _around[1];
+            var minZ:Number = _around[2];
+            var maxX:Number = _around[3];
+            var maxY:Number = _around[4];
+            var maxZ:Number = _around[5];
+            for (var i:int = first; i < end; i++)
+            {
+                var box:int = RowTree.PER_BOX * i;
+                if (boxes[box] > maxX)
+                {
+                    continue;
+                }
+                if (boxes[int(box + 3)] < minX)
+                {
+                    continue;
+                }
+                if (boxes[int(box + 1)] > maxY)
+                {
+                    continue;
+                }
+                if (boxes[int(box + 4)] < minY)
+                {
+                    continue;
+                }
+                if (boxes[int(box + 2)] > maxZ)
+                {
+                    continue;
+                }
+                if (boxes[int(box + 5)] < minZ)
+                {
+                    continue;
+                }
+                out[count] = i;
+                count++;
+            }
+            return count;
+        }
+
+        // Of the last two nodes on the waiting list, it keeps only nodes that the box meets on its way. The nearer one will be visited next.
+        private function keepOnWay(first:int):void
+        {
+            var kept:int = first;
+            for (var i:int = first; i < _waiting; i++)
+            {
+                if (findEntry(_tree.nodeBoxes, RowTree.PER_BOX * _nodes[i]))
+                {
+                    _entries[kept] = _entry;
+                    _nodes[kept] = _nodes[i];
+                    kept++;
+                }
+            }
+            _waiting = kept;
+            var second:int = first + 1;
+            if (kept > second && _entries[first] < _entries[second])
+            {
+                var nearer:int = _nodes[first];
+                _nodes[first] = _nodes[second];
+                _nodes[second] = nearer;
+                var entry:Number = _entries[first];
+                _entries[first] = _entries[second];
+                _entries[second] = entry;
+            }
+        }
+
+        // Finds where on the way the box meets another (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986), which
+        // _entry receives. Returns whether it is within the limit.
+        private function findEntry(boxes:Vector.<Number>, box:int):Boolean
+        {
+            var enters:Number = 0;
+            var leaves:Number = _limit;
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var along:Number = _along[axis];
+                if (along == 0)
+                {
+                    // along this axis the box around the way is the box itself, which was tested before
+                    continue;
+                }
+                var near:Number = (boxes[int(box + axis)] - _box[int(axis + 3)]) / along;
+                var far:Number = (boxes[int(box + 3 + axis)] - _box[axis]) / along;
+                if (near > far)
+                {
+                    var swapped:Number = near;
+                    near = far;
+                    far = swapped;
+                }
+                if (near > enters)
+                {
+                    enters = near;
+                }
+                if (far < leaves)
+                {
+                    leaves = far;
+                }
+            }
+            _entry = enters;
+            return enters <= leaves;
+        }
+    }
+}

@@ -1,0 +1,207 @@
+package starlogo.search.pairs
+{
+    import flash.geom.Vector3D;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+    import starlogo.geometry.HalfSpaceSolver;
+    import starlogo.geometry.ShortestExit;
+    import starlogo.geometry.Tolerances;
+    import starlogo.search.Body;
+    import starlogo.search.ModelShape;
+    import starlogo.search.NarrowPhase;
+    import starlogo.search.WorldAgent;
+
+    use namespace engine;
+
+    /**
+     * Tests whether a body touches the edges of the world, when it touches them, and how. The edges are the second body of each pair. Motions
+     * end where the first body is.
+     *
+     * <p>An edge is a plane, so a body touches it if the farthest point of its shape does. Structures reach to the ends of their
+     * extents. A tree may reach less far.</p>
+     *
+     * <p>A body that touches several edges has one contact. Its depth is the length of the shortest way back from all of them. Its normal is
+     * the direction of that way.</p>
+     *
+     * @private
+     */
+    public final class EdgePairTests extends PairTests
+    {
+        private var _narrowPhase:NarrowPhase;
+
+        // By edge: the direction out of the world, the edge's place in this direction, and how far the body is beyond it (less than 0 if the body is
+        // before it). _deepest is the edge that the body of the last contact is furthest beyond.
+        private var _outwards:Vector.<Vector3D> = new <Vector3D>[new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), new Vector3D(0, -1, 0),
+                new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
+        private var _places:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _penetration:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _deepest:int = 0;
+
+        // Half of the body's largest extent, and the largest gap between the body and an edge that still counts as a touch.
+        private var _largestHalf:Number = 0;
+        private var _tolerance:Number = 0;
+
+        private var _supportSearch:SupportSearch = new SupportSearch();
+        private var _farthest:SupportPoint = new SupportPoint();
+        private var _contact:ContactPoint = new ContactPoint();
+        private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
+        private var _shortest:ShortestExit = new ShortestExit();
+
+        /** @param narrowPhase knows how deep trees are visited */
+        public function EdgePairTests(narrowPhase:NarrowPhase)
+        {
+            _narrowPhase = narrowPhase;
+        }
+
+        /** Lets a narrow phase test bodies and the edges of the world. */
+        public static function bringTo(narrowPhase:NarrowPhase):void
+        {
+            narrowPhase.edgeTests ||= new EdgePairTests(narrowPhase);
+        }
+
+        /** @inheritDoc */
+        override public function areTouching(a:Body, b:Body):Boolean
+        {
+            read(a, b, RelativeMotion.NONE);
+            for (var edge:int = 0; edge < 6; edge++)
+            {
+                if (_penetration[edge] + _tolerance >= 0)
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        /** @inheritDoc */
+        override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
+        {
+            read(a, b, motion);
+            motion.time = RelativeMotion.NEVER;
+            for (var edge:int = 0; edge < 6; edge++)
+            {
+                var end:Number = _penetration[edge] + _tolerance;
+                var start:Number = end - along(edge, motion.x, motion.y, motion.z);
+                if (start >= 0)
+                {
+                    motion.time = 0;
+                }
+                else if (end >= 0)
+                {
+                    motion.time = Math.min(motion.time, start / (start - end));
+                }
+            }
+        }
+
+        /**
+         * @inheritDoc
+         *
+         * <p>If the body touches no edge, it is the contact with the nearest edge, with a depth of 0.</p>
+         */
+        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            read(a, b, motion, true);
+            var left:Number = 1 - motion.time;
+            _deepest = 0;
+            for (var edge:int = 0; edge < 6; edge++)
+            {
+                _penetration[edge] -= left * along(edge, motion.x, motion.y, motion.z);
+                _deepest = _penetration[edge] > _penetration[_deepest] ? edge : _deepest;
+            }
+            _supportSearch.findPoint(a, _narrowPhase.treeLimits, _outwards[_deepest], _largestHalf, _farthest);
+            out.x = _farthest.x - left * motion.x;
+            out.y = _farthest.y - left * motion.y;
+            out.z = _farthest.z - left * motion.z;
+            _halfSpaces.begin();
+            for (edge = 0; edge < 6; edge += 2)
+            {
+                // of two opposite edges, the one with the larger value counts
+                var one:int = _penetration[edge] >= _penetration[int(edge + 1)] ? edge : edge + 1;
+                if (_penetration[one] >= -_tolerance || one == _deepest)
+                {
+                    addEdge(one, out);
+                }
+            }
+            _halfSpaces.solve(3, 0, _shortest);
+            out.setNormal(_shortest.displacement.x / _shortest.length, _shortest.displacement.y / _shortest.length, _shortest.displacement.z / _shortest.length);
+            var depth:Number = Math.max(0, _penetration[_deepest]);
+            out.depth = _halfSpaces.count > 1 && depth > 0 ? _shortest.length : depth;
+        }
+
+        /** @inheritDoc */
+        override public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            // findContact has put the point to its place
+        }
+
+        /** @inheritDoc */
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        {
+            findOuterContact(a, b, _contact);
+            var gap:Number = -_penetration[_deepest];
+            out.aX = _contact.x + gap / 2 * _contact.normalX;
+            out.aY = _contact.y + gap / 2 * _contact.normalY;
+            out.aZ = _contact.z + gap / 2 * _contact.normalZ;
+            out.bX = _contact.x - gap / 2 * _contact.normalX;
+            out.bY = _contact.y - gap / 2 * _contact.normalY;
+            out.bZ = _contact.z - gap / 2 * _contact.normalZ;
+            out.distance = gap;
+            out.settle(areTouching);
+        }
+
+        // Finds how far the body is beyond each edge. A tree's own points are computed only for edges that its extents come to, unless isForAll
+        // is true.
+        private function read(body:Body, edges:Body, motion:RelativeMotion, isForAll:Boolean = false):void
+        {
+            var worldAgent:WorldAgent = edges.shape.worldAgent;
+            _largestHalf = body.largestHalf;
+            _tolerance = body.margin + Tolerances.ROUNDING * _largestHalf;
+            for (var edge:int = 0; edge < 6; edge++)
+            {
+                // along(edge, 1, 1, 1) is 1 or -1: whether the direction out of the world is the axis or against it
+                _places[edge] = along(edge, 1, 1, 1) * worldAgent.edges[edge];
+                var radius:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
+                var beyond:Number = radius + (along(edge, body.x, body.y, body.z) - _places[edge]);
+                _penetration[edge] = beyond;
+                if (body.form == ModelShape.TREE && (isForAll || beyond >= -_tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -_tolerance))
+                {
+                    _supportSearch.find(body, _narrowPhase.treeLimits, _outwards[edge], _farthest);
+                    _penetration[edge] = _farthest.support - _places[edge];
+                }
+            }
+        }
+
+        // The length of a vector in the direction out of the world.
+        private function along(edge:int, x:Number, y:Number, z:Number):Number
+        {
+            return x * _outwards[edge].x + y * _outwards[edge].y + z * _outwards[edge].z;
+        }
+
+        // Adds the half-space before an edge, and moves the point into the middle of the overlap. For edges other than the nearest, the
+        // way is longer by a tenth of the tolerance of a contact's depth, so that it leads away from each of the edges. For the nearest one it
+        // is at least as long as that. A point has no extent; the patch counts in its place.
+        private function addEdge(edge:int, out:ContactPoint):void
+        {
+            var outwards:Vector3D = _outwards[edge];
+            // the extents of a tree are larger than its shape
+            var extent:Number = _largestHalf;
+            if (extent == 0)
+            {
+                extent = 1;
+            }
+            var least:Number = Tolerances.SEPARATION / 5 * extent;
+            var by:Number = Math.max(0, _penetration[edge]);
+            by = edge == _deepest ? Math.max(by, least) : by + least;
+            _halfSpaces.add(-outwards.x, -outwards.y, -outwards.z, by);
+            var place:Number = _places[edge] + _penetration[edge] / 2 - along(edge, out.x, out.y, out.z);
+            if (isFinite(place))
+            {
+                out.x += place * outwards.x;
+                out.y += place * outwards.y;
+                out.z += place * outwards.z;
+            }
+        }
+    }
+}

@@ -1,0 +1,198 @@
+package starlogo.search.pairs
+{
+    import flash.geom.Vector3D;
+    import starlogo.broadphase.Extents;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+    import starlogo.ground.GroundEarlyOut;
+    import starlogo.ground.GroundQuery;
+    import starlogo.ground.GroundRayQuery;
+    import starlogo.ground.HeightGrid;
+    import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayCrossings;
+    import starlogo.search.Body;
+    import starlogo.search.ModelShape;
+    import starlogo.search.NarrowPhase;
+    import starlogo.search.penetration.PenetrationSearch;
+    import starlogo.search.table.AgentTable;
+    import starlogo.search.TreeLimits;
+
+    use namespace engine;
+
+    /**
+     * Tests a body and the ground, which is the second body of each pair: whether they touch, when they touch, and how.
+     *
+     * @private
+     */
+    public final class GroundPairTests extends PairTests
+    {
+        private var _narrowPhase:NarrowPhase;
+
+        // The columns of one body.
+        private var _extents:Extents = new Extents();
+        private var _supportSearch:SupportSearch = new SupportSearch();
+        private var _farthest:SupportPoint = new SupportPoint();
+        private var _inwards:Vector3D = new Vector3D();
+        private var _separation:PenetrationSearch;
+
+        // Decides quickly about bodies that are clearly above or in the ground; and about the others.
+        private var _earlyOut:GroundEarlyOut = new GroundEarlyOut();
+        private var _query:GroundQuery = new GroundQuery();
+        private var _rays:GroundRayQuery = new GroundRayQuery();
+
+        /** @param narrowPhase knows how deep trees are visited */
+        public function GroundPairTests(narrowPhase:NarrowPhase)
+        {
+            _narrowPhase = narrowPhase;
+            _separation = new PenetrationSearch(this, narrowPhase.treeLimits, this);
+            _extents.grow(1);
+        }
+
+        /** Lets a narrow phase test bodies and the ground. */
+        public static function bringTo(narrowPhase:NarrowPhase):void
+        {
+            narrowPhase.groundTests ||= new GroundPairTests(narrowPhase);
+        }
+
+        /** @inheritDoc */
+        override public function areTouching(a:Body, b:Body):Boolean
+        {
+            _extents.x[0] = a.x;
+            _extents.y[0] = a.y;
+            _extents.z[0] = a.z;
+            _extents.halfX[0] = a.halfX;
+            _extents.halfY[0] = a.halfY;
+            _extents.halfZ[0] = a.halfZ;
+            var earlyOut:GroundEarlyOut = earlyOutOf(b);
+            var found:int = earlyOut.decide(_extents, a.form, 0);
+            return found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && queryOf(a, b).overlapsAt(RelativeMotion.NONE, 0);
+        }
+
+        /** Whether a ray meets the ground. If it does, the ray begins there, and has the normal. */
+        public function isMet(b:Body, ray:Ray):Boolean
+        {
+            return _rays.find(gridOf(b), ray);
+        }
+
+        /** Adds all crossings of a ray with the ground's surface. */
+        public function findCrossings(b:Body, ray:Ray, out:RayCrossings):void
+        {
+            _rays.findAll(gridOf(b), ray, out);
+        }
+
+        /** Whether a piece of a body is deeper in the ground than this, in patches. */
+        public function isDeeper(a:Body, b:Body, depth:Number):Boolean
+        {
+            return queryOf(a, b).isDeeper(depth);
+        }
+
+        /** @inheritDoc */
+        override public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
+        {
+            var ground:Body = table.bodyOf(row);
+            var earlyOut:GroundEarlyOut = earlyOutOf(ground);
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                var found:int = earlyOut.decide(table.extents, table.forms[other], other);
+                if (found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && queryOf(table.bodyOf(other), ground).overlapsAt(RelativeMotion.NONE, 0))
+                {
+                    others[kept] = other;
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        /** @inheritDoc */
+        override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            queryOf(a, b).findFirst(motion, out);
+        }
+
+        /** @inheritDoc */
+        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            queryOf(a, b).findContact(motion, out);
+        }
+
+        /** @inheritDoc */
+        override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            queryOf(a, b).findImpact(motion, out);
+        }
+
+        /** @inheritDoc */
+        override public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            _separation.find(a, b, motion, out);
+        }
+
+        /** @inheritDoc */
+        override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
+        {
+            queryOf(a, b).findOuterContact(out);
+        }
+
+        /**
+         * Finds contacts with which other ways out of the ground may begin.
+         *
+         * @param contact of the two, here or near here
+         * @param maxDistance parts of the ground farther away do not count
+         * @param exits receives the contacts, each with another direction
+         * @return their number
+         */
+        public function findExits(a:Body, b:Body, contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
+        {
+            var count:int = queryOf(a, b).findExits(contact, maxDistance, exits);
+            if (a.form == ModelShape.TREE)
+            {
+                for (var i:int = 0; i < count; i++)
+                {
+                    measure(a, exits[i]);
+                }
+            }
+            return count;
+        }
+
+        /** @inheritDoc */
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        {
+            queryOf(a, b).findClosest(areTouching, out);
+        }
+
+        // Changes a contact's depth behind a plane from the depth of the structure around a tree to that of the tree itself.
+        private function measure(a:Body, exit:ContactPoint):void
+        {
+            var plane:Number = exit.normalX * exit.x + exit.normalY * exit.y + exit.normalZ * exit.z + exit.depth / 2;
+            _inwards.setTo(-exit.normalX, -exit.normalY, -exit.normalZ);
+            _supportSearch.find(a, _narrowPhase.treeLimits, _inwards, _farthest);
+            exit.depth = plane + _farthest.support;
+        }
+
+        private static function gridOf(ground:Body):HeightGrid
+        {
+            return ground.shape.worldAgent.grid;
+        }
+
+        private function earlyOutOf(ground:Body):GroundEarlyOut
+        {
+            _earlyOut.begin(gridOf(ground));
+            return _earlyOut;
+        }
+
+        // The query of the ground, set to a body.
+        private function queryOf(a:Body, b:Body):GroundQuery
+        {
+            var shape:ModelShape = a.shape;
+            var limits:TreeLimits = _narrowPhase.treeLimits;
+            var query:GroundQuery = _query;
+            var depth:int = shape.hierarchy == null ? 1 : limits.depthOf(a);
+            query.setTo(gridOf(b), shape.hierarchy, shape.structure, a.placement, depth, limits.exact);
+            return query;
+        }
+    }
+}

@@ -1,0 +1,131 @@
+package starlogo.search.pairs
+{
+    import flash.errors.IllegalOperationError;
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.search.Body;
+    import starlogo.search.penetration.OverlapMiddle;
+    import starlogo.search.table.AgentTable;
+
+    /**
+     * Tests two bodies: whether they touch, when they touch, and how. NarrowPhase has an object of a subclass for each kind of pairs. The ground or
+     * the edges of the world are always the second of two bodies.
+     *
+     * @private
+     */
+    public class PairTests
+    {
+        /** Whether two bodies touch. The answer must be the same in either order, to the last bit. */
+        public function areTouching(a:Body, b:Body):Boolean
+        {
+            throw new IllegalOperationError(this + " does not implement areTouching");
+        }
+
+        /**
+         * Keeps the candidates that touch a row, and moves them to the beginning of the list.
+         *
+         * @param slack how far apart the extents of touching rows may be
+         * @param row may be the ground or the edges of the world, whose extents say nothing
+         * @param others the candidates. If the row is an agent, their circles on the ground overlap the row's circle
+         * @param count the number of candidates
+         * @return the number of candidates that it keeps
+         */
+        public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
+        {
+            var body:Body = table.bodyOf(row);
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                if (areTouching(table.bodyOf(others[i]), body))
+                {
+                    others[kept] = others[i];
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        /**
+         * Finds the time at which two bodies first touch, while the first one moves. It is the first moment at which <code>areTouching()</code>
+         * would be true. Only <code>findFirst()</code> calls it: a subclass overrides one of the two.
+         *
+         * @param motion as in findFirst
+         */
+        public function findTime(a:Body, b:Body, motion:RelativeMotion):void
+        {
+            throw new IllegalOperationError(this + " does not implement findTime");
+        }
+
+        /**
+         * Finds the time at which two bodies first touch, while the first one moves, and their contact then.
+         *
+         * @param motion the motion of the first body relative to the second. It ends where the first body is now. It receives the time, from 0 to
+         *     1, or RelativeMotion.NEVER
+         * @param out receives the contact if they touch, as in findContact; null if only the time is needed
+         */
+        public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            findTime(a, b, motion);
+            if (out != null && motion.time != RelativeMotion.NEVER)
+            {
+                findContact(a, b, motion, out);
+            }
+        }
+
+        /**
+         * Finds the contact of two bodies.
+         *
+         * @param motion as in findFirst, with the time of the first touch
+         * @param out receives the contact. Its normal points from b to a, and b is where it is now
+         */
+        public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            throw new IllegalOperationError(this + " does not implement findContact");
+        }
+
+        /**
+         * Finds the time and the contact of the first touch of two bodies. They must not touch at the beginning of the motion.
+         *
+         * @param motion as in findFirst. But a touch that rounding errors hide at its end may be missing
+         * @param out receives the contact, as in findContact; null if only the time is needed
+         */
+        public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            findFirst(a, b, motion, out);
+        }
+
+        /**
+         * Finds the contact of the structures around two bodies, where they are.
+         *
+         * @param out receives the contact. Its normal points from b to a
+         */
+        public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
+        {
+            findContact(a, b, RelativeMotion.NONE, out);
+        }
+
+        /**
+         * Finds the distance between two bodies. NarrowPhase.isSecondFirst is false for the two.
+         *
+         * @param areTouching whether the two touch
+         * @param out receives the distance and the closest points, in the world
+         */
+        public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        {
+            throw new IllegalOperationError(this + " does not implement findClosest");
+        }
+
+        /**
+         * Changes a contact's normal and depth so that they separate two bodies: if the first one moves along the normal by the depth, the two just
+         * touch. Most contacts do this already, and only the point moves, to the middle of the overlap.
+         *
+         * @param motion as in findFirst, with the time at which the two touch
+         * @param out the contact of two parts that touch at that time
+         */
+        public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            OverlapMiddle.setAlong(a, b, out);
+        }
+    }
+}

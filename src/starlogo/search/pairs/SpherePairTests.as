@@ -1,0 +1,198 @@
+package starlogo.search.pairs
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Sphere;
+    import starlogo.broadphase.Extents;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.CoreGap;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.convex.findSphereEntry;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.SphereSphereKernel;
+    import starlogo.search.Body;
+    import starlogo.search.FoundPairs;
+    import starlogo.search.NarrowPhase;
+    import starlogo.search.table.AgentTable;
+    import starlogo.search.table.RowPlaces;
+
+    use namespace engine;
+
+    /**
+     * Tests two bodies that are spheres. A sphere has the same width as its extents, so it needs no structure in the world.
+     *
+     * @private
+     */
+    public final class SpherePairTests extends PairTests
+    {
+        /** The number of tests. */
+        public var testCount:int = 0;
+
+        private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
+        private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
+
+        // The vector from the second middle to the first. Its radius A is the largest distance of the two at which the spheres touch.
+        private var _gap:CoreGap = new CoreGap();
+        private var _kernel:SphereSphereKernel = new SphereSphereKernel();
+        private var _stopped:RelativeMotion = new RelativeMotion();
+
+        /** Lets a narrow phase test spheres. */
+        public static function bringTo(narrowPhase:NarrowPhase):void
+        {
+            narrowPhase.sphereTests ||= new SpherePairTests();
+        }
+
+        /**
+         * Writes the pairs of a row with its candidates that touch it. All must be spheres. It tests and writes in one loop, because in a dense
+         * crowd each pass over the pairs takes time.
+         *
+         * @param slack how far apart the circles of the candidates may be
+         * @param others the candidates
+         * @param count their number
+         * @param out takes the pairs
+         */
+        public function writeTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int, out:FoundPairs):void
+        {
+            var xs:Vector.<Number> = table.extents.x;
+            var ys:Vector.<Number> = table.extents.y;
+            var zs:Vector.<Number> = table.extents.z;
+            var radii:Vector.<Number> = table.extents.radius;
+            var atX:Number = xs[row];
+            var atY:Number = ys[row];
+            var atZ:Number = zs[row];
+            var radius:Number = radii[row];
+            var pairs:Vector.<int> = out.rows;
+            var ranks:Vector.<int> = out.ranks;
+            var rank:int = ranks[row];
+            var to:int = 2 * out.count;
+            testCount += count;
+            for (var i:int = 0; i < count; i++)
+            {
+                // areRowsTouching() as a loop
+                var other:int = others[i];
+                var x:Number = xs[other] - atX;
+                var y:Number = ys[other] - atY;
+                var z:Number = zs[other] - atZ;
+                var across:Number = radius + radii[other];
+                var squared:Number = x * x + y * y + z * z;
+                if (squared > across * across)
+                {
+                    across += slack;
+                    if (squared > across * across || !areTouching(table.bodyOf(row), table.bodyOf(other)))
+                    {
+                        continue;
+                    }
+                }
+                // as FoundPairs.addPairs() does
+                var change:int = (row ^ other) & ((ranks[other] - rank) >> 31);
+                pairs[to] = row ^ change;
+                pairs[int(to + 1)] = other ^ change;
+                to += 2;
+            }
+            out.count = to >> 1;
+        }
+
+        /** Whether two rows touch, which must be spheres. It reads the columns of the table. The slack is that of writeTouching(). */
+        public function areRowsTouching(table:AgentTable, slack:Number, a:int, b:int):Boolean
+        {
+            var extents:Extents = table.extents;
+            var x:Number = extents.x[b] - extents.x[a];
+            var y:Number = extents.y[b] - extents.y[a];
+            var z:Number = extents.z[b] - extents.z[a];
+            var across:Number = extents.radius[a] + extents.radius[b];
+            var squared:Number = x * x + y * y + z * z;
+            testCount++;
+            if (squared <= across * across)
+            {
+                return true;
+            }
+            // if the gap is not larger than rounding errors, the exact test decides
+            across += slack;
+            return squared <= across * across && areTouching(table.bodyOf(a), table.bodyOf(b));
+        }
+
+        /** @inheritDoc */
+        override public function areTouching(a:Body, b:Body):Boolean
+        {
+            setTo(a, b);
+            return areOverlapping();
+        }
+
+        /** @inheritDoc */
+        override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
+        {
+            setTo(a, b);
+            sweep(motion);
+        }
+
+        /** Finds the time at which two rows first touch. It reads the columns of the table, because bodies would take longer. */
+        public function findTimeOfRows(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
+        {
+            setToRows(table, a, b);
+            sweep(motion);
+        }
+
+        /** @inheritDoc */
+        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            readSphere(a, _sphereA);
+            readSphere(b, _sphereB);
+            _stopped.stopAt(motion);
+            _kernel.findContact(_sphereA, _sphereB, _stopped, out);
+        }
+
+        private function setTo(a:Body, b:Body):void
+        {
+            // Body.margin written out: it would be two calls more for each pair
+            var placeA:Placement = a.placement;
+            var placeB:Placement = b.placement;
+            var marginA:Number = Tolerances.PLACES * (Math.abs(placeA.x) + Math.abs(placeA.y) + Math.abs(placeA.z));
+            var marginB:Number = Tolerances.PLACES * (Math.abs(placeB.x) + Math.abs(placeB.y) + Math.abs(placeB.z));
+            _gap.x = a.x - b.x;
+            _gap.y = a.y - b.y;
+            _gap.z = a.z - b.z;
+            _gap.radiusA = (a.halfX + b.halfX) * Tolerances.TOUCHING + (marginA + marginB);
+        }
+
+        private function setToRows(table:AgentTable, a:int, b:int):void
+        {
+            var extents:Extents = table.extents;
+            var places:RowPlaces = table.places.last;
+            var marginA:Number = Tolerances.PLACES * (Math.abs(places.x[a]) + Math.abs(places.y[a]) + Math.abs(places.z[a]));
+            var marginB:Number = Tolerances.PLACES * (Math.abs(places.x[b]) + Math.abs(places.y[b]) + Math.abs(places.z[b]));
+            _gap.x = extents.x[a] - extents.x[b];
+            _gap.y = extents.y[a] - extents.y[b];
+            _gap.z = extents.z[a] - extents.z[b];
+            _gap.radiusA = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (marginA + marginB);
+        }
+
+        private function areOverlapping():Boolean
+        {
+            return _gap.x * _gap.x + _gap.y * _gap.y + _gap.z * _gap.z <= _gap.radiusA * _gap.radiusA;
+        }
+
+        private function sweep(motion:RelativeMotion):void
+        {
+            var areTouchingAtEnd:Boolean = areOverlapping();
+            testCount++;
+            _gap.x += motion.startX;
+            _gap.y += motion.startY;
+            _gap.z += motion.startZ;
+            // the motion's own rounding errors are added too
+            _gap.radiusA += Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            findSphereEntry(_gap, motion);
+            // rounding can miss a touch at the end of the motion
+            if (motion.time == RelativeMotion.NEVER && areTouchingAtEnd)
+            {
+                motion.time = 1;
+            }
+        }
+
+        private static function readSphere(body:Body, sphere:Sphere):void
+        {
+            sphere.center.setTo(body.x, body.y, body.z);
+            sphere.radius = body.halfX;
+        }
+    }
+}

@@ -1,0 +1,18 @@
+package starlogo.search.pairs
+{
+    /**
+     * The farthest point of a body in a direction, and how far it is. A record.
+     *
+     * @private
+     */
+    public final class SupportPoint
+    {
+        /** The coordinate of the point along the direction, in patches. */
+        public var support:Number = 0;
+
+        /** The point in the world, or the middle of several that are as far. Only <code>SupportSearch.findPoint()</code> writes it. */
+        public var x:Number = 0;
+        public var y:Number = 0;
+        public var z:Number = 0;
+    }
+}

@@ -1,0 +1,187 @@
+package starlogo.search.pairs
+{
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+    import starlogo.hierarchy.TreeCounts;
+    import starlogo.search.Body;
+    import starlogo.search.ModelShape;
+    import starlogo.search.NarrowPhase;
+    import starlogo.search.penetration.PenetrationSearch;
+    import starlogo.search.SearchCounts;
+    import starlogo.search.table.AgentTable;
+    import starlogo.search.TreeLimits;
+    import starlogo.solid.TreeDistanceQuery;
+    import starlogo.solid.TreeImpactQuery;
+    import starlogo.solid.TreeOverlapQuery;
+    import starlogo.solid.TreePair;
+
+    use namespace engine;
+
+    /**
+     * Tests two bodies of which at least one is a tree: whether they touch, when they touch, and how (thesis §4.6).
+     *
+     * @private
+     */
+    public final class TreePairTests extends PairTests
+    {
+        /** How far trees are tested. */
+        public var limits:TreeLimits;
+
+        private var _testCount:int = 0;
+        private var _pair:TreePair = new TreePair();
+        private var _counts:TreeCounts = new TreeCounts();
+        private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery(_counts);
+        private var _impacts:TreeImpactQuery;
+        private var _distances:TreeDistanceQuery;
+
+        private var _reversed:RelativeMotion = new RelativeMotion();
+        private var _separation:PenetrationSearch;
+
+        /** @param limits how far trees are tested */
+        public function TreePairTests(limits:TreeLimits)
+        {
+            this.limits = limits;
+            _impacts = new TreeImpactQuery(_overlaps, _counts);
+            _distances = new TreeDistanceQuery(_overlaps, _counts);
+            _separation = new PenetrationSearch(this, limits);
+        }
+
+        /** Lets a narrow phase test trees. */
+        public static function bringTo(narrowPhase:NarrowPhase):void
+        {
+            narrowPhase.treeTests ||= new TreePairTests(narrowPhase.treeLimits);
+        }
+
+        /** @inheritDoc */
+        override public function areTouching(a:Body, b:Body):Boolean
+        {
+            if (NarrowPhase.isSecondFirst(a, b))
+            {
+                return areTouching(b, a);
+            }
+            _testCount++;
+            setPair(a, b);
+            return _overlaps.areOverlapping(_pair);
+        }
+
+        /** @inheritDoc */
+        override public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
+        {
+            var body:Body = table.bodyOf(row);
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                if (NarrowPhase.areNear(table.extents, slack, row, other) && areTouching(body, table.bodyOf(other)))
+                {
+                    others[kept] = other;
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        /** @inheritDoc */
+        override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b));
+            _testCount++;
+            _impacts.findFirst(_pair, own, out);
+            motion.time = own.time;
+            finish(own, motion, out);
+        }
+
+        /** @inheritDoc */
+        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            // Two trees stay in this order. CollisionSearch puts two agents into the order of the list before, so a contact is the same in either order.
+            var own:RelativeMotion = setMovingPair(a, b, motion, a.form != ModelShape.TREE);
+            _impacts.findContact(_pair, own, out);
+            finish(own, motion, out);
+        }
+
+        /** @inheritDoc */
+        override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b));
+            _testCount++;
+            _impacts.findImpact(_pair, own, out);
+            motion.time = own.time;
+            finish(own, motion, out);
+        }
+
+        /** @inheritDoc */
+        override public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            _separation.find(a, b, motion, out);
+        }
+
+        /** @inheritDoc */
+        override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
+        {
+            _impacts.findOuterContact(a.shape.structure, a.placement, b.shape.structure, b.placement, out);
+        }
+
+        /** @inheritDoc */
+        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        {
+            setPair(a, b);
+            _distances.findClosest(_pair, areTouching, out);
+        }
+
+        /**
+         * The number of the triangle of a body that is nearest to a point, as the model counts them; -1 if triangles do not decide.
+         *
+         * @param body a tree
+         * @param point a body that is a sphere of radius 0
+         */
+        public function nearestTriangle(body:Body, point:Body):int
+        {
+            setPair(body, point);
+            return _pair.isExact ? _distances.nearestTriangle(_pair) : -1;
+        }
+
+        /** Writes the numbers of tests, and sets them to 0. */
+        public function takeCounts(out:SearchCounts):void
+        {
+            out.hierarchyTests = _testCount;
+            out.nodeVisits = _counts.nodeVisits;
+            out.triangleTests = _counts.triangleTests;
+            _testCount = _counts.nodeVisits = _counts.triangleTests = 0;
+        }
+
+        // Sets the two bodies in this order or the opposite order. Returns the motion of the body that is then first: the given motion, or its
+        // opposite.
+        private function setMovingPair(a:Body, b:Body, motion:RelativeMotion, isSwapped:Boolean):RelativeMotion
+        {
+            if (!isSwapped)
+            {
+                setPair(a, b);
+                return motion;
+            }
+            setPair(b, a);
+            _reversed.setReversed(motion);
+            return _reversed;
+        }
+
+        // Turns the contact of the pair, if there is one, into that of the two bodies in their own order.
+        private function finish(own:RelativeMotion, motion:RelativeMotion, out:ContactPoint):void
+        {
+            if (own !== motion && out != null && motion.time != RelativeMotion.NEVER)
+            {
+                out.swap(motion);
+            }
+        }
+
+        // Sets two bodies. The first one is a tree.
+        private function setPair(a:Body, b:Body):void
+        {
+            var shapeB:ModelShape = b.shape;
+            _pair.setFirst(a.shape.hierarchy, a.placement, limits.depthOf(a));
+            _pair.setSecond(shapeB.hierarchy, shapeB.structure, b.placement, limits.depthOf(b));
+            _pair.decideByTriangles(limits.exact && !a.stopsAtLeaves && !b.stopsAtLeaves);
+        }
+    }
+}

@@ -1,0 +1,188 @@
+package starlogo.search.penetration
+{
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+
+    /**
+     * Finds the distance at which two touching bodies are free of each other if the first one moves along a direction. It tries places farther and
+     * farther away until the two do not touch. Then it sweeps back to the place where they part. The surfaces have a normal at that place.
+     * Along this normal the way out is usually shorter. For convex bodies it always is, because it is at most the depth times the cosine of
+     * the angle between the two directions. So it tries that normal next. It improves a direction twice at most.
+     */
+    internal final class DirectionSearch
+    {
+        /**
+         * The search improves the direction of a contact whose depth is more than this fraction of the larger extent. The search for a way out
+         * also begins with steps of this length.
+         */
+        internal static const IMPROVED_DEPTH:Number = 1 / 256;
+
+        /** Another direction counts as better if its depth is less than this times the old depth. */
+        internal static const GAIN:Number = 0.95;
+
+        // How often a normal is improved at most.
+        private static const IMPROVEMENTS:int = 2;
+
+        // The interval between a touching and a free distance is halved until it is shorter than this fraction of the larger extent. The rest
+        // is swept.
+        private static const NARROW:Number = 1 / 16;
+
+        // The most halvings. After 53 a Number has no more bits to halve.
+        private static const MOST_STEPS:int = 60;
+
+        private var _pair:DisplacedPair;
+
+        // The direction that is tried, with the distance of the last test. A distance along it at which the two touch, a distance at which they
+        // do not, and the next step towards it.
+        private var _tried:Displacement = new Displacement();
+        private var _touching:Number = 0;
+        private var _free:Number = 0;
+        private var _step:Number = 0;
+
+        // The sweep back, and the contact at its end.
+        private var _back:RelativeMotion = new RelativeMotion();
+        private var _parting:ContactPoint = new ContactPoint();
+
+        /** @param pair has begun when a method is called */
+        public function DirectionSearch(pair:DisplacedPair)
+        {
+            _pair = pair;
+        }
+
+        /**
+         * Finds a way out along a direction, or a better one along normals that it meets.
+         *
+         * @param guess a contact with the direction; its depth is the first guess of the distance
+         * @param out receives the normal, the depth and the point
+         */
+        public function findAlong(guess:ContactPoint, out:ContactPoint):void
+        {
+            _tried.setDirection(guess.normalX, guess.normalY, guess.normalZ);
+            _free = guess.depth + _pair.tolerance;
+            _step = IMPROVED_DEPTH * _pair.extent;
+            goOut();
+            refine(out);
+        }
+
+        /**
+         * Shortens a way out.
+         *
+         * @param free a displacement after which the two do not touch
+         * @param out receives the normal, the depth and the point
+         */
+        public function shorten(free:Displacement, out:ContactPoint):void
+        {
+            _tried.setDirection(free.x, free.y, free.z);
+            _free = free.distance;
+            _touching = 0;
+            refine(out);
+        }
+
+        // Sweeps back from the free distance. If the depth is more than IMPROVED_DEPTH, improves the direction. Then the point becomes the
+        // middle between the place where the two part and the matching place on the first body.
+        private function refine(out:ContactPoint):void
+        {
+            sweepBack(out);
+            if (out.depth > IMPROVED_DEPTH * _pair.extent)
+            {
+                for (var left:int = IMPROVEMENTS; left > 0 && tryPartingNormal(out); left--)
+                {
+                    _touching = 0;
+                    sweepBack(out);
+                }
+                out.x = _parting.x - out.depth / 2 * out.normalX;
+                out.y = _parting.y - out.depth / 2 * out.normalY;
+                out.z = _parting.z - out.depth / 2 * out.normalZ;
+            }
+            makeSure(out);
+        }
+
+        // Tries the normal of the surfaces at the end of the way. Returns whether the way out along it is shorter.
+        private function tryPartingNormal(out:ContactPoint):Boolean
+        {
+            var cosine:Number = _parting.normalX * out.normalX + _parting.normalY * out.normalY + _parting.normalZ * out.normalZ;
+            if (!(cosine > 0 && cosine < GAIN))
+            {
+                return false;
+            }
+            _tried.setDirection(_parting.normalX, _parting.normalY, _parting.normalZ);
+            _free = cosine * out.depth + _pair.tolerance;
+            return !testFree();
+        }
+
+        // Increases the free distance by longer and longer steps, until the two do not touch there.
+        private function goOut():void
+        {
+            _touching = 0;
+            while (testFree() && _free < 1e300)
+            {
+                _touching = _free;
+                _free += _step;
+                _step *= 2;
+            }
+        }
+
+        // Finds the place where the two part: it is between a place where they touch and a place where they do not. Its distance becomes the
+        // contact's depth.
+        private function sweepBack(out:ContactPoint):void
+        {
+            while (_free - _touching > NARROW * _pair.extent)
+            {
+                halve();
+            }
+            _tried.distance = _touching;
+            _pair.displace(_tried);
+            var length:Number = _touching - _free;
+            _back.endAfter(length * _tried.x, length * _tried.y, length * _tried.z);
+            _pair.pairTests.findImpact(_pair.first, _pair.second, _back, _parting);
+            var time:Number = Math.min(_back.time, 1);
+            out.setNormal(_tried.x, _tried.y, _tried.z);
+            out.depth = _free + time * length;
+        }
+
+        private function halve():void
+        {
+            var middle:Number = (_touching + _free) / 2;
+            _tried.distance = middle;
+            if (_pair.testAt(_tried))
+            {
+                _touching = middle;
+            }
+            else
+            {
+                _free = middle;
+            }
+        }
+
+        // Makes sure, in spite of rounding, that the two do not touch a little beyond a contact's depth, and touch a little before it.
+        private function makeSure(out:ContactPoint):void
+        {
+            var slack:Number = _pair.nearby;
+            _tried.setDirection(out.normalX, out.normalY, out.normalZ);
+            _free = out.depth + slack;
+            _step = slack;
+            goOut();
+            if (_touching == 0)
+            {
+                _tried.distance = out.depth - slack;
+                if (_tried.distance <= 0 || _pair.testAt(_tried))
+                {
+                    return;
+                }
+                _free = _tried.distance;
+            }
+            for (var i:int = 0; i < MOST_STEPS && _free - _touching > slack; i++)
+            {
+                halve();
+            }
+            out.depth = (_free + _touching) / 2;
+        }
+
+        // Tests the free distance. Returns whether the two touch there.
+        private function testFree():Boolean
+        {
+            _tried.distance = _free;
+            return _pair.testAt(_tried);
+        }
+    }
+}

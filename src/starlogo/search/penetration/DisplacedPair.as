@@ -1,0 +1,130 @@
+package starlogo.search.penetration
+{
+    import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.search.Body;
+    import starlogo.search.ModelShape;
+    import starlogo.search.pairs.PairTests;
+
+    use namespace engine;
+
+    /** Two bodies that touch, the first one at places that are tried. Says whether they touch there. Other classes only read the fields. */
+    internal final class DisplacedPair
+    {
+        // How much of a cell of the ground counts as its extent. It is small because agents may be small, and not 0 because they may be points.
+        private static const CELL_SHARE:Number = 1e-4;
+
+        // The extent of two points at the origin. It is not 0, so all steps are longer than 0.
+        private static const LEAST_EXTENT:Number = 1e-100;
+
+        /** The tests of the pair. */
+        public var pairTests:PairTests;
+
+        /** The first body, at the place that is tried. */
+        public var first:Body = new Body();
+
+        /** The second body. */
+        public var second:Body = null;
+
+        /** The larger of the two extents. */
+        public var extent:Number = 0;
+
+        /** How far a depth may be off (Tolerances.SEPARATION), in patches. */
+        public var tolerance:Number = 0;
+
+        /** How far before and behind a depth the first body is tried: a quarter of the tolerance. The rest of it is for rounding. */
+        public var nearby:Number = 0;
+
+        /** The gap across which the two touch because places are rounded. */
+        public var rounding:Number = 0;
+
+        // The first body's place at the touch, and the place that is tried.
+        private var _from:Vector3D = new Vector3D();
+        private var _place:Vector3D = new Vector3D();
+
+        /** @param pairTests decides whether the bodies touch */
+        public function DisplacedPair(pairTests:PairTests)
+        {
+            this.pairTests = pairTests;
+        }
+
+        /** Begins where the motion of the first body relative to the second is at its time. The motion ends where the first body is. */
+        public function begin(a:Body, b:Body, motion:RelativeMotion):void
+        {
+            var time:Number = motion.time;
+            second = b;
+            _from.x = a.placement.x + (motion.startX + time * motion.x);
+            _from.y = a.placement.y + (motion.startY + time * motion.y);
+            _from.z = a.placement.z + (motion.startZ + time * motion.z);
+            first.readShrunk(a, _from, 0);
+            first.stopsAtLeaves = false;
+            var share:Number = isSecondGround ? CELL_SHARE : 1;
+            var half:Number = Math.max(share * b.largestHalf, a.largestHalf);
+            rounding = a.margin + b.margin;
+            // if both are points, the gap across which they still touch takes the place of the extent
+            extent = Math.max(2 * half, Math.max(rounding, LEAST_EXTENT));
+            tolerance = Tolerances.SEPARATION * extent;
+            nearby = Tolerances.SEPARATION / 4 * extent;
+        }
+
+        /** Whether the second body is the ground. */
+        public function get isSecondGround():Boolean
+        {
+            return second.form == ModelShape.GROUND;
+        }
+
+        /** Puts the first body where it was at the touch. */
+        public function putBack():void
+        {
+            first.moveTo(_from);
+        }
+
+        /** Displaces the first body. */
+        public function displace(by:Displacement):void
+        {
+            _place.setTo(_from.x + by.distance * by.x, _from.y + by.distance * by.y, _from.z + by.distance * by.z);
+            first.moveTo(_place);
+        }
+
+        /** Displaces the first body by a vector. */
+        public function displaceBy(vector:Vector3D):void
+        {
+            _place.setTo(_from.x + vector.x, _from.y + vector.y, _from.z + vector.z);
+            first.moveTo(_place);
+        }
+
+        /** Sets whether the leaves of trees are tested instead of triangles. */
+        public function stopAtLeaves(value:Boolean):void
+        {
+            first.stopsAtLeaves = value;
+        }
+
+        /** Displaces the first body. Returns whether it touches the second one there. */
+        public function testAt(displacement:Displacement):Boolean
+        {
+            displace(displacement);
+            return pairTests.areTouching(first, second);
+        }
+
+        /** Whether the two touch where the first one is. */
+        public function areTouching():Boolean
+        {
+            return pairTests.areTouching(first, second);
+        }
+
+        /** Finds the contact of the two where the first one is. */
+        public function findContact(out:ContactPoint):void
+        {
+            pairTests.findContact(first, second, RelativeMotion.NONE, out);
+        }
+
+        /** Finds the contact of the structures around the two where the first one is. */
+        public function findOuterContact(out:ContactPoint):void
+        {
+            pairTests.findOuterContact(first, second, out);
+        }
+    }
+}

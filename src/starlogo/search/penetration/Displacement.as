@@ -1,0 +1,19 @@
+package starlogo.search.penetration
+{
+    /** A displacement, as a record: a direction, which is a unit vector, and how far along it. */
+    internal final class Displacement
+    {
+        public var x:Number = 0;
+        public var y:Number = 0;
+        public var z:Number = 0;
+        public var distance:Number = 0;
+
+        /** Sets the direction. The function is short so that V8 inlines it and allocates no objects for the Numbers. */
+        public function setDirection(x:Number, y:Number, z:Number):void
+        {
+            this.x = x;
+            this.y = y;
+            this.z = z;
+        }
+    }
+}

@@ -1,0 +1,175 @@
+package starlogo.search.penetration
+{
+    import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.search.pairs.GroundPairTests;
+
+    /**
+     * Finds a short way out of the ground. An agent in the ground may have many. Its contact may have a lower bound of their lengths
+     * (GroundDepth). If the first push is hardly longer, it is taken.
+     *
+     * <p>Otherwise each side of the ground that the deepest touched part is behind begins a push of its own (<code>GroundPairTests.findExits()</code>). The
+     * shortest push that frees the agent is taken. Contacts may contradict each other, as opposite walls do, and the ground ends at edges, where a
+     * push out of the whole plane is longer than needed. So a push that does not free the agent is changed: it goes as far along the ground,
+     * and from there as high as the agent has to be lifted. The shortest of these ways is taken if no push is shorter. One sweep down finds each
+     * lift, because all places above a free one are free.</p>
+     */
+    internal final class GroundExitSearch
+    {
+        // The most pushes that are tried.
+        private static const MOST_PUSHES:int = 80;
+
+        // No other way is tried if the least length of a way out is at least this fraction of the push.
+        private static const NEEDED:Number = 0.85;
+
+        // The factor by which the search distance for other ways grows.
+        private static const FARTHER:Number = 3;
+
+        private var _pair:DisplacedPair;
+        private var _directions:DirectionSearch;
+        private var _pushOut:PushOut;
+        private var _ground:GroundPairTests;
+
+        // The contacts with which other ways begin, and the displacement that is tried.
+        private var _exits:Vector.<ContactPoint> = new Vector.<ContactPoint>();
+        private var _tried:Displacement = new Displacement();
+
+        // The direction and the length of the shortest way out that ends with a lift; the sweep down and the contact at its end; and where the
+        // first body is for them.
+        private var _lift:Vector3D = new Vector3D();
+        private var _liftLength:Number = 0;
+        private var _below:ContactPoint = new ContactPoint();
+        private var _down:RelativeMotion = new RelativeMotion();
+        private var _offset:Vector3D = new Vector3D();
+
+        /**
+         * @param pair a body and the ground; it has begun when a method is called
+         * @param directions finds the length of a way that ends with a lift
+         * @param pushOut pushes the body out of contacts
+         * @param ground finds contacts with which other ways out begin
+         */
+        public function GroundExitSearch(pair:DisplacedPair, directions:DirectionSearch, pushOut:PushOut, ground:GroundPairTests)
+        {
+            _pair = pair;
+            _directions = directions;
+            _pushOut = pushOut;
+            _ground = ground;
+        }
+
+        /**
+         * Finds a way out. The push out of one contact after the other is taken if no way is clearly shorter. Otherwise it looks farther and farther
+         * for other ways, and for ways that end with a lift. The first of these goes straight up, above all ground around.
+         *
+         * @param first the contact of the two
+         * @param out receives the normal and the depth
+         */
+        public function find(first:ContactPoint, out:ContactPoint):void
+        {
+            var maxDistance:Number = Math.max(DirectionSearch.IMPROVED_DEPTH * _pair.extent, Math.min(first.depth, _pair.extent));
+            _pushOut.begin(first);
+            if (_pushOut.find(Math.max(first.ground.leastDepth / NEEDED, PushOut.ROOM * _pair.extent), out))
+            {
+                return;
+            }
+            _pair.putBack();
+            _pair.findOuterContact(_below);
+            _liftLength = _below.depth + _pair.tolerance;
+            _lift.setTo(0, 0, 1);
+            while (!findPushOrLift(out, maxDistance) && maxDistance / NEEDED <= _liftLength)
+            {
+                maxDistance *= FARTHER;
+            }
+            if (_liftLength < out.depth - _pair.tolerance)
+            {
+                _below.setNormal(_lift.x, _lift.y, _lift.z);
+                _below.depth = _liftLength;
+                _directions.findAlong(_below, out);
+            }
+        }
+
+        // Looks for the shortest push, also out of sides of the ground that are at most a distance away. Tries a lift after each other push. Takes
+        // a push that frees the body if it is neither much longer than the distance nor longer than the shortest lift. Returns whether it has
+        // taken one.
+        private function findPushOrLift(out:ContactPoint, maxDistance:Number):Boolean
+        {
+            _pushOut.restartWithTests();
+            for (var tries:int = MOST_PUSHES; tries > 0; tries--)
+            {
+                addExits(maxDistance);
+                tryLift();
+                var result:int = _pushOut.tryNext(Math.min(maxDistance / NEEDED, _liftLength), out);
+                if (result == PushOut.TOO_LONG)
+                {
+                    tryLift();
+                }
+                if (result != PushOut.BLOCKED)
+                {
+                    return result == PushOut.FREE;
+                }
+            }
+            return false;
+        }
+
+        private function addExits(maxDistance:Number):void
+        {
+            var count:int = _ground.findExits(_pair.first, _pair.second, _pushOut.contact, maxDistance, _exits);
+            for (var i:int = 0; i < count; i++)
+            {
+                _pushOut.add(_exits[i]);
+            }
+        }
+
+        // Finds how high the first body has to be lifted after it has gone along the ground as far as the push. Keeps this way out if it is the
+        // shortest one so far. The lift is that of a place PushOut.ROOM farther, so that the body is free a little farther along the way too,
+        // even between walls that are as far apart as it is wide. A push that is too long leads past an edge of the ground on the way: it goes
+        // half as far as the shortest way.
+        private function tryLift():void
+        {
+            var x:Number = _pushOut.push.x;
+            var y:Number = _pushOut.push.y;
+            var length:Number = Math.sqrt(x * x + y * y);
+            var farther:Number = length > 0 ? 1 + PushOut.ROOM * _pair.extent / length : 1;
+            if (length >= _liftLength)
+            {
+                farther = 1;
+                x *= _liftLength / (2 * length);
+                y *= _liftLength / (2 * length);
+            }
+            x *= farther;
+            y *= farther;
+            var squared:Number = _liftLength * _liftLength - (x * x + y * y);
+            if (!(squared > 0))
+            {
+                return;
+            }
+            var high:Number = Math.sqrt(squared);
+            _offset.setTo(x, y, high);
+            _pair.displaceBy(_offset);
+            if (_pair.areTouching())
+            {
+                return;
+            }
+            _offset.z = 0;
+            _pair.displaceBy(_offset);
+            _down.endAfter(0, 0, -high);
+            _pair.pairTests.findImpact(_pair.first, _pair.second, _down, null);
+            var z:Number = high * (1 - Math.min(_down.time, 1));
+            // halfway between the place of the push and the one farther
+            x *= (1 + farther) / (2 * farther);
+            y *= (1 + farther) / (2 * farther);
+            length = Math.sqrt(x * x + y * y + z * z);
+            if (length == 0)
+            {
+                return;
+            }
+            _tried.setDirection(x / length, y / length, z / length);
+            _tried.distance = length + _pair.tolerance;
+            if (!_pair.testAt(_tried))
+            {
+                _lift.setTo(_tried.x, _tried.y, _tried.z);
+                _liftLength = length;
+            }
+        }
+    }
+}

@@ -1,0 +1,58 @@
+package starlogo.search.penetration
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ContactPoint;
+    import starlogo.engine;
+    import starlogo.search.Body;
+    import starlogo.search.ModelShape;
+
+    use namespace engine;
+
+    /**
+     * Puts the point of a contact into the middle of the overlap of two bodies.
+     *
+     * @private
+     */
+    public final class OverlapMiddle
+    {
+        /**
+         * Moves a contact's point along its normal, into the middle of the overlap. This is needed if a body is shorter along the normal than the
+         * contact is deep. For example, the body may be inside the other one.
+         *
+         * @param a the first body of the contact
+         * @param b the second body
+         * @param out the contact. Its point is half of the depth away from the second body's end, along the normal
+         */
+        public static function setAlong(a:Body, b:Body, out:ContactPoint):void
+        {
+            var low:Number = Math.max(0, out.depth - across(b, out));
+            var high:Number = Math.min(out.depth, across(a, out));
+            var by:Number = (low + high - out.depth) / 2;
+            out.x += by * out.normalX;
+            out.y += by * out.normalY;
+            out.z += by * out.normalZ;
+        }
+
+        /** Moves a contact's point into the extents of a body, if it is outside. */
+        public static function keepWithin(body:Body, out:ContactPoint):void
+        {
+            out.x = Math.max(Math.min(out.x, body.x + body.halfX), body.x - body.halfX);
+            out.y = Math.max(Math.min(out.y, body.y + body.halfY), body.y - body.halfY);
+            out.z = Math.max(Math.min(out.z, body.z + body.halfZ), body.z - body.halfZ);
+        }
+
+        // The length of a body along a normal. For bodies other than spheres it is the length of their extents.
+        private static function across(body:Body, out:ContactPoint):Number
+        {
+            if (body.form == ModelShape.GROUND)
+            {
+                return Infinity;
+            }
+            if (body.form == BoundingStructure.SPHERE)
+            {
+                return 2 * body.halfX;
+            }
+            return 2 * (body.halfX * Math.abs(out.normalX) + body.halfY * Math.abs(out.normalY) + body.halfZ * Math.abs(out.normalZ));
+        }
+    }
+}

@@ -1,0 +1,144 @@
+package starlogo.search.penetration
+{
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.search.Body;
+    import starlogo.search.pairs.GroundPairTests;
+    import starlogo.search.pairs.PairTests;
+    import starlogo.search.TreeLimits;
+
+    /**
+     * Finds a normal and a depth for a contact that separate its two bodies. If the first one moves along the normal by the depth, no part of it
+     * touches the second one any more.
+     *
+     * <p>It begins with a push along the given normal (PushOut). The shortest way out of the structures around both bodies is tried too; if no
+     * push is found, it gives the direction (DirectionSearch). The ground has many sides, and a search of its own (GroundExitSearch).</p>
+     *
+     * @private
+     */
+    public final class PenetrationSearch
+    {
+        private var _limits:TreeLimits;
+        private var _pair:DisplacedPair;
+        private var _directions:DirectionSearch;
+        private var _pushOut:PushOut;
+        private var _groundExits:GroundExitSearch;
+
+        // The first contact; the contact of the structures around both; and the displacement that is tried.
+        private var _first:ContactPoint = new ContactPoint();
+        private var _outer:ContactPoint = new ContactPoint();
+        private var _tried:Displacement = new Displacement();
+
+        /**
+         * @param pairTests decides whether bodies touch, and when. It is for pairs with a tree, or with the ground
+         * @param limits how far trees are tested
+         * @param ground the ground's own tests, if it is the second body; otherwise null
+         */
+        public function PenetrationSearch(pairTests:PairTests, limits:TreeLimits, ground:GroundPairTests = null)
+        {
+            _limits = limits;
+            _pair = new DisplacedPair(pairTests);
+            _directions = new DirectionSearch(_pair);
+            _pushOut = new PushOut(_pair, _directions);
+            _groundExits = ground == null ? null : new GroundExitSearch(_pair, _directions, _pushOut, ground);
+        }
+
+        /**
+         * Changes a contact's normal and depth so that they separate the two bodies.
+         *
+         * @param motion the motion of the first body relative to the second, with the time at which they touch. It ends where the first body is
+         * @param out the contact of two parts that touch at that time
+         */
+        public function find(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            _pair.begin(a, b, motion);
+            // only a body that moves may have been stopped just before the touch
+            if (!isComing(motion) || _pair.areTouching())
+            {
+                findLeast(motion, out);
+            }
+            else
+            {
+                findGrazing(motion, out);
+            }
+            _pair.putBack();
+            OverlapMiddle.setAlong(_pair.first, b, out);
+            OverlapMiddle.keepWithin(_pair.first, out);
+            if (!_pair.isSecondGround)
+            {
+                OverlapMiddle.keepWithin(b, out);
+            }
+        }
+
+        // Handles two bodies that do not touch at the time, because of rounding. The depth is 0. The normal points against the motion, unless the
+        // two touch if the first one moves a little against the given normal.
+        private function findGrazing(motion:RelativeMotion, out:ContactPoint):void
+        {
+            out.depth = 0;
+            _tried.setDirection(out.normalX, out.normalY, out.normalZ);
+            _tried.distance = -Math.max(_pair.nearby, _pair.rounding);
+            if (!_pair.testAt(_tried))
+            {
+                out.pointAgainst(motion);
+            }
+        }
+
+        // Whether the first body moves, and touches the second only after the motion's beginning.
+        private static function isComing(motion:RelativeMotion):Boolean
+        {
+            return motion.time > 0 && (motion.x != 0 || motion.y != 0 || motion.z != 0);
+        }
+
+        // Finds the shortest way out that it can. If triangles decide and the depth is more than IMPROVED_DEPTH, the leaves find a direction
+        // first, because their tests are fast.
+        private function findLeast(motion:RelativeMotion, out:ContactPoint):void
+        {
+            _first.copyFrom(out);
+            out.depth = Infinity;
+            if (_pair.isSecondGround)
+            {
+                _groundExits.find(_first, out);
+                return;
+            }
+            _pushOut.begin(_first);
+            _pushOut.find(Infinity, out);
+            if (isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
+            {
+                _first.pointAgainst(motion);
+                _first.depth = 0;
+                _pushOut.begin(_first);
+                _pushOut.find(DirectionSearch.GAIN * out.depth, out);
+            }
+            if (out.depth == 0)
+            {
+                return;
+            }
+            var areLeavesFirst:Boolean = _limits.exact && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent;
+            _pair.stopAtLeaves(areLeavesFirst);
+            tryOuter(out);
+            if (areLeavesFirst)
+            {
+                _pair.stopAtLeaves(false);
+                _directions.findAlong(out, out);
+            }
+        }
+
+        // Tries to go straight along the shortest way out of the structures around both bodies.
+        private function tryOuter(out:ContactPoint):void
+        {
+            _pair.putBack();
+            _pair.findOuterContact(_outer);
+            if (out.depth == Infinity)
+            {
+                _directions.findAlong(_outer, out);
+                return;
+            }
+            _tried.setDirection(_outer.normalX, _outer.normalY, _outer.normalZ);
+            _tried.distance = out.depth - _pair.tolerance;
+            if (_tried.distance > 0 && !_pair.testAt(_tried))
+            {
+                _directions.shorten(_tried, out);
+            }
+        }
+    }
+}

@@ -1,0 +1,232 @@
+package starlogo.search.penetration
+{
+    import flash.geom.Vector3D;
+    import starlogo.convex.ContactPoint;
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * Pushes the first of two bodies out of the second. It tries the shortest push out of all contacts so far (PushQueue). If the two still touch
+     * after it, their contact there is added. So a box in a corner of floor and wall goes out of both at once.
+     *
+     * <p>A search begins with <code>begin()</code>. <code>find()</code> is a whole search. Another search takes its steps itself:
+     * <code>restartWithTests()</code>, and then in each round <code>add()</code> for contacts of its own, and <code>tryNext()</code>.</p>
+     */
+    internal final class PushOut
+    {
+        /**
+         * A push out of several contacts counts only if the body is free this much farther along it too, as a fraction of the larger extent.
+         * Otherwise it ends in a gap between parts of the second body.
+         */
+        public static const ROOM:Number = 100 * Tolerances.SEPARATION;
+
+        /** A result of <code>tryNext()</code>: the push frees the body. */
+        public static const FREE:int = 0;
+
+        /** A result of <code>tryNext()</code>: the push does not free the body. Pushes that also lead out of the contact there are added. */
+        public static const BLOCKED:int = 1;
+
+        /** A result of <code>tryNext()</code>: the push is too long, and was not tried. */
+        public static const TOO_LONG:int = 2;
+
+        /** A result of <code>tryNext()</code>: no push is left that can free the body. */
+        public static const NONE:int = 3;
+
+        // The most contacts that a push leads out of.
+        private static const MOST_CONTACTS:int = 4;
+
+        // How far a push leads into a corner of an agent at most, as a fraction of the larger extent. After a push, a contact counts as another
+        // side of the same corner if the cosine between its normal and the push is between these two. If the push is also this short for
+        // the smaller extent, the corner may be acute, and the contact may be of the same side: a face beside an edge that was met first.
+        private static const LARGEST_CORNER:Number = 1 / 16;
+        private static const LEAST_COSINE:Number = -0.1;
+        private static const LEAST_ACUTE_COSINE:Number = -0.99;
+        private static const MOST_COSINE:Number = 0.8;
+
+        // How much farther than its depth a push leads out of each contact, as a fraction of SEPARATION. This is more than the gap across which
+        // surfaces touch.
+        private static const SLACK:Number = 0.001;
+
+        /** The contact that was found last: the first one, or the one after a push. Read only. */
+        public var contact:ContactPoint = new ContactPoint();
+
+        // The pushes. The current one is tried.
+        private var _pushes:PushQueue = new PushQueue();
+
+        private var _pair:DisplacedPair;
+        private var _directions:DirectionSearch;
+
+        // The contact that a search begins with, and whether the tests have found another one since; how much farther
+        // than its depth a push leads out of each; and the displacement that is tried.
+        private var _first:ContactPoint = new ContactPoint();
+        private var _isFirstLost:Boolean = false;
+        private var _slack:Number = 0;
+        private var _tried:Displacement = new Displacement();
+
+        /**
+         * @param pair has begun when a method is called
+         * @param directions shortens pushes that are longer than needed
+         */
+        public function PushOut(pair:DisplacedPair, directions:DirectionSearch)
+        {
+            _pair = pair;
+            _directions = directions;
+        }
+
+        /** Takes the contact that the searches begin with. The tests have found no other one since. */
+        public function begin(first:ContactPoint):void
+        {
+            _first.copyFrom(first);
+            _isFirstLost = false;
+        }
+
+        /**
+         * Looks for the shortest push that leads out of all contacts, from the first one on.
+         *
+         * @param most the length of the longest push that counts
+         * @param out receives the normal and the depth if there is such a push
+         * @return whether there is one
+         */
+        public function find(most:Number, out:ContactPoint):Boolean
+        {
+            restart();
+            add(contact);
+            for (var tries:int = MOST_CONTACTS; tries > 0; tries--)
+            {
+                var result:int = tryNext(most, out);
+                if (result != BLOCKED)
+                {
+                    return result == FREE;
+                }
+            }
+            return false;
+        }
+
+        /** Begins with the first contact again, and finds it anew where the first body stands if another one has been found since. */
+        public function restartWithTests():void
+        {
+            restart();
+            if (_isFirstLost)
+            {
+                _pair.findContact(contact);
+            }
+            add(contact);
+        }
+
+        /** Adds the push that also leads out of a contact, which was found after the current push. */
+        public function add(found:ContactPoint):void
+        {
+            _pushes.add(found, _slack);
+        }
+
+        /** The push that was tried last; 0 at the beginning. Do not change it. */
+        public function get push():Vector3D
+        {
+            return _pushes.push;
+        }
+
+        /**
+         * Goes on to the shortest push that is left, and tries it.
+         *
+         * @param most the length of the longest push that counts
+         * @param out receives its normal and its depth if the first body is free after it
+         * @return FREE, BLOCKED, TOO_LONG or NONE
+         */
+        public function tryNext(most:Number, out:ContactPoint):int
+        {
+            if (!_pushes.next())
+            {
+                return NONE;
+            }
+            if (_pushes.length > most)
+            {
+                return TOO_LONG;
+            }
+            if (!testPush())
+            {
+                takePush(out);
+                return FREE;
+            }
+            if (!findCorner())
+            {
+                return NONE;
+            }
+            add(contact);
+            return BLOCKED;
+        }
+
+        // Begins with the first contact again, where it was.
+        private function restart():void
+        {
+            _pushes.begin();
+            contact.copyFrom(_first);
+            _slack = SLACK * Tolerances.SEPARATION * _pair.extent + _pair.rounding;
+            _pair.putBack();
+        }
+
+        // Finds the contact after a push that does not free the body. Returns whether it may be a side of a corner. It may not if it points
+        // against the push, or along it after a long one, as for agents deep in each other. In the ground it always may.
+        private function findCorner():Boolean
+        {
+            var isGround:Boolean = _pair.isSecondGround;
+            if (!isGround && _pushes.length > LARGEST_CORNER * _pair.extent)
+            {
+                return false;
+            }
+            _isFirstLost = true;
+            _pair.findContact(contact);
+            var cosine:Number = contact.normalX * _tried.x + contact.normalY * _tried.y + contact.normalZ * _tried.z;
+            // the body is a little farther than the push
+            contact.depth += (_tried.distance - _pushes.length) * cosine;
+            if (isGround)
+            {
+                return true;
+            }
+            var isShort:Boolean = _pushes.length <= 2 * LARGEST_CORNER * Math.min(_pair.first.largestHalf, _pair.second.largestHalf);
+            return isShort ? cosine > LEAST_ACUTE_COSINE : cosine > LEAST_COSINE && cosine < MOST_COSINE;
+        }
+
+        // Puts the first body behind the current push. Returns whether the two touch there.
+        private function testPush():Boolean
+        {
+            _tried.setDirection(_pushes.push.x / _pushes.length, _pushes.push.y / _pushes.length, _pushes.push.z / _pushes.length);
+            var farther:Number = _pushes.length + _pair.nearby;
+            if (_pushes.deciding > 1)
+            {
+                // beyond its end, a push out of several contacts may lead into one of them again
+                _tried.distance = _pushes.length;
+                if (_pair.testAt(_tried))
+                {
+                    return true;
+                }
+            }
+            _tried.distance = farther;
+            if (_pair.testAt(_tried))
+            {
+                return true;
+            }
+            if (_pushes.deciding == 1)
+            {
+                return false;
+            }
+            _tried.distance = _pushes.length + ROOM * _pair.extent;
+            return _pair.testAt(_tried);
+        }
+
+        // Takes the push. If the two are free before its end, the depth is refined. The first push out of the ground needs no test if its contact
+        // is sure of its depth.
+        private function takePush(out:ContactPoint):void
+        {
+            out.setNormal(_tried.x, _tried.y, _tried.z);
+            out.depth = _pushes.length;
+            if (!_isFirstLost && _pair.isSecondGround && _first.ground.isSure)
+            {
+                return;
+            }
+            _tried.distance = _pushes.length - _pair.nearby;
+            if (_tried.distance > 0 && !_pair.testAt(_tried))
+            {
+                _directions.shorten(_tried, out);
+            }
+        }
+    }
+}

@@ -1,0 +1,429 @@
+package starlogo.search.table
+{
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.broadphase.BinLevels;
+    import starlogo.broadphase.Extents;
+    import starlogo.engine;
+    import starlogo.search.Body;
+    import starlogo.search.ModelShape;
+    import starlogo.search.ModelShapes;
+    import starlogo.search.NumberList;
+    import starlogo.search.WorldAgent;
+
+    use namespace engine;
+
+    /**
+     * The table in which a collider stores its agents: a row for each agent, and a column of numbers for each property. ListedAgents says which
+     * agent has which row, and PlaceHistory where it is and was. It has columns because with thousands of agents reading memory takes most of the
+     * time. Each row has a body for tests.
+     *
+     * <p>A row stays as the last search has read it, even if the agent has changed since: its place, its rotation and its shape. docs/state.md
+     * lists the changes that make a part of a row void.</p>
+     *
+     * @private
+     */
+    public final class AgentTable
+    {
+        // In place of a revision: the value has to be computed again.
+        private static const STALE:int = -1;
+
+        /** The list that was read last, and the row of each agent. */
+        public var list:ListedAgents = new ListedAgents();
+
+        /** Where the agents are and were. */
+        public var places:PlaceHistory = new PlaceHistory();
+
+        /** By row: the number of the agent's breed. */
+        engine var breeds:Vector.<int> = new Vector.<int>();
+
+        // By row: the shape of the agent's model, which is null while the model is loading; and the shape's form.
+        engine var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
+        engine var forms:Vector.<int> = new Vector.<int>();
+
+        // By row: the body, which is as old as its revision.
+        private var _bodies:Vector.<Body> = new Vector.<Body>();
+
+        /** By row: the extents of the shape. */
+        engine var extents:Extents;
+        private var _rowExtents:RowExtents;
+
+        // By row: the agent's bodyRevision at which its body was read, or STALE.
+        private var _bodyRevisions:Vector.<int> = new Vector.<int>();
+
+        // By row: the agent's shapeRevision at which its shape was read.
+        private var _shapeRevisions:Vector.<int> = new Vector.<int>();
+
+        // By row: the structure of the body if it is a box that is tested alone, and else null. This column is typed, so the most frequent slow
+        // test needs no casts.
+        engine var boxes:Vector.<Box> = new Vector.<Box>();
+
+        // By row: the revision at which its box was placed.
+        engine var placedRevisions:Vector.<int> = new Vector.<int>();
+
+        // The number of rows read last whose models are still loading.
+        engine var loadingCount:int = 0;
+
+        private var _reshaped:ReshapedRows = new ReshapedRows();
+
+        private var _modelShapes:ModelShapes;
+
+        /**
+         * @param shapes has the shape of each model
+         * @param levels the levels of extents; null if none are needed
+         */
+        public function AgentTable(shapes:ModelShapes, levels:BinLevels)
+        {
+            _modelShapes = shapes;
+            _rowExtents = new RowExtents(levels);
+            extents = _rowExtents.extents;
+            grow(ListedAgents.LISTED);
+        }
+
+        /**
+         * Reads a list of agents, with the place and the shape that each of them has now.
+         *
+         * @throws ArgumentError if an agent is null or listed twice, or its model is unknown or lacks data that is needed. The positions and
+         *     motions of the last search are then unchanged
+         * @throws RangeError if a structure is out of the world; the same holds then
+         */
+        public function read(agents:Vector.<Agent>):void
+        {
+            var reshaped:ReshapedRows = _reshaped;
+            forgetReplaced();
+            list.beginRead();
+            var isOther:Boolean = !list.isAccepted || agents.length != list.count || !readChanged(agents, list.rows, reshaped.rows);
+            if (isOther)
+            {
+                list.propose(agents);
+                makeRows();
+                readChanged(agents, list.proposed, reshaped.rows);
+            }
+            findShapes(reshaped);
+            if (isOther)
+            {
+                list.accept(agents.length);
+                followList();
+            }
+            loadingCount = takeShapes(reshaped);
+            places.acceptRead(list.count);
+            moveExtents(reshaped.rows);
+        }
+
+        /**
+         * Reads the agent of one row as it is now, except for its breed. It then has no motion. Rows whose model was replaced are marked, so the
+         * next search reads them again.
+         *
+         * @throws ArgumentError if its model is unknown or lacks data that is needed. The row is then unchanged
+         * @throws RangeError if its structure is out of the world. The row is then unchanged
+         */
+        public function readRow(row:int):void
+        {
+            forgetReplaced();
+            var agent:Agent = list.agents[row];
+            if (agent.bodyRevision != _bodyRevisions[row])
+            {
+                _reshaped.rows.count = 0;
+                _reshaped.rows.add(row);
+                findShapes(_reshaped);
+                takeShapes(_reshaped);
+            }
+            places.last.read(row, agent);
+            places.before.read(row, agent);
+            _rowExtents.moveRow(row, places.last);
+        }
+
+        /** Reads the agent of the ground or of the edges of the world into its row if the row has another one, or empties the row. */
+        public function readWorldAgent(row:int, agent:Agent):void
+        {
+            if (list.agents[row] !== agent)
+            {
+                list.agents[row] = agent;
+                shapes[row] = null;
+                if (agent != null)
+                {
+                    breeds[row] = agent.breedNumber;
+                    setShape(row, ModelShapes.newShapeOfWorldAgent(WorldAgent(agent)));
+                    readBody(row);
+                    places.last.read(row, agent);
+                    places.before.read(row, agent);
+                }
+            }
+        }
+
+        /**
+         * The body of an agent as it is now: that of its row, if the agent has not changed since, and else a body that is made. Its shape is null
+         * while the agent's model is loading. A row of the ground or of the edges may be held (HeldWorld), and is not of now then.
+         */
+        public function currentBodyOf(agent:Agent, made:Body):Body
+        {
+            forgetReplaced();
+            var row:int = list.rowOf(agent);
+            var isOfNow:Boolean = row >= ListedAgents.LISTED || row >= 0 && shapes[row].worldAgent === agent;
+            if (isOfNow && agent.revision == places.last.revisions[row] && agent.bodyRevision == _bodyRevisions[row])
+            {
+                return bodyOf(row);
+            }
+            made.readAgent(agent, _modelShapes.shapeOf(agent));
+            if (row >= 0)
+            {
+                made.rank = list.ranks[row];
+            }
+            return made;
+        }
+
+        /** The body of a row whose model is not loading, as the last search has read it. */
+        public function bodyOf(row:int):Body
+        {
+            var body:Body = _bodies[row];
+            if (!body.isOf(list.agents[row], places.last.revisions[row]))
+            {
+                body.follow(list.agents[row], places.last, row);
+            }
+            return body;
+        }
+
+        /** Puts the box of a row to its place. A test does this only when it needs the box, because few of thousands of agents have others near. */
+        engine function placeBox(row:int):void
+        {
+            bodyOf(row).worldStructure();
+            placedRevisions[row] = places.last.revisions[row];
+        }
+
+        /**
+         * Reads the places of agents that have changed since the last search.
+         *
+         * @param reshaped receives the rows of those whose bodies have changed
+         * @return false if the rows do not belong to the agents
+         */
+        private function readChanged(agents:Vector.<Agent>, rows:Vector.<int>, reshaped:NumberList):Boolean
+        {
+            var byRow:Vector.<Agent> = list.agents;
+            var seen:Vector.<int> = places.last.revisions;
+            var bodiesSeen:Vector.<int> = _bodyRevisions;
+            var end:int = agents.length;
+            places.beginRead();
+            reshaped.count = 0;
+            for (var i:int = 0; i < end; i++)
+            {
+                var row:int = rows[i];
+                var agent:Agent = agents[i];
+                if (byRow[row] !== agent)
+                {
+                    return false;
+                }
+                if (agent.revision != seen[row] || bodiesSeen[row] == STALE)
+                {
+                    if (agent.bodyRevision != bodiesSeen[row])
+                    {
+                        reshaped.add(row);
+                    }
+                    places.read(row, agent);
+                    // also if the list is refused: then the next search reads the row again
+                    breeds[row] = agent.breedNumber;
+                }
+            }
+            return true;
+        }
+
+        // Makes room for the rows of the proposed list. What is left over from other agents in those that have arrived is void.
+        private function makeRows():void
+        {
+            if (list.agents.length > shapes.length)
+            {
+                grow(list.agents.length);
+            }
+            for (var i:int = 0; i < list.arrived.count; i++)
+            {
+                empty(list.arrived.numbers[i]);
+            }
+        }
+
+        // Takes the order of an accepted list, and empties the rows of agents that have left.
+        private function followList():void
+        {
+            for (var i:int = 0; i < list.leftOrReordered.count; i++)
+            {
+                var row:int = list.leftOrReordered.numbers[i];
+                if (list.agents[row] == null)
+                {
+                    empty(row);
+                }
+            }
+            for (i = 0; i < list.count; i++)
+            {
+                var body:Body = _bodies[list.rows[i]];
+                if (body != null)
+                {
+                    body.rank = i;
+                }
+            }
+        }
+
+        private function empty(row:int):void
+        {
+            shapes[row] = null;
+            _bodyRevisions[row] = STALE;
+        }
+
+        private function grow(length:int):void
+        {
+            var row:int = shapes.length;
+            shapes.length = boxes.length = _bodies.length = length;
+            forms.length = breeds.length = _bodyRevisions.length = _shapeRevisions.length = placedRevisions.length = length;
+            places.grow(length);
+            _rowExtents.grow(length);
+            for (; row < length; row++)
+            {
+                _bodyRevisions[row] = STALE;
+            }
+        }
+
+        private function forgetReplaced():void
+        {
+            if (!_modelShapes.forgetReplaced())
+            {
+                return;
+            }
+            for (var row:int = 0; row < shapes.length; row++)
+            {
+                if (shapes[row] != null && shapes[row].isVoid)
+                {
+                    _bodyRevisions[row] = STALE;
+                }
+            }
+        }
+
+        /**
+         * Sets the place of a row in the last search, as if the search had seen the agent there.
+         *
+         * @param hasMotion whether the agent's next motion begins there
+         */
+        public function setLastPlace(row:int, x:Number, y:Number, z:Number, hasMotion:Boolean):void
+        {
+            var last:RowPlaces = places.last;
+            var seen:int = last.revisions[row];
+            if (last.x[row] != x || last.y[row] != y || last.z[row] != z)
+            {
+                // the agent has moved since. One more revision makes this a motion, even if the game has put the agent there by a jump
+                list.agents[row].revision++;
+                last.x[row] = x;
+                last.y[row] = y;
+                last.z[row] = z;
+                _rowExtents.moveRow(row, last);
+            }
+            last.revisions[row] = hasMotion ? seen : RowPlaces.NOT_SEEN;
+            setStale(row);
+        }
+
+        private function moveExtents(reshaped:NumberList):void
+        {
+            _rowExtents.farOut.count = 0;
+            _rowExtents.moveRows(places.changed, places.last, shapes);
+            _rowExtents.assignLevels(reshaped, shapes);
+            for (var i:int = 0; i < _rowExtents.farOut.count; i++)
+            {
+                _bodyRevisions[_rowExtents.farOut.numbers[i]] = STALE;
+            }
+        }
+
+        // Finds the shapes of rows. All shapes are found before any row changes, because an error must change no row.
+        private function findShapes(reshaped:ReshapedRows):void
+        {
+            if (reshaped.rows.count > reshaped.shapes.length)
+            {
+                reshaped.shapes.length = reshaped.rows.count;
+            }
+            for (var i:int = 0; i < reshaped.rows.count; i++)
+            {
+                var row:int = reshaped.rows.numbers[i];
+                if (needsShape(row))
+                {
+                    reshaped.shapes[i] = _modelShapes.shapeOf(list.agents[row]);
+                }
+            }
+        }
+
+        // Gives rows the shapes that findShapes has found, and reads their bodies. Returns the number of rows whose models are loading. These
+        // are read again in every search.
+        private function takeShapes(reshaped:ReshapedRows):int
+        {
+            var loading:int = 0;
+            for (var i:int = 0; i < reshaped.rows.count; i++)
+            {
+                var row:int = reshaped.rows.numbers[i];
+                if (needsShape(row))
+                {
+                    setShape(row, reshaped.shapes[i]);
+                    reshaped.shapes[i] = null;
+                }
+                if (shapes[row] == null)
+                {
+                    loading++;
+                }
+                else
+                {
+                    readBody(row);
+                }
+            }
+            return loading;
+        }
+
+        private function needsShape(row:int):Boolean
+        {
+            var shape:ModelShape = shapes[row];
+            return shape == null || shape.isVoid || list.agents[row].shapeRevision != _shapeRevisions[row];
+        }
+
+        private function setShape(row:int, shape:ModelShape):void
+        {
+            var before:ModelShape = shapes[row];
+            if (before == null || shape == null || shape.modelName != before.modelName)
+            {
+                places.last.revisions[row] = RowPlaces.NOT_SEEN;
+            }
+            shapes[row] = shape;
+            boxes[row] = null;
+            _shapeRevisions[row] = list.agents[row].shapeRevision;
+            if (shape == null)
+            {
+                // it is read again in the next search
+                _bodyRevisions[row] = STALE;
+                return;
+            }
+            forms[row] = shape.form;
+        }
+
+        // Reads the body of a row, whose shape is known, and the extents of the body.
+        private function readBody(row:int):void
+        {
+            var agent:Agent = list.agents[row];
+            var shape:ModelShape = shapes[row];
+            var body:Body = _bodies[row];
+            if (body == null)
+            {
+                body = _bodies[row] = new Body();
+            }
+            body.readShape(agent, shape);
+            body.rank = list.ranks[row];
+            _rowExtents.setLengths(row, body);
+            if (shape.form == BoundingStructure.BOX && boxes[row] == null)
+            {
+                boxes[row] = Box(body.worldStructure());
+            }
+            _bodyRevisions[row] = agent.bodyRevision;
+            setStale(row);
+        }
+
+        // Lets a row's body be placed again.
+        private function setStale(row:int):void
+        {
+            placedRevisions[row] = STALE;
+            if (_bodies[row] != null)
+            {
+                _bodies[row].revision = STALE;
+            }
+        }
+    }
+}

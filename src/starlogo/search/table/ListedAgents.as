@@ -1,0 +1,291 @@
+package starlogo.search.table
+{
+    import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
+    import starlogo.engine;
+    import starlogo.geometry.HashTable;
+    import starlogo.search.NumberList;
+    import starlogo.search.textOf;
+    import starlogo.search.warnOfNames;
+
+    use namespace engine;
+
+    /**
+     * The list of a table, and the row of each of its agents. An agent keeps its row while it is listed. Free rows are used again.
+     *
+     * <p>A new list is first proposed and then accepted. Until it is accepted, the agents of the list before are the ones that are listed. A list
+     * that is refused is never accepted. Its new agents may keep rows until the next list.</p>
+     *
+     * @private
+     */
+    public final class ListedAgents
+    {
+        /** The row of the agent of the ground, which is in no list. It is also the number of this agent's breed. */
+        public static const GROUND:int = 0;
+
+        /** The row of the agent of the edges of the world. It is also the number of this agent's breed. */
+        public static const EDGES:int = 1;
+
+        /** The first row for agents of a list. */
+        public static const LISTED:int = 2;
+
+        // In place of a rank: the agent of the row is not listed.
+        private static const UNLISTED:int = -1;
+
+        // The rank of the oldest agent among those that are not listed. It is more than the number of agents in any list.
+        private static const FIRST_UNLISTED:int = 1 << 30;
+
+        /** The rows of the agents, in the order of the list. */
+        public var rows:Vector.<int> = new Vector.<int>();
+
+        /** The number of agents in the list. */
+        public var count:int = 0;
+
+        /** By row: the index of its agent in the list. The ground and the edges of the world have the indices after the agents. */
+        public var ranks:Vector.<int> = new <int>[0, 1];
+
+        /** By row: the agent, or null. Agents of a list that was refused may still have rows. */
+        public var agents:Vector.<Agent> = new <Agent>[null, null];
+
+        /** The rows of the agents of the list that was proposed last. */
+        internal var proposed:Vector.<int> = new Vector.<int>();
+
+        /** Whether the list that was proposed last was accepted. */
+        internal var isAccepted:Boolean = true;
+
+        /**
+         * The rows whose agents are missing from the list that was read last, or have another place in it. The agents of all other rows have the
+         * same order in both lists.
+         */
+        engine var leftOrReordered:NumberList = new NumberList();
+
+        /** The rows that agents have got in the list that was proposed last. */
+        internal var arrived:NumberList = new NumberList();
+
+        private var _free:NumberList = new NumberList();
+        private var _inOrder:Vector.<int> = new Vector.<int>();
+        private var _rowsById:HashTable = new HashTable();
+
+        // All rows below it are in use or free.
+        private var _end:int = LISTED;
+
+        // The number of lists that were proposed. By row: the last of them in which the agent was.
+        private var _proposals:int = 0;
+        private var _lastProposals:Vector.<int> = new <int>[0, 0];
+
+        /** The number of the list whose agents are listed: another number for each list that was accepted; -1 after a list was refused. */
+        public function get listNumber():int
+        {
+            return isAccepted ? _proposals : -1;
+        }
+
+        /** The row of an agent; -1 if it is not listed. The ground and the edges of the world have their rows from the last search on. */
+        public function rowOf(agent:Agent):int
+        {
+            if (Breeds.isReserved(agent.breedNumber))
+            {
+                return agents[GROUND] === agent ? GROUND : agents[EDGES] === agent ? EDGES : -1;
+            }
+            var row:int = _rowsById.valueOf(agent.idNumber, 0);
+            return row >= 0 && ranks[row] == UNLISTED ? -1 : row;
+        }
+
+        /**
+         * The rank of an agent: its index in the list. Agents that are not listed come after these, the older ones first. The ground and the
+         * edges of the world come last.
+         */
+        public function rankOf(agent:Agent):int
+        {
+            if (Breeds.isReserved(agent.breedNumber))
+            {
+                return int.MAX_VALUE;
+            }
+            var row:int = rowOf(agent);
+            return row >= 0 ? ranks[row] : rankOfUnlisted(agent);
+        }
+
+        /** The rank of an agent that is in no list. */
+        public static function rankOfUnlisted(agent:Agent):int
+        {
+            return FIRST_UNLISTED + agent.idNumber;
+        }
+
+        /** Whether the rows belong to the agents of a list, in its order. */
+        public function isListed(list:Vector.<Agent>):Boolean
+        {
+            var i:int = 0;
+            if (list.length == count)
+            {
+                while (i < count && agents[rows[i]] === list[i])
+                {
+                    i++;
+                }
+            }
+            return i == count && list.length == count;
+        }
+
+        /** Begins to read another list: no row has left it yet. */
+        internal function beginRead():void
+        {
+            leftOrReordered.count = 0;
+        }
+
+        /**
+         * Finds rows for the agents of a list. An agent that is listed keeps its row. Call it alone to find out whether a list is refused.
+         *
+         * @throws ArgumentError if an agent is null or listed twice. The agents that are listed stay the same then
+         */
+        public function propose(list:Vector.<Agent>):void
+        {
+            if (!isAccepted)
+            {
+                freeUnlisted();
+            }
+            isAccepted = false;
+            arrived.count = 0;
+            _proposals++;
+            for (var i:int = 0; i < list.length; i++)
+            {
+                var agent:Agent = list[i];
+                var row:int = i < count ? rows[i] : -1;
+                if (row < 0 || agents[row] !== agent)
+                {
+                    requireAgent(i, agent);
+                    row = _rowsById.valueOf(agent.idNumber, 0);
+                }
+                if (row < 0)
+                {
+                    warnOfNames(agent);
+                    row = add(agent);
+                }
+                else if (_lastProposals[row] == _proposals)
+                {
+                    throw new ArgumentError(agent + " is listed twice: agents[" + list.indexOf(agent) + "] and agents[" + i + "]");
+                }
+                _lastProposals[row] = _proposals;
+                proposed[i] = row;
+            }
+        }
+
+        /**
+         * Makes the agents of the proposed list the ones that are listed, and frees the rows of all others.
+         *
+         * @param length the number of agents
+         */
+        internal function accept(length:int):void
+        {
+            listReordered(length);
+            for (var i:int = 0; i < count; i++)
+            {
+                ranks[rows[i]] = UNLISTED;
+            }
+            var before:Vector.<int> = rows;
+            rows = proposed;
+            proposed = before;
+            count = length;
+            for (i = 0; i < length; i++)
+            {
+                ranks[rows[i]] = i;
+            }
+            ranks[GROUND] = length;
+            ranks[EDGES] = length + 1;
+            isAccepted = true;
+            freeUnlisted();
+        }
+
+        /**
+         * Throws an ArgumentError if an object is not an agent of the game.
+         *
+         * @param index its index in a list
+         * @param agent JavaScript callers may pass an object of any class
+         */
+        public static function requireAgent(index:int, agent:Agent):void
+        {
+            if (!(agent is Agent))
+            {
+                throw new ArgumentError("agents[" + index + "] " + (agent == null ? "is null" : "must be an Agent, not " + textOf(agent, "an Agent")));
+            }
+            if (Breeds.isReserved(agent.breedNumber))
+            {
+                throw new ArgumentError("agents[" + index + "] must be an agent of the game, not " + agent
+                        + ", which stands for the ground or the edges of the world");
+            }
+        }
+
+        private function add(agent:Agent):int
+        {
+            var row:int = _end;
+            if (_free.count > 0)
+            {
+                _free.count--;
+                row = _free.numbers[_free.count];
+            }
+            else
+            {
+                _end++;
+                // grows by an eighth, because a vector that grows by one element is copied each time
+                if (_end > agents.length)
+                {
+                    grow(_end + (_end >> 3));
+                }
+            }
+            agents[row] = agent;
+            ranks[row] = UNLISTED;
+            arrived.add(row);
+            _rowsById.set (agent.idNumber, 0, row);
+            return row;
+        }
+
+        private function grow(length:int):void
+        {
+            agents.length = ranks.length = _lastProposals.length = length;
+        }
+
+        // Lists rows so that all others have the same order in both lists. If the last agent took the place of one that was removed, it is one row.
+        private function listReordered(length:int):void
+        {
+            var inOrder:Vector.<int> = _inOrder;
+            var end:int = 0;
+            for (var i:int = 0; i < length; i++)
+            {
+                var row:int = proposed[i];
+                var rank:int = ranks[row];
+                if (rank == UNLISTED)
+                {
+                    continue;
+                }
+                if (end > 0 && ranks[inOrder[int(end - 1)]] > rank)
+                {
+                    if (end > 1 && ranks[inOrder[int(end - 2)]] > rank)
+                    {
+                        leftOrReordered.add(row);
+                        continue;
+                    }
+                    end--;
+                    leftOrReordered.add(inOrder[end]);
+                }
+                inOrder[end] = row;
+                end++;
+            }
+        }
+
+        private function freeUnlisted():void
+        {
+            for (var row:int = LISTED; row < _end; row++)
+            {
+                if (ranks[row] == UNLISTED && agents[row] != null)
+                {
+                    free(row);
+                }
+            }
+        }
+
+        private function free(row:int):void
+        {
+            _rowsById.remove(agents[row].idNumber, 0);
+            agents[row] = null;
+            leftOrReordered.add(row);
+            _free.add(row);
+        }
+    }
+}

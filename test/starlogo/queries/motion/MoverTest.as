@@ -1,0 +1,40 @@
+package starlogo.queries.motion
+{
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.agents.Agent;
+    import starlogo.collision.TightestFitCollider;
+    import starlogo.engine;
+    import starlogo.models.BuiltInModel;
+    import starlogo.queries.MoveQueries;
+    import starlogo.queries.SeenAgents;
+    import support.agentAt;
+    import support.landOf;
+
+    use namespace engine;
+
+    /** What a motion says about itself, and nothing of an earlier one. */
+    public class MoverTest
+    {
+        [Test]
+        public function aSlideWithoutAMotionHasMetNoFloorAndNoWall():void
+        {
+            var seen:SeenAgents = new SeenAgents(new TightestFitCollider(landOf(BuiltInModel.cube())));
+            var moves:MoveQueries = new MoveQueries(seen);
+            var mover:Mover = moves.mover;
+            var agent:Agent = agentAt("cube", 0, 0, 1.5);
+            seen.update(new <Agent>[agent, agentAt("cube", 0.2, 0, 0)]);
+            var planned:PlannedMotion = new PlannedMotion();
+            var result:SlideResult = new SlideResult();
+            moves.readMover(agent, 0, planned.body);
+            moves.planWithin(agent, 0, 0, -1, 1, 0, 0, null, planned);
+            mover.begin(planned.body, planned.rows);
+            mover.slide(planned.from, planned.motion, SlideLimits.NONE, result);
+            assertTrue("it met the cube below: " + result.floor.normalZ, Math.abs(result.floor.normalZ - 1) < 1e-9);
+            mover.slide(planned.from, new Vector3D(), SlideLimits.NONE, result);
+            assertEquals(-1, result.floorRow);
+            assertEquals(false, result.metWall);
+        }
+    }
+}

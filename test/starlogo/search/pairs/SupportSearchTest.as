@@ -1,0 +1,103 @@
+package starlogo.search.pairs
+{
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.collision.Contact;
+    import starlogo.collision.HierarchicalCollider;
+    import starlogo.engine;
+    import starlogo.models.ColladaModel;
+    import starlogo.models.CookedModel;
+    import starlogo.models.Model;
+    import starlogo.queries.AgentQueries;
+    import starlogo.search.Body;
+    import starlogo.search.ModelShape;
+    import starlogo.search.TreeLimits;
+    import starlogo.solid.ModelTree;
+    import starlogo.terrain.WorldBounds;
+    import support.ChainOfNodes;
+    import support.Effort;
+    import support.Fixtures;
+    import support.agentAt;
+    import support.landOf;
+
+    use namespace engine;
+
+    /** How far trees reach towards the edges of the world. */
+    public class SupportSearchTest
+    {
+        public static const FIXTURES:Array = ["/assets/dragon.dae", "/assets/seagull.dae"];
+
+        // The first question prepares the triangles of a tree that was read.
+        [Test]
+        public function aTreeThatWasReadAnswersAtOnce():void
+        {
+            var asked:Object = {};
+            for each (var file:String in FIXTURES)
+            {
+                var model:Model = new ColladaModel("model", Fixtures.text(file));
+                var land:GreatLand = landOf(model);
+                var cooked:Model = CookedModel.fromBytes("model", land.cook(model));
+                for (var i:int = 0; i < Effort.choose(6, 60, 2); i++)
+                {
+                    var agent:Agent = agentAt("model", 0, 0, 0);
+                    agent.heading = 200 + 31 * i;
+                    agent.pitch = i % 3 == 0 ? 0 : 17 * i;
+                    agent.size = 4.6 + 3 * (i & 1);
+                    for each (var isDistance:Boolean in [false, true])
+                    {
+                        var fresh:String = ask(landOf(cooked), agent, isDistance);
+                        assertEquals(file + ", " + agent.heading, ask(land, agent, isDistance), fresh);
+                        assertEquals(file + ", " + agent.heading, ask(land, agent, isDistance), fresh);
+                        asked[fresh] = true;
+                    }
+                }
+            }
+            var different:int = 0;
+            for (fresh in asked)
+            {
+                different++;
+            }
+            assertTrue(different + " answers", different > 4);
+        }
+
+        // Deeper than recursion could go.
+        [Test]
+        public function treesMayBeDeep():void
+        {
+            var count:int = 100000;
+            var shape:ModelShape = new ModelShape("chain", Agent.ANY_KIND, 0);
+            shape.setTree(new ModelTree(ChainOfNodes.read(count, count, ChainOfNodes.OF_THE_THESIS, false)));
+            var body:Body = new Body();
+            body.readAgent(new Agent("chain"), shape);
+            var limits:TreeLimits = new TreeLimits();
+            limits.maxDepth = int.MAX_VALUE;
+            var search:SupportSearch = new SupportSearch();
+            var farthest:SupportPoint = new SupportPoint();
+            for each (var side:int in [-1, 1])
+            {
+                search.findPoint(body, limits, new Vector3D(side, 0, 0), count, farthest);
+                assertTrue(farthest.support + " and " + farthest.x, Math.abs(farthest.support - (side > 0 ? count - 1 : 0)) < 1e-3);
+                assertTrue(Math.abs(farthest.x - side * farthest.support) < 1e-3);
+            }
+        }
+
+        private static function ask(land:GreatLand, agent:Agent, isDistance:Boolean):String
+        {
+            var collider:HierarchicalCollider = new HierarchicalCollider(land);
+            collider.exact = true;
+            var bounds:WorldBounds = new WorldBounds(-2, -3, -Infinity, 2.5, 3, 2);
+            if (!isDistance)
+            {
+                var contact:Contact = collider.contactOf(agent, bounds.agent);
+                return contact.point + " " + contact.normal + " " + contact.depth;
+            }
+            bounds.setTo(-50, -40, -30, 50, 40, 30);
+            var point:Vector3D = new Vector3D();
+            var other:Vector3D = new Vector3D();
+            return new AgentQueries(collider).distance(agent, bounds.agent, point, other) + " " + point + " " + other;
+        }
+    }
+}

@@ -1,0 +1,130 @@
+package starlogo.search.table
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.broadphase.Bins;
+    import starlogo.collision.Collider;
+    import starlogo.engine;
+    import starlogo.models.BuiltInModel;
+    import starlogo.queries.AgentQueries;
+    import starlogo.search.ModelShapes;
+    import starlogo.search.TightestShapes;
+    import support.EachCollider;
+    import support.RandomWorlds;
+    import support.assertThrows;
+    import support.landOf;
+
+    use namespace engine;
+
+    /** A table has the agents that are listed, and no others: neither those that have left, nor those of a list that was refused. */
+    public class AgentTableTest
+    {
+        private var _land:GreatLand = landOf(BuiltInModel.cube());
+        private var _table:AgentTable = new AgentTable(new ModelShapes(new TightestShapes(_land)), new Bins().levels);
+        private var _agents:Vector.<Agent> = new Vector.<Agent>();
+
+        [Before]
+        public function makeTable():void
+        {
+            for (var i:int = 0; i < 20; i++)
+            {
+                _agents.push(new Agent("cube"));
+            }
+            _table.read(_agents);
+        }
+
+        [Test]
+        public function hasNoneOfAListThatIsRefused():void
+        {
+            for (var i:int = 0; i < 50; i++)
+            {
+                var others:Vector.<Agent> = _agents.concat().reverse();
+                others.splice(10, 5, new Agent("cube"), new Agent("cube"));
+                assertThrows(ArgumentError, /null/, _table.read, others.concat(new <Agent>[null]));
+                assertThrows(ArgumentError, /twice/, _table.read, others.concat(new <Agent>[others[0]]));
+                assertHasOnly(_agents);
+                for each (var agent:Agent in _agents)
+                {
+                    assertTrue(_table.list.agents[_table.list.rowOf(agent)] === agent);
+                }
+            }
+            assertTrue(_table.list.agents.length + " rows", _table.list.agents.length <= 30);
+            _table.read(_agents);
+            assertHasOnly(_agents);
+        }
+
+        [Test]
+        public function aRefreshedAgentIsSeenAsItIs():void
+        {
+            var random:SeededRandom = new SeededRandom(741);
+            var land:GreatLand = landOf(BuiltInModel.cube(), BuiltInModel.cylinder(), BuiltInModel.sphere());
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, land);
+                var agents:Vector.<Agent> = RandomWorlds.mixed(12, ["cube", "cylinder", "sphere"], 2, random);
+                var queries:AgentQueries = new AgentQueries(collider);
+                queries.update(agents);
+                var touching:int = 0;
+                var apart:int = 0;
+                for (var i:int = 0; i < 60; i++)
+                {
+                    var changed:Agent = agents[random.integer(0, agents.length - 1)];
+                    change(changed, random);
+                    queries.refresh(changed);
+                    for each (var asker:Agent in agents)
+                    {
+                        var isTouching:Boolean = asker != changed && collider.areColliding(asker, changed);
+                        touching += isTouching ? 1 : 0;
+                        apart += isTouching ? 0 : 1;
+                        assertEquals(name + ", change " + i, isTouching, queries.touching(asker).indexOf(changed) >= 0);
+                    }
+                }
+                assertTrue(name + ": " + touching + " touch, " + apart + " do not", touching > 60 && apart > 60);
+            }
+        }
+
+        // Moves an agent, turns it, or changes its size or its shape: one of these, or several.
+        private static function change(agent:Agent, random:SeededRandom):void
+        {
+            if (random.chance())
+            {
+                agent.moveTo(random.between(-2, 2), random.between(-2, 2), random.between(-2, 2));
+            }
+            if (random.chance())
+            {
+                agent.heading = random.between(0, 360);
+                agent.pitch = random.between(-90, 90);
+            }
+            if (random.chance())
+            {
+                agent.size = random.logBetween(0.3, 5);
+            }
+            if (random.chance(0.2))
+            {
+                agent.shape = random.pick(["cube", "cylinder", "sphere"]);
+            }
+        }
+
+        // An agent has a row if it is listed, and only then.
+        private function assertHasOnly(listed:Vector.<Agent>):void
+        {
+            var count:int = 0;
+            for (var row:int = 0; row < _table.list.agents.length; row++)
+            {
+                var agent:Agent = _table.list.agents[row];
+                var isListed:Boolean = agent != null && listed.indexOf(agent) >= 0;
+                count += isListed ? 1 : 0;
+                assertTrue("no shape without a listed agent", isListed || _table.shapes[row] == null);
+                if (agent != null)
+                {
+                    // agents of a list that was refused may still have rows
+                    assertEquals("the row of " + agent, isListed ? row : -1, _table.list.rowOf(agent));
+                }
+            }
+            assertEquals(listed.length, count);
+        }
+    }
+}

@@ -37,7 +37,7 @@ package starlogo.collision
         }
 
         /** @private Returns the system itself if it is a BaseCollider, otherwise a BaseCollider around it. */
-        engine static function of(system:CollisionSystem):BaseCollider
+        engine static function wrap(system:CollisionSystem):BaseCollider
         {
             warnOfNames(system);
             return system as BaseCollider || new BaseCollider(system);

@@ -69,7 +69,7 @@ package starlogo.collision
         {
             super();
             narrowPhase = new NarrowPhase(choice);
-            SpherePairTests.bringTo(narrowPhase);
+            SpherePairTests.addTo(narrowPhase);
             search = new CollisionSearch(narrowPhase);
             _contactSearch = search;
         }
@@ -105,8 +105,7 @@ package starlogo.collision
                 by = _extraSearch;
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
-            _input.agents = agents;
-            _input.interests = interests;
+            _input.setTo(agents, null, interests, null, null);
             find(by, _input, _found, false);
             if (_phase != HANDLING)
             {

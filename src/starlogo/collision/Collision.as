@@ -120,7 +120,7 @@ package starlogo.collision
         public function set collisionSystem(value:CollisionSystem):void
         {
             requireGiven("collisionSystem", value);
-            var system:BaseCollider = BaseCollider.of(value);
+            var system:BaseCollider = BaseCollider.wrap(value);
             var inner:Collider = system.innerCollider;
             if (inner != null)
             {
@@ -262,10 +262,10 @@ package starlogo.collision
             // what the filter or a handler exchanges counts from the next frame on
             var system:BaseCollider = _system;
             var touches:TouchTracker = _touches;
-            _input.ground = terrain == null ? null : terrain.agent;
-            _input.edges = bounds == null ? null : bounds.agent;
-            _handlers.begin();
+            var ground:Agent = terrain == null ? null : terrain.agent;
+            var edges:Agent = bounds == null ? null : bounds.agent;
             var predicate:AgentPredicate = filter;
+            _handlers.begin();
             var collider:Collider = system.innerCollider;
             _updatingSystem = system;
             try
@@ -274,8 +274,7 @@ package starlogo.collision
                 // the filter may have called reset(), which forgets the frames before this one
                 var lastFrame:LastFrame = _lastFrame;
                 lastFrame.hasFailed = true;
-                _input.agents = listed;
-                _input.takePart = predicate == null ? null : _filteredList.takePart;
+                _input.setTo(listed, predicate == null ? null : _filteredList.takePart, _handlers.interests, ground, edges);
                 if (collider != null)
                 {
                     collider.beginFrame();
@@ -362,12 +361,12 @@ package starlogo.collision
             return _system.findNarrowPhase();
         }
 
-        override engine function groundFor(own:Terrain):Terrain
+        override engine function terrainFor(own:Terrain):Terrain
         {
             return terrain;
         }
 
-        override engine function takeGround(value:Terrain):void
+        override engine function setTerrain(value:Terrain):void
         {
             terrain = value;
         }
@@ -404,7 +403,6 @@ package starlogo.collision
         {
             var start:Number = getTimer();
             var agentCount:int = _input.agents.length;
-            _input.interests = _handlers.interests;
             system.findPairs(_input, _calls.pairs);
             _input.agents = null;
             _statistics.copyFrom(system.statistics);

@@ -41,7 +41,7 @@ package starlogo.collision
             var agents:Vector.<Agent> = _agents;
             var byRow:Vector.<Agent> = _pairs.agents;
             var ranks:Vector.<int> = _pairs.ranks;
-            var isWorldAgent:Boolean = secondRow < ListedAgents.LISTED;
+            var isWorldAgent:Boolean = secondRow < ListedAgents.FIRST_LISTED;
             if (_isUnchanged)
             {
                 if (agents.length == _pairs.agentCount && agents[ranks[firstRow]] === byRow[firstRow]

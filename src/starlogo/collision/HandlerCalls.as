@@ -33,8 +33,8 @@ package starlogo.collision
         private var _chosen:NumberList;
         private var _areTouchesComplete:Boolean;
 
-        // What is being called: a negative number for an ended touch, from 0 on a pair's turn. Its handlers, and the index of the next one. After
-        // an error the calls go on from here.
+        // The index of the ended touch, or of the pair's turn, that is being called. Its handlers, and the index of the next one. After an error the
+        // calls go on from here.
         private var _step:int;
         private var _handlers:PairHandlers;
         private var _next:int;
@@ -54,7 +54,7 @@ package starlogo.collision
             _table = table;
             _tracker = tracker;
             _list.begin(agents, pairs);
-            _step = _next = count = 0;
+            count = 0;
             _chosen = null;
             _areTouchesComplete = true;
             _contacts.begin(system);
@@ -70,12 +70,11 @@ package starlogo.collision
                 tracker.begin(pairs);
                 renewTouches(added);
                 tracker.collectEnded();
-                _step = -tracker.endedCount;
-                callUpTo(0, errors);
+                callAll(tracker.ended, tracker.endedCount, errors);
                 tracker.forgetEnded();
                 _chosen = (table.kinds & EACH_FRAME) == 0 ? added : null;
             }
-            callUpTo(_chosen == null ? pairs.count : _chosen.count, errors);
+            callAll(null, _chosen == null ? pairs.count : _chosen.count, errors);
             if (tracksTouches && _areTouchesComplete)
             {
                 tracker.complete(pairs);
@@ -117,16 +116,17 @@ package starlogo.collision
             return _table.handlersOf(pairs.firstOf(pair).breedNumber, pairs.secondOf(pair).breedNumber);
         }
 
-        // The try is here and not around each call, because a method with a try makes an object for each of its calls in Adobe's VM, and takes
-        // longer than most handlers.
-        private function callUpTo(end:int, errors:Vector.<Error>):void
+        // Makes the calls for ended touches, or, if these are null, for the pairs. The try is here and not around each call, because a method with a
+        // try makes an object for each of its calls in Adobe's VM, and takes longer than most handlers.
+        private function callAll(ended:Vector.<Touch>, end:int, errors:Vector.<Error>):void
         {
+            _step = _next = 0;
             while (_step < end)
             {
                 var calls:int = count;
                 try
                 {
-                    callThrough(end);
+                    callFromStep(ended, end);
                 }
                 catch (error:*)
                 {
@@ -145,13 +145,13 @@ package starlogo.collision
             }
         }
 
-        private function callThrough(end:int):void
+        private function callFromStep(ended:Vector.<Touch>, end:int):void
         {
             for (; _step < end; _step++)
             {
-                if (_step < 0)
+                if (ended != null)
                 {
-                    endTouch(_tracker.ended[_tracker.endedCount + _step]);
+                    endTouch(ended[_step]);
                 }
                 else
                 {

@@ -33,14 +33,14 @@ package starlogo.collision
                     + textOf(system, "a Collision or a Collider"));
         }
 
-        /** The ground that questions see, where their own is another one: a Collision has its own. */
-        engine function groundFor(own:Terrain):Terrain
+        /** The ground that questions see: a Collision has its own. Others have the one that was set for the questions, <code>own</code>. */
+        engine function terrainFor(own:Terrain):Terrain
         {
             return own;
         }
 
-        /** Takes the ground of questions, if it has a ground. */
-        engine function takeGround(value:Terrain):void
+        /** Sets the ground for questions. A Collision takes it as its own. */
+        engine function setTerrain(value:Terrain):void
         {
         }
     }

@@ -26,7 +26,7 @@ package starlogo.collision
         public function TightestFitCollider(greatLand:GreatLand)
         {
             super(new TightestShapes(greatLand));
-            StructurePairTests.bringTo(narrowPhase);
+            StructurePairTests.addTo(narrowPhase);
         }
     }
 }

@@ -18,8 +18,8 @@ package starlogo.collision
         public function TreeCollider(choice:AgentShapes)
         {
             super(choice);
-            StructurePairTests.bringTo(narrowPhase);
-            TreePairTests.bringTo(narrowPhase);
+            StructurePairTests.addTo(narrowPhase);
+            TreePairTests.addTo(narrowPhase);
         }
 
         /**

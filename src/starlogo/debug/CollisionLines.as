@@ -56,7 +56,7 @@ package starlogo.debug
          */
         public function linesOf(agent:Agent, system:CollisionSystem, out:Vector.<Number> = null):Vector.<Number>
         {
-            var collider:Collider = BaseCollider.of(system).equivalentCollider;
+            var collider:Collider = BaseCollider.wrap(system).equivalentCollider;
             var all:Vector.<Number> = out || new Vector.<Number>();
             // a BinCollider may be without models, and its agents have any shapes
             var models:GreatLand = collider == null ? _greatLand : collider.narrowPhase.choice.greatLand;

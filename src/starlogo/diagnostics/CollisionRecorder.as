@@ -49,7 +49,7 @@ package starlogo.diagnostics
         {
             super(collisionSystem);
             requireGiven("collisionSystem", collisionSystem);
-            _system = BaseCollider.of(collisionSystem);
+            _system = BaseCollider.wrap(collisionSystem);
         }
 
         /** The number of recorded frames. */

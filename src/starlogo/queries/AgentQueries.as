@@ -69,13 +69,13 @@ package starlogo.queries
             }
             _seen = new SeenAgents(collisionOrSystem);
             // questions may be about any structure
-            _seen.needTests(StructurePairTests.bringTo);
+            _seen.needTests(StructurePairTests.addTo);
             _places = new AgentPlaces(_seen);
             _touches = new TouchQueries(_seen);
             _distances = new DistanceQueries(_seen);
             _rays = new AgentRays(_seen);
             _moves = new MoveQueries(_seen);
-            _walks = new WalkQueries(_seen, _moves);
+            _walks = new WalkQueries(_seen);
         }
 
         /**

@@ -30,10 +30,10 @@ package starlogo.queries
             requireGiven("seen", seen);
             // A LevelShapes has no tests of pairs. A collision system has those that it needs, so an AgentQueries loads no tests of trees for a game
             // without trees. For the same reason it does not hold an AgentWalks.
-            seen.needTests(StructurePairTests.bringTo);
-            seen.needTests(TreePairTests.bringTo);
+            seen.needTests(StructurePairTests.addTo);
+            seen.needTests(TreePairTests.addTo);
             _moves = new MoveQueries(seen);
-            _walks = new WalkQueries(seen, _moves);
+            _walks = new WalkQueries(seen);
         }
 
         /** See AgentQueries.castShape. It has the same arguments, answers and errors. */

@@ -7,7 +7,7 @@ package starlogo.queries
     import starlogo.collision.Contact;
     import starlogo.convex.ContactPoint;
     import starlogo.engine;
-    import starlogo.geometry.requireInWorld;
+    import starlogo.queries.motion.MotionPlanner;
     import starlogo.queries.motion.MotionResult;
     import starlogo.queries.motion.Mover;
     import starlogo.queries.motion.PlannedMotion;
@@ -16,7 +16,6 @@ package starlogo.queries
     import starlogo.queries.motion.StartLift;
     import starlogo.queries.rays.TriangleOfHit;
     import starlogo.queries.trees.Collector;
-    import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NumberList;
@@ -31,12 +30,10 @@ package starlogo.queries
      */
     public final class MoveQueries
     {
-        /** Computes where moving bodies end. A WalkQueries uses it too. */
-        public var mover:Mover;
-
         private var _seen:SeenAgents;
+        private var _planner:MotionPlanner;
+        private var _mover:Mover;
         private var _found:Collector;
-        private var _search:SweptBoxSearch = new SweptBoxSearch();
         private var _hits:Hits;
         private var _triangle:TriangleOfHit = new TriangleOfHit();
 
@@ -61,15 +58,10 @@ package starlogo.queries
         public function MoveQueries(seen:SeenAgents)
         {
             _seen = seen;
-            mover = new Mover(seen);
+            _planner = new MotionPlanner(seen);
+            _mover = new Mover(seen);
             _found = new Collector(seen);
             _hits = new Hits(seen, _found, ShapeHit);
-        }
-
-        /** Whether a filter's <code>accepts</code> is being called. */
-        public function get isAsking():Boolean
-        {
-            return _found.isAsking;
         }
 
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
@@ -105,75 +97,16 @@ package starlogo.queries
             return idle.moveSliding(agent, dx, dy, dz, filter);
         }
 
-        /**
-         * Reads the body of an agent that moves, as it is now, turned by some degrees.
-         *
-         * @throws ArgumentError if the agent is null, has no place, or its model is unknown or lacks data that is needed
-         */
-        public function readMover(agent:Agent, turn:Number, out:Body):void
-        {
-            _seen.placeOf(agent);
-            out.copyFrom(_seen.bodyOf(agent, _body));
-            if (turn != 0 && out.shape != null)
-            {
-                out.turn(agent, turn);
-            }
-        }
-
-        /**
-         * Plans a motion that may turn: finds the rows near it.
-         *
-         * @param asker the agent that moves
-         * @param range how far the body may go in any direction
-         * @param up how much farther it may go upwards
-         * @param down how much farther it may go downwards
-         * @param out has the body, and receives the rest
-         */
-        public function planWithin(asker:Agent, dx:Number, dy:Number, dz:Number, range:Number, up:Number, down:Number, filter:AgentFilter,
-                out:PlannedMotion):void
-        {
-            if (beginPlan(dx, dy, dz, out))
-            {
-                _search.widen(range, up, down);
-                collectRows(asker, filter, out.rows);
-            }
-        }
-
-        /**
-         * Puts an agent to its new place, and turns it by some degrees.
-         *
-         * @throws ArgumentError if the filter's accepts has removed the agent's model. The agent has then not moved
-         */
-        public function moveAgent(agent:Agent, at:Vector3D, turn:Number = 0):void
-        {
-            _seen.bodyOf(agent, _body);
-            agent.moveTo(at.x, at.y, at.z);
-            if (turn != 0)
-            {
-                agent.heading += turn;
-            }
-            if (_seen.rowOf(agent) >= 0)
-            {
-                _seen.refresh(agent);
-            }
-        }
-
-        /** Asks a filter about one row, as a search of its own. Returns whether the row counts. */
-        public function askFilter(row:int, asker:Agent, filter:AgentFilter):Boolean
-        {
-            return _found.askFilter(row, asker, filter);
-        }
-
         // These questions, or the nested ones while a filter's accepts is being called.
         private function get idle():MoveQueries
         {
-            return _found.isAsking ? (_nested ||= new MoveQueries(_seen)).idle : this;
+            return _planner.isAsking ? (_nested ||= new MoveQueries(_seen)).idle : this;
         }
 
         private function move(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
-            readMover(agent, 0, _planned.body);
-            plan(agent, dx, dy, dz, filter, _planned);
+            _planner.readMover(agent, 0, _planned.body);
+            _planner.plan(agent, dx, dy, dz, filter, _planned);
             collect(1, _end);
             var isMet:Boolean = _hits.endWithFirsts() > 0;
             var fraction:Number = isMet ? _hits.keyOf(0) : 1;
@@ -191,29 +124,29 @@ package starlogo.queries
             }
             if (dx != 0 || dy != 0 || dz != 0)
             {
-                moveAgent(agent, _end);
+                _planner.moveAgent(agent, _end);
             }
             return fraction;
         }
 
         private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
-            readMover(agent, 0, _planned.body);
+            _planner.readMover(agent, 0, _planned.body);
             // the agent may go anywhere within the length of its way
-            planWithin(agent, dx, dy, dz, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, filter, _planned);
-            mover.begin(_planned.body, _planned.rows);
-            mover.slide(_planned.from, _planned.motion, SlideLimits.NONE, _slide);
-            mover.restoreClearance(_slide.place, _slide.clearRow);
+            _planner.planWithin(agent, dx, dy, dz, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, filter, _planned);
+            _mover.begin(_planned.body, _planned.rows);
+            _mover.slide(_planned.from, _planned.motion, SlideLimits.NONE, _slide);
+            _mover.restoreClearance(_slide.place, _slide.clearRow);
             if (dx != 0 || dy != 0 || dz != 0)
             {
-                moveAgent(agent, _slide.place);
+                _planner.moveAgent(agent, _slide.place);
             }
             return _slide.fraction;
         }
 
         private function cast(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            plan(asker, dx, dy, dz, filter, _planned);
+            _planner.plan(asker, dx, dy, dz, filter, _planned);
             collect(1, null);
             return _hits.endWithFirsts() == 0 ? null : write(0, hit || new ShapeHit());
         }
@@ -221,7 +154,7 @@ package starlogo.queries
         private function castAll(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
-            plan(asker, dx, dy, dz, filter, _planned);
+            _planner.plan(asker, dx, dy, dz, filter, _planned);
             collect(Collector.ALL, null);
             _hits.resize(hits, _hits.endWithFirsts());
             for (var i:int = 0; i < hits.length; i++)
@@ -255,45 +188,6 @@ package starlogo.queries
             return this;
         }
 
-        // Plans a straight motion, whose body is known: finds the rows near it.
-        private function plan(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:PlannedMotion):void
-        {
-            if (beginPlan(dx, dy, dz, out))
-            {
-                _search.moveAlong(dx, dy, dz, 1);
-                collectRows(asker, filter, out.rows);
-            }
-        }
-
-        // Begins without rows. Returns false if the model of the body is loading.
-        private function beginPlan(dx:Number, dy:Number, dz:Number, out:PlannedMotion):Boolean
-        {
-            requireInWorld("a motion", dx, dy, dz);
-            out.motion.setTo(dx, dy, dz);
-            out.from.setTo(out.body.placement.x, out.body.placement.y, out.body.placement.z);
-            out.rows.count = 0;
-            if (out.body.shape == null)
-            {
-                return false;
-            }
-            _search.beginAround(_seen.treeOfExtents(), out.body);
-            return true;
-        }
-
-        private function collectRows(asker:Agent, filter:AgentFilter, out:NumberList):void
-        {
-            _found.begin(Collector.ALL, 1, asker, filter);
-            for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
-            {
-                _found.add(row, 0);
-            }
-            var count:int = _found.endSorted();
-            for (var i:int = 0; i < count; i++)
-            {
-                out.add(_found.rows[i]);
-            }
-        }
-
         // Finds the rows that stop the body, each as if the others were not there. If an end is given, it receives the place where the first of
         // them stops it.
         private function collect(wanted:int, end:Vector3D):void
@@ -302,8 +196,8 @@ package starlogo.queries
             if (collectLifted(wanted, end))
             {
                 // a floor may be many rows: what is lifted out of one of them does not run into the next
-                mover.begin(_planned.body, _planned.rows);
-                if (mover.findLift(_planned.from, _planned.motion, _lift))
+                _mover.begin(_planned.body, _planned.rows);
+                if (_mover.findLift(_planned.from, _planned.motion, _lift))
                 {
                     collectLifted(wanted, end);
                 }
@@ -326,15 +220,15 @@ package starlogo.queries
             for (var i:int = 0; i < rows.count && _found.limit > 0; i++)
             {
                 var row:int = rows.numbers[i];
-                mover.beginAgainst(_planned.body, row);
-                mover.findTouch(_planned.from, _planned.motion, _lift, _result);
+                _mover.beginAgainst(_planned.body, row);
+                _mover.findTouch(_planned.from, _planned.motion, _lift, _result);
                 mayLift ||= _result.isLifted || (_result.fraction == 0 && !_result.isDeep);
                 if (_result.row >= 0 && _found.add(row, _result.fraction))
                 {
                     _hits.add(row, _result.fraction, -1).copyFrom(_result.contact);
                     if (end != null)
                     {
-                        mover.goIntoTouch(_result);
+                        _mover.goIntoTouch(_result);
                         end.copyFrom(_result.place);
                     }
                 }

@@ -43,7 +43,7 @@ package starlogo.queries
 
         private var _source:QuerySource;
 
-        // Functions that bring the tests which some questions need.
+        // Functions that add the tests which some questions need.
         private var _needs:Vector.<Function> = new Vector.<Function>();
 
         private var _terrain:Terrain = null;
@@ -76,12 +76,12 @@ package starlogo.queries
         /** The ground that rays, walks and the like meet. See AgentQueries. It may be null. */
         public function get terrain():Terrain
         {
-            return _source.groundFor(_terrain);
+            return _source.terrainFor(_terrain);
         }
 
         public function set terrain(value:Terrain):void
         {
-            _source.takeGround(value);
+            _source.setTerrain(value);
             _terrain = value;
         }
 
@@ -125,7 +125,7 @@ package starlogo.queries
         {
             requireUnlocked("refresh");
             var row:int = rowOf(agent);
-            if (row < ListedAgents.LISTED)
+            if (row < ListedAgents.FIRST_LISTED)
             {
                 throw new ArgumentError(agent + " is not in the list of the last update");
             }
@@ -149,12 +149,12 @@ package starlogo.queries
         /**
          * @private Questions need tests that their collision system may lack. It has them from now on.
          *
-         * @param bringTo <code>function(narrowPhase:NarrowPhase):void</code>
+         * @param addTo <code>function(narrowPhase:NarrowPhase):void</code>
          */
-        engine function needTests(bringTo:Function):void
+        engine function needTests(addTo:Function):void
         {
-            _needs.push(bringTo);
-            bringTo(_narrowPhase);
+            _needs.push(addTo);
+            addTo(_narrowPhase);
         }
 
         /** @private While a filter's <code>accepts</code> is called, the agents must not change. */
@@ -228,7 +228,7 @@ package starlogo.queries
             }
             if (tree.isStale)
             {
-                tree.build(_table.list.rows, _table.list.count, points);
+                tree.build(_table.list.rows.numbers, _table.list.rows.count, points);
             }
             tree.breeds.learn(tree, _table.list.agents);
             return tree;

@@ -8,6 +8,7 @@ package starlogo.queries
     import starlogo.geometry.Trigonometry;
     import starlogo.geometry.requireInWorld;
     import starlogo.intersection.ray.Ray;
+    import starlogo.queries.motion.MotionPlanner;
     import starlogo.queries.motion.MotionResult;
     import starlogo.queries.motion.Mover;
     import starlogo.queries.motion.SlideLimits;
@@ -49,7 +50,7 @@ package starlogo.queries
         private static const DOWN:Vector3D = new Vector3D(0, 0, -1);
 
         private var _seen:SeenAgents;
-        private var _moves:MoveQueries;
+        private var _planner:MotionPlanner;
         private var _rowRays:RowRays;
         private var _mover:Mover;
         private var _walk:Walk = new Walk();
@@ -76,15 +77,12 @@ package starlogo.queries
         // Answers what an accepts asks while these questions call it.
         private var _nested:WalkQueries = null;
 
-        /**
-         * @param seen the agents that the questions are about
-         * @param moves finds what is near a walk, and moves the agents
-         */
-        public function WalkQueries(seen:SeenAgents, moves:MoveQueries)
+        /** @param seen the agents that the questions are about */
+        public function WalkQueries(seen:SeenAgents)
         {
             _seen = seen;
-            _moves = moves;
-            _mover = moves.mover;
+            _planner = new MotionPlanner(seen);
+            _mover = new Mover(seen);
             _rowRays = new RowRays(seen);
         }
 
@@ -98,7 +96,7 @@ package starlogo.queries
         // These questions, or the nested ones while a filter's accepts is being called.
         private function get idle():WalkQueries
         {
-            return _moves.isAsking ? (_nested ||= new WalkQueries(_seen, new MoveQueries(_seen))).idle : this;
+            return _planner.isAsking ? (_nested ||= new WalkQueries(_seen)).idle : this;
         }
 
         private function walkOn(agent:Agent, dx:Number, dy:Number, options:WalkOptions, footing:Footing):Footing
@@ -106,7 +104,7 @@ package starlogo.queries
             var walk:Walk = _walk;
             var link:PlatformLink = begin(agent, dx, dy, options, walk);
             footing.stands = goPieces(walk, footing);
-            _moves.moveAgent(agent, walk.place, walk.turn);
+            _planner.moveAgent(agent, walk.place, walk.turn);
             if (!footing.stands)
             {
                 walk.floorRow = -1;
@@ -116,7 +114,7 @@ package starlogo.queries
             footing.on = walk.floorRow < 0 ? null : table.list.agents[walk.floorRow];
             footing.normal.copyFrom(walk.floorNormal);
             link.platform = null;
-            if (walk.floorRow >= ListedAgents.LISTED)
+            if (walk.floorRow >= ListedAgents.FIRST_LISTED)
             {
                 link.setTo(footing.on, table.bodyOf(walk.floorRow).placement, table.places.last.revisions[walk.floorRow]);
             }
@@ -160,7 +158,7 @@ package starlogo.queries
             if (row >= 0 && _seen.table.shapes[row] != null)
             {
                 walk.turn = link.carry(_seen.table.bodyOf(row).placement, walk.carry);
-                if ((walk.turn != 0 || walk.carry.length > 0) && _moves.askFilter(row, walk.agent, walk.options.filter))
+                if ((walk.turn != 0 || walk.carry.length > 0) && _planner.askFilter(row, walk.agent, walk.options.filter))
                 {
                     return row;
                 }
@@ -201,9 +199,9 @@ package starlogo.queries
         private function findNear(walk:Walk, distance:Number):void
         {
             var options:WalkOptions = walk.options;
-            _moves.readMover(walk.agent, walk.turn, walk.planned.body);
+            _planner.readMover(walk.agent, walk.turn, walk.planned.body);
             // the range has the way in it, whatever its direction
-            _moves.planWithin(walk.agent, 0, 0, 0, walk.range + distance, walk.pieces * options.stepHeight,
+            _planner.planWithin(walk.agent, 0, 0, 0, walk.range + distance, walk.pieces * options.stepHeight,
                     walk.pieces * options.snap + options.fall, options.filter, walk.planned);
         }
 

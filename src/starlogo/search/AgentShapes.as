@@ -27,10 +27,10 @@ package starlogo.search
         }
 
         /**
-         * @private Brings the tests of pairs that the shapes need, besides those of spheres and those that the collider has brought. A game
-         * loads only the code of the tests that are brought.
+         * @private Gives a narrow phase the tests of pairs that the shapes need, besides those of spheres and those that the collider gives it. A
+         * game loads only the code of these tests.
          */
-        engine function prepare(narrowPhase:NarrowPhase):void
+        engine function addTests(narrowPhase:NarrowPhase):void
         {
         }
 

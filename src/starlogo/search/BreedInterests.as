@@ -105,9 +105,9 @@ package starlogo.search
         {
             var named:Vector.<Boolean> = _isNamed;
             var breeds:Vector.<int> = table.breeds;
-            var rows:Vector.<int> = table.list.rows;
+            var rows:Vector.<int> = table.list.rows.numbers;
             var known:int = named.length;
-            var end:int = isNamed(Breeds.ANY) ? 0 : table.list.count;
+            var end:int = isNamed(Breeds.ANY) ? 0 : table.list.rows.count;
             var outsiders:int = 0;
             for (var i:int = 0; i < end; i++)
             {

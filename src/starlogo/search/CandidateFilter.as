@@ -20,7 +20,8 @@ package starlogo.search
         private var _table:AgentTable;
         private var _narrowPhase:NarrowPhase;
         private var _motions:RowMotions;
-        private var _conditions:SearchConditions;
+        // The conditions of the search under way.
+        private var _conditions:SearchConditions = null;
 
         // Takes the pairs.
         private var _out:FoundPairs = null;
@@ -35,21 +36,20 @@ package starlogo.search
          * @param table has the rows
          * @param narrowPhase tests which of them touch
          * @param motions of the rows, if an agent sweeps
-         * @param conditions of the search under way
          */
-        public function CandidateFilter(table:AgentTable, narrowPhase:NarrowPhase, motions:RowMotions, conditions:SearchConditions)
+        public function CandidateFilter(table:AgentTable, narrowPhase:NarrowPhase, motions:RowMotions)
         {
             _table = table;
             _narrowPhase = narrowPhase;
             _motions = motions;
-            _conditions = conditions;
         }
 
         /** Begins a search, whose pairs go to out. */
-        public function begin(out:FoundPairs):void
+        public function begin(conditions:SearchConditions, out:FoundPairs):void
         {
             candidatePairs = 0;
-            out.begin(_table.list.agents, _table.list.ranks, _table.list.count);
+            out.begin(_table.list.agents, _table.list.ranks, _table.list.rows.count);
+            _conditions = conditions;
             _out = out;
         }
 
@@ -57,15 +57,6 @@ package starlogo.search
         public function end():void
         {
             _out = null;
-        }
-
-        /** Whether the agent of a row takes part in the search. */
-        public function isMember(row:int):Boolean
-        {
-            var interests:BreedInterests = _conditions.interests;
-            var takePart:Vector.<Boolean> = _conditions.takePart;
-            return _table.shapes[row] != null && (interests == null || interests.indexOfNumber(_table.breeds[row]) >= 0)
-                && (takePart == null || takePart[_table.list.ranks[row]]);
         }
 
         /** @inheritDoc */
@@ -99,9 +90,8 @@ package starlogo.search
          *
          * @param worldAgent the row of the ground or of the edges
          * @param rows the rows
-         * @param length their number
          */
-        public function findAtWorldAgent(worldAgent:int, rows:Vector.<int>, length:int):void
+        public function findPairsOfWorldAgent(worldAgent:int, rows:NumberList):void
         {
             if (_table.list.agents[worldAgent] == null || !_conditions.interests.isNamed(_table.breeds[worldAgent]))
             {
@@ -109,11 +99,12 @@ package starlogo.search
             }
             var others:Vector.<int> = _atWorldAgent;
             var count:int = 0;
-            for (var i:int = 0; i < length; i++)
+            for (var i:int = 0; i < rows.count; i++)
             {
-                if (isMember(rows[i]))
+                var row:int = rows.numbers[i];
+                if (_conditions.isMember(_table, row))
                 {
-                    others[count] = rows[i];
+                    others[count] = row;
                     count++;
                 }
             }
@@ -142,7 +133,7 @@ package starlogo.search
                 var other:int = others[i];
                 // the time belongs to the motion of the agent that comes first in the list, relative to the other
                 var isFirst:Boolean = rank < ranks[other];
-                _motions.findTime(_table, level, isFirst ? row : other, isFirst ? other : row, _motion);
+                _motions.findFirst(_table, level, isFirst ? row : other, isFirst ? other : row, _motion);
                 if (_motion.time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;

@@ -46,10 +46,8 @@ package starlogo.search
         private var _bodyA:Body = new Body();
         private var _bodyB:Body = new Body();
 
-        // The rows that the bins get, called members: all rows, or only rows that take part and whose breeds are of interest. Their number.
-        private var _memberRows:Vector.<int>;
-        private var _memberCount:int = 0;
-        private var _someRows:Vector.<int> = new Vector.<int>();
+        // The members of a search in which not all agents take part.
+        private var _someRows:NumberList = new NumberList();
 
         /**
          * @param narrowPhase has the choice of the agents' shapes, and tests which of them touch
@@ -60,7 +58,7 @@ package starlogo.search
             _shapes = new ModelShapes(narrowPhase.choice, narrowPhase);
             table = new AgentTable(_shapes, _bins.levels);
             _motions = new RowMotions(narrowPhase);
-            _candidates = new CandidateFilter(table, narrowPhase, _motions, _conditions);
+            _candidates = new CandidateFilter(table, narrowPhase, _motions);
             _keptPairs = new KeptPairs(table, _candidates, _motions, _bins.levels, _order);
         }
 
@@ -90,23 +88,14 @@ package starlogo.search
             setConditions(input);
             // tests since the last search, as those of questions, do not count
             _narrowPhase.takeCounts(counts);
-            if (!mayKeep)
-            {
-                // also if the search throws, because the table has been read
-                _keptPairs.forget();
-                findAll(out);
-            }
-            else if (_keptPairs.find(_conditions, out))
-            {
-                _memberCount = _keptPairs.memberCount;
-            }
-            else
-            {
-                findAll(out);
-                _keptPairs.keep(_conditions, out, _memberRows, _memberCount);
-            }
+            var memberCount:int = mayKeep ? findFromLast(out) : findAnew(out);
             _candidates.end();
-            report(out.count, counts);
+            _narrowPhase.takeCounts(counts);
+            counts.agents = table.list.rows.count;
+            counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
+            counts.agentsLoading = table.loadingCount;
+            counts.candidatePairs = _candidates.candidatePairs;
+            counts.collisions = out.count;
         }
 
         private function setConditions(input:FrameInput):void
@@ -119,20 +108,42 @@ package starlogo.search
             _conditions.maxDepth = _narrowPhase.treeLimits.exact ? 0 : _narrowPhase.treeLimits.maxDepth;
         }
 
-        private function findAll(out:FoundPairs):void
+        // Finds the pairs, from those of the last search if that is possible. Returns the number of members.
+        private function findFromLast(out:FoundPairs):int
+        {
+            if (_keptPairs.find(_conditions, out))
+            {
+                return _keptPairs.memberCount;
+            }
+            var members:NumberList = findMembers();
+            findAll(members, out);
+            _keptPairs.keep(_conditions, out, members);
+            return members.count;
+        }
+
+        // Finds the pairs, whatever they were in the last search. Returns the number of members.
+        private function findAnew(out:FoundPairs):int
+        {
+            // also if the search throws, because the table has been read
+            _keptPairs.forget();
+            var members:NumberList = findMembers();
+            findAll(members, out);
+            return members.count;
+        }
+
+        private function findAll(members:NumberList, out:FoundPairs):void
         {
             var extents:Extents = table.extents;
             if (_conditions.isSwept)
             {
-                _motions.find(table, _bins.levels, table.list.rows, table.list.count);
+                _motions.find(table, _bins.levels, table.list.rows);
                 extents = _motions.extents;
             }
-            chooseMembers();
-            _candidates.begin(out);
-            _bins.findPairs(extents, _memberRows, _memberCount, _candidates);
+            _candidates.begin(_conditions, out);
+            _bins.findPairs(extents, members.numbers, members.count, _candidates);
             for (var row:int = ListedAgents.GROUND; row <= ListedAgents.EDGES; row++)
             {
-                _candidates.findAtWorldAgent(row, _memberRows, _memberCount);
+                _candidates.findPairsOfWorldAgent(row, members);
             }
             _order.sort(out, _conditions.isSwept);
         }
@@ -201,37 +212,26 @@ package starlogo.search
             _held.release(table);
         }
 
-        // In most searches all agents take part, and the table's own list of rows is used.
-        private function chooseMembers():void
+        // The rows that the bins get, called members: those that take part and whose breeds are of interest. Mostly these are all rows, and then the
+        // table's own list is used.
+        private function findMembers():NumberList
         {
-            _memberRows = table.list.rows;
-            _memberCount = table.list.count;
+            var all:NumberList = table.list.rows;
             var interests:BreedInterests = _conditions.interests;
             var outsiders:int = interests == null ? 0 : interests.countOutsiders(table);
             if (table.loadingCount == 0 && _conditions.takePart == null && outsiders == 0)
             {
-                return;
+                return all;
             }
-            _memberRows = _someRows;
-            _memberCount = 0;
-            for (var i:int = 0; i < table.list.count; i++)
+            _someRows.count = 0;
+            for (var i:int = 0; i < all.count; i++)
             {
-                if (_candidates.isMember(table.list.rows[i]))
+                if (_conditions.isMember(table, all.numbers[i]))
                 {
-                    _someRows[_memberCount] = table.list.rows[i];
-                    _memberCount++;
+                    _someRows.add(all.numbers[i]);
                 }
             }
-        }
-
-        private function report(pairCount:int, counts:SearchCounts):void
-        {
-            _narrowPhase.takeCounts(counts);
-            counts.agents = table.list.count;
-            counts.agentsSkipped = table.list.count - _memberCount - table.loadingCount;
-            counts.agentsLoading = table.loadingCount;
-            counts.candidatePairs = _candidates.candidatePairs;
-            counts.collisions = pairCount;
+            return _someRows;
         }
     }
 }

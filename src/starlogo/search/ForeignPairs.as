@@ -47,10 +47,10 @@ package starlogo.search
         private function readList(list:Vector.<Agent>):void
         {
             _rowsById.clear();
-            _agents.length = _ranks.length = ListedAgents.LISTED + list.length;
+            _agents.length = _ranks.length = ListedAgents.FIRST_LISTED + list.length;
             for (var i:int = 0; i < list.length; i++)
             {
-                var row:int = ListedAgents.LISTED + i;
+                var row:int = ListedAgents.FIRST_LISTED + i;
                 _agents[row] = list[i];
                 _ranks[row] = i;
                 if (list[i] != null)

@@ -28,7 +28,7 @@ package starlogo.search
         /** The time of each pair, if an agent sweeps. It is valid during the search only. */
         public var times:Vector.<Number> = new Vector.<Number>();
 
-        /** By row: the agent. Rows before ListedAgents.LISTED have the ground and the edges of the world. */
+        /** By row: the agent. Rows before ListedAgents.FIRST_LISTED have the ground and the edges of the world. */
         public var agents:Vector.<Agent> = null;
 
         /** By row: the index of its agent in the list. */
@@ -87,7 +87,7 @@ package starlogo.search
         internal function drop(list:ListedAgents, marks:Vector.<int>, mark:int):void
         {
             var before:int = revision;
-            setColumns(list.agents, list.ranks, list.count);
+            setColumns(list.agents, list.ranks, list.rows.count);
             basis = before;
             dropped.count = added.count = 0;
             var all:Vector.<int> = rows;

@@ -23,5 +23,15 @@ package starlogo.search
 
         /** The agent of the edges of the world, or null. */
         public var edges:Agent = null;
+
+        /** Sets all. */
+        public function setTo(agents:Vector.<Agent>, takePart:Vector.<Boolean>, interests:BreedInterests, ground:Agent, edges:Agent):void
+        {
+            this.agents = agents;
+            this.takePart = takePart;
+            this.interests = interests;
+            this.ground = ground;
+            this.edges = edges;
+        }
     }
 }

@@ -28,7 +28,7 @@ package starlogo.search
                 {
                     continue;
                 }
-                var held:WorldAgent = _heldAgents[row] ||= new WorldAgent(worldAgent.breed, worldAgent.bringTests);
+                var held:WorldAgent = _heldAgents[row] ||= new WorldAgent(worldAgent.breed, worldAgent.addTests);
                 held.edges = worldAgent.edges;
                 if (worldAgent.grid != null)
                 {

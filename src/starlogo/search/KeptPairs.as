@@ -89,13 +89,13 @@ package starlogo.search
          *
          * @param members the rows that take part
          */
-        public function keep(conditions:SearchConditions, pairs:FoundPairs, members:Vector.<int>, memberCount:int):void
+        public function keep(conditions:SearchConditions, pairs:FoundPairs, members:NumberList):void
         {
             if (!_isWorthKeeping)
             {
                 return;
             }
-            _cells.begin(conditions.isSwept ? _motions.extents : _table.extents, members, memberCount, _table.list.agents.length);
+            _cells.begin(conditions.isSwept ? _motions.extents : _table.extents, members.numbers, members.count, _table.list.agents.length);
             rememberPairs(pairs);
             rememberWorldAgent(ListedAgents.GROUND);
             rememberWorldAgent(ListedAgents.EDGES);
@@ -127,14 +127,14 @@ package starlogo.search
             }
             if (conditions.isSwept)
             {
-                _motions.find(_table, _levels, _changed.numbers, _changed.count);
+                _motions.find(_table, _levels, _changed);
             }
             placeChanged();
             if (!_cells.areCellsValid())
             {
                 return false;
             }
-            _candidates.begin(_found);
+            _candidates.begin(conditions, _found);
             for (var i:int = 0; i < _changed.count; i++)
             {
                 if (_cells.has(_changed.numbers[i]))
@@ -142,8 +142,8 @@ package starlogo.search
                     _cells.findNear(_changed.numbers[i], _changedIn, _searchNumber, _candidates);
                 }
             }
-            findAtWorldAgent(ListedAgents.GROUND);
-            findAtWorldAgent(ListedAgents.EDGES);
+            findPairsOfWorldAgent(ListedAgents.GROUND);
+            findPairsOfWorldAgent(ListedAgents.EDGES);
             pairs.drop(_table.list, _changedIn, _searchNumber);
             pairs.merge(_found, _order.sort(_found, conditions.isSwept));
             rememberPairs(pairs);
@@ -156,7 +156,7 @@ package starlogo.search
             var count:int = _table.places.changed.count + _table.list.leftOrReordered.count;
             if (isSwept)
             {
-                count += _table.places.changedBefore.count;
+                count += _table.places.previouslyChanged.count;
             }
             return count;
         }
@@ -166,7 +166,7 @@ package starlogo.search
         {
             var interests:BreedInterests = conditions.interests;
             var among:int = conditions.areSpheres || interests != null && !interests.areAll ? ONE_IN_IF_FAST : ONE_IN;
-            return among * changes <= _table.list.count;
+            return among * changes <= _table.list.rows.count;
         }
 
         private function rememberPairs(pairs:FoundPairs):void
@@ -212,7 +212,7 @@ package starlogo.search
             mark(_table.list.leftOrReordered);
             if (_conditions.isSwept)
             {
-                mark(_table.places.changedBefore);
+                mark(_table.places.previouslyChanged);
             }
             if (_conditions.takePart != null)
             {
@@ -240,12 +240,13 @@ package starlogo.search
         // Marks the rows that begin or cease to take part. The other rows have their breeds of the last search.
         private function markFiltered():void
         {
-            var rows:Vector.<int> = _table.list.rows;
-            for (var i:int = 0; i < _table.list.count; i++)
+            var rows:NumberList = _table.list.rows;
+            for (var i:int = 0; i < rows.count; i++)
             {
-                if (_candidates.isMember(rows[i]) != _cells.has(rows[i]))
+                var row:int = rows.numbers[i];
+                if (_conditions.isMember(_table, row) != _cells.has(row))
                 {
-                    markRow(rows[i]);
+                    markRow(row);
                 }
             }
         }
@@ -256,7 +257,7 @@ package starlogo.search
             for (var i:int = 0; i < _changed.count; i++)
             {
                 var row:int = _changed.numbers[i];
-                if (_table.list.agents[row] != null && _candidates.isMember(row))
+                if (_table.list.agents[row] != null && _conditions.isMember(_table, row))
                 {
                     _cells.move(row);
                 }
@@ -268,7 +269,7 @@ package starlogo.search
         }
 
         // The pairs of changed rows with the ground or the edges; of all rows, if the ground or the edges have changed themselves.
-        private function findAtWorldAgent(worldAgent:int):void
+        private function findPairsOfWorldAgent(worldAgent:int):void
         {
             var hasChanged:Boolean = hasWorldAgentChanged(worldAgent);
             if (hasChanged)
@@ -276,8 +277,7 @@ package starlogo.search
                 rememberWorldAgent(worldAgent);
                 _changedIn[worldAgent] = _searchNumber;
             }
-            var rows:Vector.<int> = hasChanged ? _table.list.rows : _changed.numbers;
-            _candidates.findAtWorldAgent(worldAgent, rows, hasChanged ? _table.list.count : _changed.count);
+            _candidates.findPairsOfWorldAgent(worldAgent, hasChanged ? _table.list.rows : _changed);
         }
     }
 }

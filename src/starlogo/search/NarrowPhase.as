@@ -26,7 +26,7 @@ package starlogo.search
         /** The number of pairs that were tested along their motions since <code>takeCounts()</code>. */
         public var sweptPairs:int = 0;
 
-        /** Tests pairs of structures that are not both spheres; null if the choice of shapes has only spheres, and no question has brought them. */
+        /** Tests pairs of structures that are not both spheres; null if the choice of shapes has only spheres, and no question needs them. */
         public var structureTests:StructurePairTests = null;
 
         /** Tests pairs of which at least one is a tree; null if none of the shapes is a tree, or only rays are asked for. */
@@ -54,13 +54,13 @@ package starlogo.search
         public function NarrowPhase(choice:AgentShapes)
         {
             this.choice = choice;
-            choice.prepare(this);
+            choice.addTests(this);
         }
 
         /**
          * Requires the tests of pairs with a form.
          *
-         * @throws ArgumentError if the collider has not brought them
+         * @throws ArgumentError if the collider does not have them
          */
         public function requireTests(form:int):void
         {
@@ -196,12 +196,12 @@ package starlogo.search
             return last == BoundingStructure.SPHERE ? sphereTests : structureTests;
         }
 
-        /** The tests with the ground. Its agent brings them. */
+        /** The tests with the ground. Its agent gives them. */
         public function groundTestsOf(ground:Body):GroundPairTests
         {
             if (groundTests == null)
             {
-                ground.shape.worldAgent.bringTests(this);
+                ground.shape.worldAgent.addTests(this);
             }
             return groundTests;
         }
@@ -215,7 +215,7 @@ package starlogo.search
             }
             if (edgeTests == null)
             {
-                body.shape.worldAgent.bringTests(this);
+                body.shape.worldAgent.addTests(this);
             }
             return edgeTests;
         }

@@ -125,7 +125,7 @@ package starlogo.search
         private function countRanks(pairs:FoundPairs):void
         {
             // the ground and the edges of the world have the ranks after those of the agents
-            var rankCount:int = pairs.agentCount + ListedAgents.LISTED;
+            var rankCount:int = pairs.agentCount + ListedAgents.FIRST_LISTED;
             if (_firsts.length < rankCount)
             {
                 _firsts.length = _seconds.length = rankCount;

@@ -56,9 +56,8 @@ package starlogo.search
          * Finds the motions of rows of a table that has just been read.
          *
          * @param rows the rows; those without an agent are left out
-         * @param count the number of rows
          */
-        public function find(table:AgentTable, levels:BinLevels, rows:Vector.<int>, count:int):void
+        public function find(table:AgentTable, levels:BinLevels, rows:NumberList):void
         {
             if (table.list.agents.length > _isSwept.length)
             {
@@ -68,17 +67,17 @@ package starlogo.search
             }
             var standing:Extents = table.extents;
             var swept:Extents = extents;
-            for (var i:int = 0; i < count; i++)
+            for (var i:int = 0; i < rows.count; i++)
             {
-                var row:int = rows[i];
+                var row:int = rows.numbers[i];
                 if (table.list.agents[row] == null)
                 {
                     continue;
                 }
-                var hasMotion:Boolean = table.places.before.isMotionStart(row, table.list.agents[row]);
-                var motionX:Number = hasMotion ? table.places.last.x[row] - table.places.before.x[row] : 0;
-                var motionY:Number = hasMotion ? table.places.last.y[row] - table.places.before.y[row] : 0;
-                var motionZ:Number = hasMotion ? table.places.last.z[row] - table.places.before.z[row] : 0;
+                var hasMotion:Boolean = table.places.previous.isMotionStart(row, table.list.agents[row]);
+                var motionX:Number = hasMotion ? table.places.last.x[row] - table.places.previous.x[row] : 0;
+                var motionY:Number = hasMotion ? table.places.last.y[row] - table.places.previous.y[row] : 0;
+                var motionZ:Number = hasMotion ? table.places.last.z[row] - table.places.previous.z[row] : 0;
                 var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
                 var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
                 _isSwept[row] = hasMotion && table.list.agents[row].isSweeping;
@@ -106,7 +105,7 @@ package starlogo.search
          * @param motion receives the motion of the first relative to the second, with the time, from 0 to 1, or RelativeMotion.NEVER
          * @param out receives the contact if they touch, where b is now; null if only the time is needed
          */
-        public function findTime(table:AgentTable, level:BinLevel, a:int, b:int, motion:RelativeMotion, out:ContactPoint = null):void
+        public function findFirst(table:AgentTable, level:BinLevel, a:int, b:int, motion:RelativeMotion, out:ContactPoint = null):void
         {
             motion.endAfter(_motions.x[a] - _motions.x[b], _motions.y[a] - _motions.y[b], _motions.z[a] - _motions.z[b]);
             motion.time = RelativeMotion.NEVER;
@@ -142,7 +141,7 @@ package starlogo.search
             motion.time = RelativeMotion.NEVER;
             if (isSwept(a, b))
             {
-                findTime(table, null, a, b, motion, out);
+                findFirst(table, null, a, b, motion, out);
             }
             if (motion.time == RelativeMotion.NEVER)
             {

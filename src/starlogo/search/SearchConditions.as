@@ -1,5 +1,10 @@
 package starlogo.search
 {
+    import starlogo.engine;
+    import starlogo.search.table.AgentTable;
+
+    use namespace engine;
+
     /**
      * What the pairs of a search depend on besides the agents, the ground and the edges of the world. It is set before the search, and does not
      * change during it.
@@ -21,6 +26,13 @@ package starlogo.search
 
         /** How deep trees are tested; 0 if exactly. */
         public var maxDepth:int = 0;
+
+        /** Whether the agent of a row takes part. */
+        public function isMember(table:AgentTable, row:int):Boolean
+        {
+            return table.shapes[row] != null && (interests == null || interests.indexOfNumber(table.breeds[row]) >= 0)
+                && (takePart == null || takePart[table.list.ranks[row]]);
+        }
 
         /** Whether two searches of the same agents find the same pairs, if the same agents take part. */
         public function isLike(other:SearchConditions):Boolean

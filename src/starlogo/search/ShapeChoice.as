@@ -31,9 +31,9 @@ package starlogo.search
         }
 
         /** @private The shapes may be structures of all kinds. */
-        override engine function prepare(narrowPhase:NarrowPhase):void
+        override engine function addTests(narrowPhase:NarrowPhase):void
         {
-            StructurePairTests.bringTo(narrowPhase);
+            StructurePairTests.addTo(narrowPhase);
         }
     }
 }

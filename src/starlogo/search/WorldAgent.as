@@ -10,7 +10,7 @@ package starlogo.search
 
     /**
      * The agent that stands for the ground or for the edges of the world. Its place counts only for rounding. Of its other traits, its breed
-     * and isOneWay count. It brings the tests of pairs with it, so a game without ground or edges does not load their code.
+     * and isOneWay count. It adds the tests of pairs with it to a narrow phase, so a game without ground or edges does not load their code.
      *
      * @private
      */
@@ -22,21 +22,21 @@ package starlogo.search
         /** The edges that it stands for, or null: the least and the greatest x, then y, then z. */
         public var edges:Vector.<Number> = null;
 
-        /** Brings the tests of pairs with it: <code>function(narrowPhase:NarrowPhase):void</code>; null if there are none. */
-        public var bringTests:Function;
+        /** Adds the tests of pairs with it to a narrow phase: <code>function(narrowPhase:NarrowPhase):void</code>; null if there are none. */
+        public var addTests:Function;
 
         private static var sCreated:int = 0;
 
         /**
          * @param breed Breeds.TERRAIN or Breeds.EDGE
-         * @param bringTests brings the tests of pairs with it; null if there are none
+         * @param addTests adds the tests of pairs with it to a narrow phase; null if there are none
          */
-        public function WorldAgent(breed:String, bringTests:Function = null)
+        public function WorldAgent(breed:String, addTests:Function = null)
         {
             // the name without its asterisk
             super(breed.substr(1));
             breedNumber = Breeds.numberOf(breed);
-            this.bringTests = bringTests;
+            this.addTests = addTests;
         }
 
         /** @private It does not count as an agent of the game. */

@@ -61,7 +61,7 @@ package starlogo.terrain
             requireInWorld("a terrain's x and y", x, y, 0);
             requireInWorld("the end of a terrain", x + columns * cellWidth, y + rows * cellWidth, 0);
             grid = new HeightGrid(columns, rows, cellWidth, x, y);
-            _agent = new WorldAgent(Breeds.TERRAIN, GroundPairTests.bringTo);
+            _agent = new WorldAgent(Breeds.TERRAIN, GroundPairTests.addTo);
             _agent.grid = grid;
             _agent.idNumber = Agent.takeId();
             _agent.moveTo(x, y, 0);

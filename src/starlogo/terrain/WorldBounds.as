@@ -15,7 +15,7 @@ package starlogo.terrain
      */
     public final class WorldBounds
     {
-        private var _agent:WorldAgent = new WorldAgent(Breeds.EDGE, EdgePairTests.bringTo);
+        private var _agent:WorldAgent = new WorldAgent(Breeds.EDGE, EdgePairTests.addTo);
 
         /**
          * Creates the edges of the world. Where a number is infinite, the world has no edge.

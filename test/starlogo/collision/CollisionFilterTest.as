@@ -169,6 +169,9 @@ package starlogo.collision
 
 import starlogo.GreatLand;
 import starlogo.agents.Agent;
+import starlogo.collision.CollisionStatistics;
+import starlogo.collision.CollisionSystem;
+import starlogo.collision.TightestFitCollider;
 
 class OwnSystem implements CollisionSystem
 {

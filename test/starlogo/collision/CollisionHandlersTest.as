@@ -318,6 +318,7 @@ package starlogo.collision
 
 import evaluation.pairs.SeededRandom;
 import starlogo.agents.Agent;
+import starlogo.collision.CollisionSystem;
 
 /** A game whose handlers change the list at random, the same with either caller. */
 class RuleBook

@@ -376,6 +376,9 @@ package starlogo.collision
 
 import evaluation.pairs.SeededRandom;
 import starlogo.agents.Agent;
+import starlogo.collision.Collision;
+import starlogo.collision.CollisionSystem;
+import starlogo.collision.Contact;
 
 /** Agents that are elsewhere in every frame, some of which sweep. It writes down which touches start and end, and how. */
 internal class Crowd

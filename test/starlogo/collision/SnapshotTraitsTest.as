@@ -341,6 +341,8 @@ package starlogo.collision
 
 import starlogo.GreatLand;
 import starlogo.agents.Agent;
+import starlogo.collision.Collision;
+import starlogo.collision.TightestFitCollider;
 import starlogo.queries.AgentQueries;
 import starlogo.queries.Footing;
 

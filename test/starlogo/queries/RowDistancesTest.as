@@ -68,7 +68,7 @@ package starlogo.queries
             for each (var choice:AgentShapes in [new SphereShapes(sGreatLand), new TightestShapes(sGreatLand)])
             {
                 var pairs:NarrowPhase = new NarrowPhase(choice);
-                StructurePairTests.bringTo(pairs);
+                StructurePairTests.addTo(pairs);
                 var asked:AskedDistance = new AskedDistance(choice, pairs);
                 for (var i:int = 0; i < Effort.choose(400, 20000); i++)
                 {
@@ -83,8 +83,8 @@ package starlogo.queries
         {
             var choice:AgentShapes = new TreeShapes(sGreatLand);
             var pairs:NarrowPhase = new NarrowPhase(choice);
-            StructurePairTests.bringTo(pairs);
-            TreePairTests.bringTo(pairs);
+            StructurePairTests.addTo(pairs);
+            TreePairTests.addTo(pairs);
             var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
             for (var i:int = 0; i < Effort.choose(180, 9000); i++)
@@ -116,8 +116,8 @@ package starlogo.queries
         {
             var choice:AgentShapes = new TreeShapes(sGreatLand);
             var pairs:NarrowPhase = new NarrowPhase(choice);
-            StructurePairTests.bringTo(pairs);
-            TreePairTests.bringTo(pairs);
+            StructurePairTests.addTo(pairs);
+            TreePairTests.addTo(pairs);
             pairs.treeLimits.exact = true;
             var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
@@ -142,8 +142,8 @@ package starlogo.queries
         {
             var choice:AgentShapes = new TreeShapes(sGreatLand, new TightestShapes(sGreatLand));
             var pairs:NarrowPhase = new NarrowPhase(choice);
-            StructurePairTests.bringTo(pairs);
-            TreePairTests.bringTo(pairs);
+            StructurePairTests.addTo(pairs);
+            TreePairTests.addTo(pairs);
             var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
             var fit:BoundingStructure = sGreatLand.boundingStructures.tightestFit("sphere");

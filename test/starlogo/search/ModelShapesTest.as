@@ -64,6 +64,8 @@ package starlogo.search
 
 import starlogo.agents.Agent;
 import starlogo.bounding.BoundingStructure;
+import starlogo.search.ModelShape;
+import starlogo.search.ShapeChoice;
 
 /** The same structure for every model. */
 internal class OneStructure extends ShapeChoice

@@ -25,7 +25,7 @@ package starlogo.collision.snapshots
             var places:RowPlaces = table.places.last;
             for (var i:int = 0; i < list.length; i++)
             {
-                var row:int = table.list.rows[i];
+                var row:int = table.list.rows.numbers[i];
                 bytes.writeBoolean(keepsMotions && table.shapes[row] != null && places.isMotionStart(row, list[i])
                         && table.shapes[row].modelName == list[i].shape);
                 bytes.writeDouble(places.x[row]);
@@ -49,7 +49,7 @@ package starlogo.collision.snapshots
                 var x:Number = bytes.readDouble();
                 var y:Number = bytes.readDouble();
                 var z:Number = bytes.readDouble();
-                table.setLastPlace(table.list.rows[i], x, y, z, hasMotion);
+                table.setLastPlace(table.list.rows.numbers[i], x, y, z, hasMotion);
             }
         }
     }

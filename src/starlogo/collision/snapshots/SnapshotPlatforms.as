@@ -31,7 +31,7 @@ package starlogo.collision.snapshots
             for (var i:int = 0; i < agents.length; i++)
             {
                 var link:PlatformLink = agents[i].platformLink;
-                if (link == null || !link.isValid || table.list.rowOf(link.platform) < ListedAgents.LISTED)
+                if (link == null || !link.isValid || table.list.rowOf(link.platform) < ListedAgents.FIRST_LISTED)
                 {
                     continue;
                 }

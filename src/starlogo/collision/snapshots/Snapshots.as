@@ -181,7 +181,7 @@ package starlogo.collision.snapshots
             {
                 var pair:Touch = touches[i];
                 bytes.writeInt(table.list.ranks[table.list.rowOf(pair.first)]);
-                bytes.writeInt(Breeds.isReserved(pair.secondBreed) ? table.list.count + enterWorldAgent(pair, worldAgents) : table.list.ranks[table.list.rowOf(pair.second)]);
+                bytes.writeInt(Breeds.isReserved(pair.secondBreed) ? table.list.rows.count + enterWorldAgent(pair, worldAgents) : table.list.ranks[table.list.rowOf(pair.second)]);
                 bytes.writeInt(names.ofBreed(pair.firstBreed));
                 bytes.writeInt(names.ofBreed(pair.secondBreed));
                 bytes.writeBoolean(pair.isBothWays);

@@ -5,7 +5,7 @@ package starlogo.queries.motion
     import starlogo.search.NumberList;
 
     /**
-     * A motion that a question asks about: what moves, where to, and what may be in its way. MoveQueries writes it.
+     * A motion that a question asks about: what moves, where to, and what may be in its way. MotionPlanner writes it.
      *
      * @private
      */

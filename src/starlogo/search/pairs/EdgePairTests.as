@@ -55,8 +55,8 @@ package starlogo.search.pairs
             _narrowPhase = narrowPhase;
         }
 
-        /** Lets a narrow phase test bodies and the edges of the world. */
-        public static function bringTo(narrowPhase:NarrowPhase):void
+        /** Gives these tests to a narrow phase that does not have them. */
+        public static function addTo(narrowPhase:NarrowPhase):void
         {
             narrowPhase.edgeTests ||= new EdgePairTests(narrowPhase);
         }

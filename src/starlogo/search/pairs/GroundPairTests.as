@@ -50,8 +50,8 @@ package starlogo.search.pairs
             _extents.grow(1);
         }
 
-        /** Lets a narrow phase test bodies and the ground. */
-        public static function bringTo(narrowPhase:NarrowPhase):void
+        /** Gives these tests to a narrow phase that does not have them. */
+        public static function addTo(narrowPhase:NarrowPhase):void
         {
             narrowPhase.groundTests ||= new GroundPairTests(narrowPhase);
         }

@@ -37,8 +37,8 @@ package starlogo.search.pairs
         private var _kernel:SphereSphereKernel = new SphereSphereKernel();
         private var _stopped:RelativeMotion = new RelativeMotion();
 
-        /** Lets a narrow phase test spheres. */
-        public static function bringTo(narrowPhase:NarrowPhase):void
+        /** Gives these tests to a narrow phase that does not have them. */
+        public static function addTo(narrowPhase:NarrowPhase):void
         {
             narrowPhase.sphereTests ||= new SpherePairTests();
         }

@@ -35,10 +35,10 @@ package starlogo.search.pairs
             _narrowPhase = narrowPhase;
         }
 
-        /** Brings these tests to a narrow phase that does not have them. So a game of spheres alone does not load their code. */
-        public static function bringTo(narrowPhase:NarrowPhase):void
+        /** Gives these tests to a narrow phase that does not have them. So a game of spheres alone does not load their code. */
+        public static function addTo(narrowPhase:NarrowPhase):void
         {
-            SpherePairTests.bringTo(narrowPhase);
+            SpherePairTests.addTo(narrowPhase);
             narrowPhase.structureTests ||= new StructurePairTests(narrowPhase);
             narrowPhase.convexRay ||= new ConvexRay();
         }

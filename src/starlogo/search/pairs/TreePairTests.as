@@ -48,8 +48,8 @@ package starlogo.search.pairs
             _separation = new PenetrationSearch(this, limits);
         }
 
-        /** Lets a narrow phase test trees. */
-        public static function bringTo(narrowPhase:NarrowPhase):void
+        /** Gives these tests to a narrow phase that does not have them. */
+        public static function addTo(narrowPhase:NarrowPhase):void
         {
             narrowPhase.treeTests ||= new TreePairTests(narrowPhase.treeLimits);
         }

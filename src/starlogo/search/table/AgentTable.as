@@ -78,7 +78,7 @@ package starlogo.search.table
             _modelShapes = shapes;
             _rowExtents = new RowExtents(levels);
             extents = _rowExtents.extents;
-            grow(ListedAgents.LISTED);
+            grow(ListedAgents.FIRST_LISTED);
         }
 
         /**
@@ -93,7 +93,7 @@ package starlogo.search.table
             var reshaped:ReshapedRows = _reshaped;
             forgetReplaced();
             list.beginRead();
-            var isOther:Boolean = !list.isAccepted || agents.length != list.count || !readChanged(agents, list.rows, reshaped.rows);
+            var isOther:Boolean = !list.isAccepted || agents.length != list.rows.count || !readChanged(agents, list.rows, reshaped.rows);
             if (isOther)
             {
                 list.propose(agents);
@@ -101,13 +101,14 @@ package starlogo.search.table
                 readChanged(agents, list.proposed, reshaped.rows);
             }
             findShapes(reshaped);
+            // nothing below throws
             if (isOther)
             {
-                list.accept(agents.length);
+                list.accept();
                 followList();
             }
             loadingCount = takeShapes(reshaped);
-            places.acceptRead(list.count);
+            places.acceptRead(list.rows.count);
             moveExtents(reshaped.rows);
         }
 
@@ -130,7 +131,7 @@ package starlogo.search.table
                 takeShapes(_reshaped);
             }
             places.last.read(row, agent);
-            places.before.read(row, agent);
+            places.previous.read(row, agent);
             _rowExtents.moveRow(row, places.last);
         }
 
@@ -147,7 +148,7 @@ package starlogo.search.table
                     setShape(row, ModelShapes.newShapeOfWorldAgent(WorldAgent(agent)));
                     readBody(row);
                     places.last.read(row, agent);
-                    places.before.read(row, agent);
+                    places.previous.read(row, agent);
                 }
             }
         }
@@ -160,7 +161,7 @@ package starlogo.search.table
         {
             forgetReplaced();
             var row:int = list.rowOf(agent);
-            var isOfNow:Boolean = row >= ListedAgents.LISTED || row >= 0 && shapes[row].worldAgent === agent;
+            var isOfNow:Boolean = row >= ListedAgents.FIRST_LISTED || row >= 0 && shapes[row].worldAgent === agent;
             if (isOfNow && agent.revision == places.last.revisions[row] && agent.bodyRevision == _bodyRevisions[row])
             {
                 return bodyOf(row);
@@ -197,8 +198,9 @@ package starlogo.search.table
          * @param reshaped receives the rows of those whose bodies have changed
          * @return false if the rows do not belong to the agents
          */
-        private function readChanged(agents:Vector.<Agent>, rows:Vector.<int>, reshaped:NumberList):Boolean
+        private function readChanged(agents:Vector.<Agent>, listed:NumberList, reshaped:NumberList):Boolean
         {
+            var rows:Vector.<int> = listed.numbers;
             var byRow:Vector.<Agent> = list.agents;
             var seen:Vector.<int> = places.last.revisions;
             var bodiesSeen:Vector.<int> = _bodyRevisions;
@@ -251,9 +253,9 @@ package starlogo.search.table
                     empty(row);
                 }
             }
-            for (i = 0; i < list.count; i++)
+            for (i = 0; i < list.rows.count; i++)
             {
-                var body:Body = _bodies[list.rows[i]];
+                var body:Body = _bodies[list.rows.numbers[i]];
                 if (body != null)
                 {
                     body.rank = i;

@@ -27,7 +27,7 @@ package starlogo.search.table
         public static const EDGES:int = 1;
 
         /** The first row for agents of a list. */
-        public static const LISTED:int = 2;
+        public static const FIRST_LISTED:int = 2;
 
         // In place of a rank: the agent of the row is not listed.
         private static const UNLISTED:int = -1;
@@ -36,10 +36,7 @@ package starlogo.search.table
         private static const FIRST_UNLISTED:int = 1 << 30;
 
         /** The rows of the agents, in the order of the list. */
-        public var rows:Vector.<int> = new Vector.<int>();
-
-        /** The number of agents in the list. */
-        public var count:int = 0;
+        public var rows:NumberList = new NumberList();
 
         /** By row: the index of its agent in the list. The ground and the edges of the world have the indices after the agents. */
         public var ranks:Vector.<int> = new <int>[0, 1];
@@ -48,7 +45,7 @@ package starlogo.search.table
         public var agents:Vector.<Agent> = new <Agent>[null, null];
 
         /** The rows of the agents of the list that was proposed last. */
-        internal var proposed:Vector.<int> = new Vector.<int>();
+        internal var proposed:NumberList = new NumberList();
 
         /** Whether the list that was proposed last was accepted. */
         internal var isAccepted:Boolean = true;
@@ -67,7 +64,7 @@ package starlogo.search.table
         private var _rowsById:HashTable = new HashTable();
 
         // All rows below it are in use or free.
-        private var _end:int = LISTED;
+        private var _end:int = FIRST_LISTED;
 
         // The number of lists that were proposed. By row: the last of them in which the agent was.
         private var _proposals:int = 0;
@@ -114,14 +111,14 @@ package starlogo.search.table
         public function isListed(list:Vector.<Agent>):Boolean
         {
             var i:int = 0;
-            if (list.length == count)
+            if (list.length == rows.count)
             {
-                while (i < count && agents[rows[i]] === list[i])
+                while (i < rows.count && agents[rows.numbers[i]] === list[i])
                 {
                     i++;
                 }
             }
-            return i == count && list.length == count;
+            return i == rows.count && list.length == rows.count;
         }
 
         /** Begins to read another list: no row has left it yet. */
@@ -142,12 +139,12 @@ package starlogo.search.table
                 freeUnlisted();
             }
             isAccepted = false;
-            arrived.count = 0;
+            arrived.count = proposed.count = 0;
             _proposals++;
             for (var i:int = 0; i < list.length; i++)
             {
                 var agent:Agent = list[i];
-                var row:int = i < count ? rows[i] : -1;
+                var row:int = i < rows.count ? rows.numbers[i] : -1;
                 if (row < 0 || agents[row] !== agent)
                 {
                     requireAgent(i, agent);
@@ -163,32 +160,27 @@ package starlogo.search.table
                     throw new ArgumentError(agent + " is listed twice: agents[" + list.indexOf(agent) + "] and agents[" + i + "]");
                 }
                 _lastProposals[row] = _proposals;
-                proposed[i] = row;
+                proposed.add(row);
             }
         }
 
-        /**
-         * Makes the agents of the proposed list the ones that are listed, and frees the rows of all others.
-         *
-         * @param length the number of agents
-         */
-        internal function accept(length:int):void
+        /** Makes the agents of the proposed list the ones that are listed, and frees the rows of all others. */
+        internal function accept():void
         {
-            listReordered(length);
-            for (var i:int = 0; i < count; i++)
+            listReordered();
+            for (var i:int = 0; i < rows.count; i++)
             {
-                ranks[rows[i]] = UNLISTED;
+                ranks[rows.numbers[i]] = UNLISTED;
             }
-            var before:Vector.<int> = rows;
+            var before:NumberList = rows;
             rows = proposed;
             proposed = before;
-            count = length;
-            for (i = 0; i < length; i++)
+            for (i = 0; i < rows.count; i++)
             {
-                ranks[rows[i]] = i;
+                ranks[rows.numbers[i]] = i;
             }
-            ranks[GROUND] = length;
-            ranks[EDGES] = length + 1;
+            ranks[GROUND] = rows.count;
+            ranks[EDGES] = rows.count + 1;
             isAccepted = true;
             freeUnlisted();
         }
@@ -242,13 +234,13 @@ package starlogo.search.table
         }
 
         // Lists rows so that all others have the same order in both lists. If the last agent took the place of one that was removed, it is one row.
-        private function listReordered(length:int):void
+        private function listReordered():void
         {
             var inOrder:Vector.<int> = _inOrder;
             var end:int = 0;
-            for (var i:int = 0; i < length; i++)
+            for (var i:int = 0; i < proposed.count; i++)
             {
-                var row:int = proposed[i];
+                var row:int = proposed.numbers[i];
                 var rank:int = ranks[row];
                 if (rank == UNLISTED)
                 {
@@ -271,7 +263,7 @@ package starlogo.search.table
 
         private function freeUnlisted():void
         {
-            for (var row:int = LISTED; row < _end; row++)
+            for (var row:int = FIRST_LISTED; row < _end; row++)
             {
                 if (ranks[row] == UNLISTED && agents[row] != null)
                 {

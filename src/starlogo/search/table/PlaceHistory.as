@@ -14,16 +14,16 @@ package starlogo.search.table
         public var last:RowPlaces = new RowPlaces();
 
         /**
-         * The places in the search before. A row that has not changed has the same place in both. Between <code>beginRead()</code> and
+         * The places in the search before the last. A row that has not changed has the same place in both. Between <code>beginRead()</code> and
          * <code>acceptRead()</code> it receives the new places, so it holds neither search then.
          */
-        public var before:RowPlaces = new RowPlaces();
+        public var previous:RowPlaces = new RowPlaces();
 
         /** The rows that the last search has read again, because their agents had changed. */
         public var changed:NumberList = new NumberList();
 
         /** The rows that the search before has read again. */
-        public var changedBefore:NumberList = new NumberList();
+        public var previouslyChanged:NumberList = new NumberList();
 
         // The rows that a new search reads.
         private var _read:NumberList = new NumberList();
@@ -38,7 +38,7 @@ package starlogo.search.table
         public function read(row:int, agent:Agent):void
         {
             _read.add(row);
-            before.read(row, agent);
+            previous.read(row, agent);
         }
 
         /**
@@ -48,11 +48,11 @@ package starlogo.search.table
          */
         public function acceptRead(agentCount:int):void
         {
-            var older:RowPlaces = before;
-            before = last;
+            var older:RowPlaces = previous;
+            previous = last;
             last = older;
-            var spare:NumberList = changedBefore;
-            changedBefore = changed;
+            var spare:NumberList = previouslyChanged;
+            previouslyChanged = changed;
             changed = _read;
             _read = spare;
             if (changed.count < agentCount)
@@ -64,12 +64,12 @@ package starlogo.search.table
         // Gives rows that changed before, and not now, their present place in both searches.
         private function copyStill():void
         {
-            for (var i:int = 0; i < changedBefore.count; i++)
+            for (var i:int = 0; i < previouslyChanged.count; i++)
             {
-                var row:int = changedBefore.numbers[i];
-                if (last.revisions[row] < before.revisions[row])
+                var row:int = previouslyChanged.numbers[i];
+                if (last.revisions[row] < previous.revisions[row])
                 {
-                    last.copyRow(before, row);
+                    last.copyRow(previous, row);
                 }
             }
         }
@@ -87,7 +87,7 @@ package starlogo.search.table
         public function grow(length:int):void
         {
             last.grow(length);
-            before.grow(length);
+            previous.grow(length);
         }
     }
 }

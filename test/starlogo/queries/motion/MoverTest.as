@@ -7,7 +7,6 @@ package starlogo.queries.motion
     import starlogo.collision.TightestFitCollider;
     import starlogo.engine;
     import starlogo.models.BuiltInModel;
-    import starlogo.queries.MoveQueries;
     import starlogo.queries.SeenAgents;
     import support.agentAt;
     import support.landOf;
@@ -21,14 +20,14 @@ package starlogo.queries.motion
         public function aSlideWithoutAMotionHasMetNoFloorAndNoWall():void
         {
             var seen:SeenAgents = new SeenAgents(new TightestFitCollider(landOf(BuiltInModel.cube())));
-            var moves:MoveQueries = new MoveQueries(seen);
-            var mover:Mover = moves.mover;
+            var planner:MotionPlanner = new MotionPlanner(seen);
+            var mover:Mover = new Mover(seen);
             var agent:Agent = agentAt("cube", 0, 0, 1.5);
             seen.update(new <Agent>[agent, agentAt("cube", 0.2, 0, 0)]);
             var planned:PlannedMotion = new PlannedMotion();
             var result:SlideResult = new SlideResult();
-            moves.readMover(agent, 0, planned.body);
-            moves.planWithin(agent, 0, 0, -1, 1, 0, 0, null, planned);
+            planner.readMover(agent, 0, planned.body);
+            planner.planWithin(agent, 0, 0, -1, 1, 0, 0, null, planned);
             mover.begin(planned.body, planned.rows);
             mover.slide(planned.from, planned.motion, SlideLimits.NONE, result);
             assertTrue("it met the cube below: " + result.floor.normalZ, Math.abs(result.floor.normalZ - 1) < 1e-9);

@@ -53,10 +53,10 @@ package starlogo.queries.trees
         private function makeWorld(world:int):void
         {
             _sizes = new Extents();
-            _sizes.grow(ListedAgents.LISTED + MOST_ROWS);
+            _sizes.grow(ListedAgents.FIRST_LISTED + MOST_ROWS);
             _rows = new Vector.<int>();
             var count:int = world % 10 == 0 ? world / 10 : _random.integer(1, MOST_ROWS);
-            for (var row:int = ListedAgents.LISTED; row < ListedAgents.LISTED + count; row++)
+            for (var row:int = ListedAgents.FIRST_LISTED; row < ListedAgents.FIRST_LISTED + count; row++)
             {
                 _sizes.x[row] = coordinate(world);
                 _sizes.y[row] = coordinate(world);
@@ -64,7 +64,7 @@ package starlogo.queries.trees
                 _sizes.halfX[row] = _sizes.halfY[row] = _random.logBetween(0.01, 10);
                 _sizes.halfZ[row] = _random.pick([0, 0.5, 2]);
             }
-            for (row = ListedAgents.LISTED + count - 1; row >= ListedAgents.LISTED; row--)
+            for (row = ListedAgents.FIRST_LISTED + count - 1; row >= ListedAgents.FIRST_LISTED; row--)
             {
                 if (row % 5 > 0 || count < 10)
                 {

@@ -1,10 +1,9 @@
-package starlogo.collision
+package starlogo.collision.snapshots
 {
     import flash.utils.ByteArray;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
-    import starlogo.collision.snapshots.SnapshotPlatforms;
 
     /** A snapshot's standings: each number that no game can have is refused. */
     public class SnapshotPlatformsTest

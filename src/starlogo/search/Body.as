@@ -127,22 +127,22 @@ package starlogo.search
             structure.rotatedBoxInto(UPRIGHT, sExtents);
             requireInWorld("half of a structure's length", sExtents[3], sExtents[4], sExtents[5]);
             requireInWorld("a structure's middle", sExtents[0], sExtents[1], sExtents[2]);
-            takeStructure(structure);
+            takeStructure(structure, sExtents);
         }
 
         /** Becomes the body of the structure that another body is in the world, without its margin. */
         public function readPlaced(whole:Body):void
         {
             _worlds ||= new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
-            _worlds[whole.form] = whole.shape.structure.place(whole.placement, _worlds[whole.form]);
-            takeStructure(_worlds[whole.form]);
+            var world:BoundingStructure = whole.shape.structure.place(whole.placement, _worlds[whole.form]);
+            _worlds[whole.form] = world;
+            world.rotatedBoxInto(UPRIGHT, sExtents);
+            takeStructure(world, sExtents);
         }
 
-        // Takes a structure in the world.
-        private function takeStructure(structure:BoundingStructure):void
+        // Takes a structure in the world, and its extents.
+        private function takeStructure(structure:BoundingStructure, extents:Vector.<Number>):void
         {
-            var found:Vector.<Number> = sExtents;
-            structure.rotatedBoxInto(UPRIGHT, found);
             _ownShapes ||= new Vector.<ModelShape>(BoundingStructure.KIND_COUNT, true);
             var own:ModelShape = _ownShapes[structure.kind];
             if (own == null)
@@ -152,13 +152,13 @@ package starlogo.search
             }
             // the shape's structure has its middle at the origin
             placement.copyFrom(UPRIGHT);
-            placement.x = -found[0];
-            placement.y = -found[1];
-            placement.z = -found[2];
+            placement.x = -extents[0];
+            placement.y = -extents[1];
+            placement.z = -extents[2];
             own.setStructure(structure.place(placement, own.structure));
-            placement.x = found[0];
-            placement.y = found[1];
-            placement.z = found[2];
+            placement.x = extents[0];
+            placement.y = extents[1];
+            placement.z = extents[2];
             takeShape(own);
             rank = depth = 0;
             findExtents();

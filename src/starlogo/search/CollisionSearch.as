@@ -115,8 +115,7 @@ package starlogo.search
             {
                 return _keptPairs.memberCount;
             }
-            var members:NumberList = findMembers();
-            findAll(members, out);
+            var members:NumberList = findAll(out);
             _keptPairs.keep(_conditions, out, members);
             return members.count;
         }
@@ -126,13 +125,13 @@ package starlogo.search
         {
             // also if the search throws, because the table has been read
             _keptPairs.forget();
-            var members:NumberList = findMembers();
-            findAll(members, out);
-            return members.count;
+            return findAll(out).count;
         }
 
-        private function findAll(members:NumberList, out:FoundPairs):void
+        // Searches all members, and returns them.
+        private function findAll(out:FoundPairs):NumberList
         {
+            var members:NumberList = findMembers();
             var extents:Extents = table.extents;
             if (_conditions.isSwept)
             {
@@ -146,6 +145,7 @@ package starlogo.search
                 _candidates.findPairsOfWorldAgent(row, members);
             }
             _order.sort(out, _conditions.isSwept);
+            return members;
         }
 
         /** The table was read without a search: the next search is one of all rows. */

@@ -42,12 +42,12 @@ package starlogo.search
         // The members of the last search.
         private var _cells:CellLists;
 
-        // The conditions of the last search; and whether this one is like it, and few rows have changed. The ground and the edges then.
+        // The conditions of the last search; and whether this one is like it, and few rows have changed. The agents of the ground and of the
+        // edges then, and the revisions of their surfaces.
         private var _conditions:SearchConditions = new SearchConditions();
         private var _isWorthKeeping:Boolean = false;
         private var _worldAgents:Vector.<WorldAgent> = new <WorldAgent>[null, null];
-        private var _edges:Vector.<Number> = null;
-        private var _groundRevision:int = 0;
+        private var _worldRevisions:Vector.<int> = new <int>[0, 0];
 
         // The number of the search. By row: the last search that found the row changed. The rows that this one has found changed.
         private var _searchNumber:int = 0;
@@ -180,7 +180,7 @@ package starlogo.search
         private function hasWorldAgentChanged(row:int):Boolean
         {
             var agent:WorldAgent = _table.list.agents[row] as WorldAgent;
-            return agent !== _worldAgents[row] || agent != null && (row == ListedAgents.GROUND ? agent.grid.revision != _groundRevision : agent.edges !== _edges);
+            return agent !== _worldAgents[row] || agent != null && agent.surfaceRevision != _worldRevisions[row];
         }
 
         // Remembers the ground, or the edges of the world.
@@ -188,14 +188,7 @@ package starlogo.search
         {
             var agent:WorldAgent = _table.list.agents[row] as WorldAgent;
             _worldAgents[row] = agent;
-            if (agent != null && row == ListedAgents.GROUND)
-            {
-                _groundRevision = agent.grid.revision;
-            }
-            else if (agent != null)
-            {
-                _edges = agent.edges;
-            }
+            _worldRevisions[row] = agent == null ? 0 : agent.surfaceRevision;
         }
 
         // Lists the rows that have changed.

@@ -27,6 +27,8 @@ package starlogo.search
 
         private static var sCreated:int = 0;
 
+        private var _edgesRevision:int = 0;
+
         /**
          * @param breed Breeds.TERRAIN or Breeds.EDGE
          * @param addTests adds the tests of pairs with it to a narrow phase; null if there are none
@@ -44,6 +46,19 @@ package starlogo.search
         {
             sCreated++;
             return -sCreated;
+        }
+
+        /** Sets the edges that it stands for. */
+        public function setEdges(value:Vector.<Number>):void
+        {
+            edges = value;
+            _edgesRevision++;
+        }
+
+        /** Another number after each change of the heights or of the edges. */
+        public function get surfaceRevision():int
+        {
+            return grid == null ? _edgesRevision : grid.revision;
         }
 
         /** Whether it stands for the ground. */

@@ -57,7 +57,7 @@ package starlogo.terrain
                 }
                 requireInWorld("the edges of the world", isFinite(edges[i]) ? edges[i] : 0, isFinite(edges[i + 1]) ? edges[i + 1] : 0, 0);
             }
-            _agent.edges = edges;
+            _agent.setEdges(edges);
         }
 
         /** The least x. */

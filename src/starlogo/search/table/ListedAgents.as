@@ -139,12 +139,14 @@ package starlogo.search.table
                 freeUnlisted();
             }
             isAccepted = false;
-            arrived.count = proposed.count = 0;
+            arrived.count = 0;
+            var listed:Vector.<int> = rows.numbers;
+            var to:Vector.<int> = proposed.numbers;
             _proposals++;
             for (var i:int = 0; i < list.length; i++)
             {
                 var agent:Agent = list[i];
-                var row:int = i < rows.count ? rows.numbers[i] : -1;
+                var row:int = i < rows.count ? listed[i] : -1;
                 if (row < 0 || agents[row] !== agent)
                 {
                     requireAgent(i, agent);
@@ -160,8 +162,9 @@ package starlogo.search.table
                     throw new ArgumentError(agent + " is listed twice: agents[" + list.indexOf(agent) + "] and agents[" + i + "]");
                 }
                 _lastProposals[row] = _proposals;
-                proposed.add(row);
+                to[i] = row;
             }
+            proposed.count = list.length;
         }
 
         /** Makes the agents of the proposed list the ones that are listed, and frees the rows of all others. */

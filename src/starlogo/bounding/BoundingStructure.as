@@ -366,7 +366,7 @@ package starlogo.bounding
         }
 
         /**
-         * Transforms a point by a placement.
+         * Transforms a point by a placement, for structures of your own.
          *
          * @param point in the model's space
          * @param placement the model's placement
@@ -377,7 +377,7 @@ package starlogo.bounding
             placement.place(point, out);
         }
 
-        /** Rotates a vector by the rotation of a placement. The result is written to out, which may be the vector itself. */
+        /** Rotates a vector by the rotation of a placement, for structures of your own. The result is written to out, which may be the vector itself. */
         protected static function turnInto(vector:Vector3D, placement:Placement, out:Vector3D):void
         {
             placement.turn(vector, out);

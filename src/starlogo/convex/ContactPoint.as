@@ -78,9 +78,9 @@ package starlogo.convex
          * Sets the contact of two shapes whose cores are apart.
          *
          * @param gap the gap between the cores, longer than 0, and the radii
-         * @param displacement moves the first shape from its stored place
+         * @param motion the motion of the first shape, which is at its start
          */
-        public function setFromGap(gap:CoreGap, displacement:RelativeMotion):void
+        public function setFromGap(gap:CoreGap, motion:RelativeMotion):void
         {
             var length:Number = Math.sqrt(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z);
             normalX = gap.x / length;
@@ -90,9 +90,9 @@ package starlogo.convex
             // rounding can make it negative
             depth = depth > 0 ? depth : 0;
             var back:Number = gap.radiusA - depth / 2;
-            x = displacement.startX + gap.pointX - back * normalX;
-            y = displacement.startY + gap.pointY - back * normalY;
-            z = displacement.startZ + gap.pointZ - back * normalZ;
+            x = motion.startX + gap.pointX - back * normalX;
+            y = motion.startY + gap.pointY - back * normalY;
+            z = motion.startZ + gap.pointZ - back * normalZ;
         }
 
         /** Sets the normal without normalising it. The function is short so that V8 inlines it and allocates no objects for the Numbers. */

@@ -87,10 +87,10 @@ package starlogo.convex
             var start:Number = startX < 0 ? -startX : startX;
             start = startY < 0 ? start - startY : start + startY;
             start = startZ < 0 ? start - startZ : start + startZ;
-            var displacement:Number = x < 0 ? -x : x;
-            displacement = y < 0 ? displacement - y : displacement + y;
-            displacement = z < 0 ? displacement - z : displacement + z;
-            margin = Tolerances.ROUNDING * start + Tolerances.ROUNDING * displacement;
+            var travel:Number = x < 0 ? -x : x;
+            travel = y < 0 ? travel - y : travel + y;
+            travel = z < 0 ? travel - z : travel + z;
+            margin = Tolerances.ROUNDING * start + Tolerances.ROUNDING * travel;
         }
     }
 }

@@ -185,11 +185,11 @@ package starlogo.geometry
         public static const DIRECTION:Number = 1e-9;
 
         /**
-         * If two convex cores are farther apart than this fraction of their sizes, the direction of the gap between them is the normal of their
-         * contact. The gap is perpendicular to the edges and faces that it ends at. Smaller than 1e-12: rounding turns the normal by more than 4e-4.
-         * Larger: depths have an error of that fraction.
+         * As a length, DIRECTION for the gaps that the package convex finds. They are made perpendicular to the edges and faces that they end at, so
+         * shorter ones have a certain direction: the normal of the contact, if the cores are farther apart than this fraction of their sizes. Smaller
+         * than 1e-12: rounding turns the normal by more than 4e-4. Larger: depths have an error of that fraction.
          */
-        public static const GAP:Number = 1e-11;
+        public static const PERPENDICULAR_GAP:Number = 1e-11;
 
         /**
          * The squared sine of the angle to z within which an axis counts as upright. A contact's normal that is perpendicular to an

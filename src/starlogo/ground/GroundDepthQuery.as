@@ -101,7 +101,7 @@ package starlogo.ground
             _pieces.nextPiece();
             while (_pieces.nextTriangle())
             {
-                _pieces.test.findBehind(RelativeMotion.NONE, _tried);
+                _pieces.pair.findBehind(RelativeMotion.NONE, _tried);
                 if (_tried.depth >= -_pieces.triangle.margin && (!deepest.hasTriangle || isBehind(deepest)))
                 {
                     count = addExit(exits, count);
@@ -124,7 +124,7 @@ package starlogo.ground
             {
                 while (_pieces.nextTriangle())
                 {
-                    var isFootInside:Boolean = _pieces.test.findBehind(RelativeMotion.NONE, _tried);
+                    var isFootInside:Boolean = _pieces.pair.findBehind(RelativeMotion.NONE, _tried);
                     if (isFootInside && isClearlyDeeper(deepest) && isNeeded(_tried) && isDeeperThan(deepest, out))
                     {
                         deepest = _pieces.box.above = _tried.depth;
@@ -144,11 +144,11 @@ package starlogo.ground
                 while (_pieces.nextTriangle())
                 {
                     // no overlap is deeper than the piece is behind the plane
-                    _pieces.test.findBehind(RelativeMotion.NONE, _tried);
+                    _pieces.pair.findBehind(RelativeMotion.NONE, _tried);
                     if (isClearlyDeeper(deepest) && findOverlap() && isDeeperThan(deepest, out))
                     {
                         deepest = _tried.depth;
-                        _pieces.test.leadOutside(RelativeMotion.NONE, _tried);
+                        _pieces.pair.leadOutside(RelativeMotion.NONE, _tried);
                         keep(out);
                     }
                 }
@@ -170,11 +170,11 @@ package starlogo.ground
         // Finds the contact of the piece and the triangle, along the shortest way apart. Returns false if they do not touch.
         private function findOverlap():Boolean
         {
-            if (!_pieces.test.areTouching())
+            if (!_pieces.pair.areTouching())
             {
                 return false;
             }
-            _pieces.test.findContact(RelativeMotion.NONE, _tried);
+            _pieces.pair.findContact(RelativeMotion.NONE, _tried);
             return true;
         }
 
@@ -221,7 +221,7 @@ package starlogo.ground
             {
                 slack += 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
             }
-            return _pieces.test.isBehindPlane(deepest.corners, slack);
+            return _pieces.pair.isBehindPlane(deepest.corners, slack);
         }
 
         // Adds the exit that was tried to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.

@@ -71,7 +71,7 @@ package starlogo.ground
         {
             while (_pieces.nextTriangle())
             {
-                if (_pieces.test.findCloser(out))
+                if (_pieces.pair.findCloser(out))
                 {
                     _pieces.box.maxDistance = out.distance;
                 }

@@ -9,7 +9,7 @@ package starlogo.ground
     import starlogo.geometry.Placement;
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.intersection.TriangleKernel;
+    import starlogo.intersection.ConvexTrianglePair;
     import starlogo.solid.ModelTree;
 
     use namespace engine;
@@ -24,7 +24,7 @@ package starlogo.ground
     internal final class GroundPieces
     {
         /** Tests the current piece and the triangle that <code>nextTriangle()</code> has found. Both are relative to the box's origin. */
-        public var test:TriangleKernel = new TriangleKernel();
+        public var pair:ConvexTrianglePair = new ConvexTrianglePair();
 
         /** The box around the current piece. Its limits may be narrowed. Its origin is the model's place. */
         public var box:GroundBox = new GroundBox();
@@ -170,7 +170,7 @@ package starlogo.ground
                     return true;
                 }
             }
-            test.setShapeToTriangle(_corners, 9 * _first, _placed);
+            pair.setShapeToTriangle(_corners, 9 * _first, _placed);
             _first++;
             finishPiece();
             _triangles.begin(grid, box);
@@ -184,8 +184,8 @@ package starlogo.ground
             {
                 return false;
             }
-            test.shape.margin = _pieceMargin + triangle.margin;
-            test.setTriangle(triangle.corners, 0);
+            pair.shape.margin = _pieceMargin + triangle.margin;
+            pair.setTriangle(triangle.corners, 0);
             return true;
         }
 
@@ -253,22 +253,22 @@ package starlogo.ground
         {
             setPiece(structure);
             placeAround(structure);
-            box.structure = test.structure;
+            box.structure = pair.structure;
             _triangles.begin(grid, box);
         }
 
         private function setPiece(structure:BoundingStructure):void
         {
-            test.setStructure(structure, _placed);
+            pair.setStructure(structure, _placed);
             finishPiece();
         }
 
         private function finishPiece():void
         {
-            _pieceMargin = test.shape.margin + _margin;
-            _point.x = test.shape.x;
-            _point.y = test.shape.y;
-            _point.z = test.shape.z;
+            _pieceMargin = pair.shape.margin + _margin;
+            _point.x = pair.shape.x;
+            _point.y = pair.shape.y;
+            _point.z = pair.shape.z;
         }
 
         // Puts the box around a structure of the model.

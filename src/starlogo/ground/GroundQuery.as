@@ -67,7 +67,7 @@ package starlogo.ground
                 }
                 while (_pieces.nextTriangle())
                 {
-                    if (!_pieces.test.staysBeside(RelativeMotion.NONE) && _pieces.test.areTouching())
+                    if (!_pieces.pair.staysBeside(RelativeMotion.NONE) && _pieces.pair.areTouching())
                     {
                         return true;
                     }
@@ -126,8 +126,8 @@ package starlogo.ground
                         first = _pieces.box.latest = _sweep.time;
                         if (out != null)
                         {
-                            _pieces.test.findContact(_sweep, out);
-                            _pieces.test.leadOutside(_sweep, out);
+                            _pieces.pair.findContact(_sweep, out);
+                            _pieces.pair.leadOutside(_sweep, out);
                         }
                     }
                 }
@@ -212,9 +212,9 @@ package starlogo.ground
         {
             _sweep.latest = _pieces.box.latest;
             _sweep.time = RelativeMotion.NEVER;
-            if (!_pieces.test.staysBeside(_sweep))
+            if (!_pieces.pair.staysBeside(_sweep))
             {
-                _pieces.test.findTime(_sweep);
+                _pieces.pair.findTime(_sweep);
             }
         }
     }

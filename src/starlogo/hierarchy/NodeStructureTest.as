@@ -25,6 +25,7 @@ package starlogo.hierarchy
         private var _tree:BoxTree;
         private var _structure:BoundingStructure;
         private var _motion:RelativeMotion;
+        private var _isMoving:Boolean = false;
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
@@ -44,17 +45,19 @@ package starlogo.hierarchy
         public function areTouching(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose):Boolean
         {
             least = 0;
+            _isMoving = false;
             search(tree, depth, structure, pose, RelativeMotion.NONE);
             return firstNode >= 0;
         }
 
         /**
          * Finds when a moving structure first touches a node that decides. The parameters are those of <code>areTouching()</code>. The pose's
-         * motion, which must not be RelativeMotion.NONE, receives the time.
+         * motion receives the time.
          */
         public function findTime(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose):void
         {
             least = pose.motion.latest;
+            _isMoving = true;
             search(tree, depth, structure, pose, pose.motion);
             var time:Number = least > 0 ? least : 0;
             pose.motion.time = firstNode < 0 ? RelativeMotion.NEVER : time;
@@ -77,14 +80,14 @@ package starlogo.hierarchy
         {
             _tree.writeBox(node, _box);
             var time:Number = 0;
-            if (_motion === RelativeMotion.NONE)
-            {
-                time = PairTable.areTouching(_box, _structure) ? 0 : RelativeMotion.NEVER;
-            }
-            else
+            if (_isMoving)
             {
                 PairTable.findTime(_structure, _box, _motion);
                 time = _motion.time;
+            }
+            else
+            {
+                time = PairTable.areTouching(_box, _structure) ? 0 : RelativeMotion.NEVER;
             }
             if (time < least || time == least && firstNode < 0)
             {

@@ -23,10 +23,10 @@ package starlogo.hierarchy
         public var tolerance:Number = 0;
 
         /**
-         * The second model's motion from its pose, from time 0 to time 1, in the first model's space. Its start is 0. If the models stand
-         * still, RelativeMotion.NONE.
+         * The second model's motion from its pose, from time 0 to time 1, in the first model's space. Its start is 0. The model stands still
+         * before <code>relateMotion()</code>.
          */
-        public var motion:RelativeMotion = RelativeMotion.NONE;
+        public var motion:RelativeMotion = new RelativeMotion(0);
 
         // For each kind, a structure of the second model in the first model's space.
         private var _placed:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
@@ -65,7 +65,7 @@ package starlogo.hierarchy
         }
 
         /**
-         * Computes the second model's motion. It must not be RelativeMotion.NONE.
+         * Computes the second model's motion.
          *
          * @param a the first model's placement in the world
          * @param worldMotion the first model's motion relative to the second, in the world

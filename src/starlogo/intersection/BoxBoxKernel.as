@@ -36,9 +36,9 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        override public function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            _convex.findOverlap(a, b, displacement, out);
+            _convex.findOverlap(a, b, motion, out);
         }
 
         /** @inheritDoc */

@@ -43,17 +43,17 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        override public function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
             setShapes(a, b);
-            _pair.findContact(_a, _b, displacement, out);
+            _pair.findContact(_a, _b, motion, out);
         }
 
         /** Finds the contact of two structures whose cores touch or overlap. It is faster than <code>findContact()</code>. */
-        public function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        public function findOverlap(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
             setShapes(a, b);
-            _pair.findOverlap(_a, _b, displacement, out);
+            _pair.findOverlap(_a, _b, motion, out);
         }
 
         /** @inheritDoc */

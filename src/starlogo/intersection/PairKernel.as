@@ -58,11 +58,11 @@ package starlogo.intersection
          *
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space
-         * @param displacement moves a from its stored place to the motion's start; its other numbers are 0
+         * @param motion the motion of a, which is at its start; the rest must be 0 (see RelativeMotion.stopAt)
          * @param out receives the contact
          * @throws ArgumentError if the pair has no such test
          */
-        public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        public function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
             throw missing("contact", a, b);
         }

@@ -10,7 +10,7 @@ package starlogo.intersection
 
     /**
      * Says how two structures meet: whether they touch, when a moving one first touches the other, how they overlap, and how far apart they are.
-     * Here alone it is decided which kernel answers for two kinds. The package is made of a kernel for each pair of kinds, a TriangleKernel for a
+     * Here alone it is decided which kernel answers for two kinds. The package is made of a kernel for each pair of kinds, a ConvexTrianglePair for a
      * shape and triangles, and the tests of rays (<code>ray</code>). Read PairKernel next, which explains the questions, then RoundKernel and
      * SphereBoxGap.
      *
@@ -41,9 +41,9 @@ package starlogo.intersection
         }
 
         /** Finds where two structures touch, or how they overlap. See PairKernel. */
-        public static function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        public static function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            KERNELS[int(KINDS * a.kind + b.kind)].findContact(a, b, displacement, out);
+            KERNELS[int(KINDS * a.kind + b.kind)].findContact(a, b, motion, out);
         }
 
         /** Finds the distance of two structures and their closest points. See PairKernel. */

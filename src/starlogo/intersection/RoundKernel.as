@@ -74,20 +74,20 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        override public function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            begin(a, b, displacement);
+            begin(a, b, motion);
             var gap:CoreGap = _gap;
             // If the gap is longer than this, it has a direction in spite of rounding.
             var least:Number = Tolerances.DIRECTION * gap.size;
             if (gap.x * gap.x + gap.y * gap.y + gap.z * gap.z > least * least)
             {
                 _finder.finish(gap);
-                out.setFromGap(gap, displacement);
+                out.setFromGap(gap, motion);
             }
             else
             {
-                _convex.findOverlap(a, b, displacement, out);
+                _convex.findOverlap(a, b, motion, out);
             }
         }
 

@@ -32,17 +32,17 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        override public function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
             var gap:CoreGap = _gap;
-            setGap(a as Sphere, b as Sphere, displacement);
+            setGap(a as Sphere, b as Sphere, motion);
             // The difference of two points has a direction. Below about 1e-162 its square is 0, and the spheres count as concentric.
             if (!(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z > 0))
             {
                 gap.x = gap.y = 0;
                 gap.z = 1e-150;
             }
-            out.setFromGap(gap, displacement);
+            out.setFromGap(gap, motion);
         }
 
         /** @inheritDoc */

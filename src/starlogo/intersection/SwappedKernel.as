@@ -32,11 +32,11 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        override public function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            _reversed.setReversed(displacement);
+            _reversed.setReversed(motion);
             _kernel.findContact(b, a, _reversed, out);
-            out.swap(displacement);
+            out.swap(motion);
         }
 
         /** @inheritDoc */

@@ -36,7 +36,7 @@ package starlogo.solid
         /** The corners of the triangles in the leaf of the last <code>move()</code>: nine numbers each. */
         public var moved:Vector.<Number> = new Vector.<Number>();
 
-        /** The extents of these triangles: minX, minY, minZ, maxX, maxY, maxZ of each. */
+        /** The extents of these triangles: minX, maxX, minY, maxY, minZ, maxZ of each. */
         public var extents:Vector.<Number> = new Vector.<Number>();
 
         /** A triangle of the first model, a triangle of the second, and what decides about them. */
@@ -120,9 +120,9 @@ package starlogo.solid
             var p:Number = x * corners[corner] + y * corners[int(corner + 1)] + z * corners[int(corner + 2)] - place;
             var q:Number = x * corners[int(corner + 3)] + y * corners[int(corner + 4)] + z * corners[int(corner + 5)] - place;
             var r:Number = x * corners[int(corner + 6)] + y * corners[int(corner + 7)] + z * corners[int(corner + 8)] - place;
-            var displacement:Number = motion.latest * (x * motion.x + y * motion.y + z * motion.z);
-            var low:Number = displacement < 0 ? _off - displacement : _off;
-            var high:Number = displacement > 0 ? -_off - displacement : -_off;
+            var travel:Number = motion.latest * (x * motion.x + y * motion.y + z * motion.z);
+            var low:Number = travel < 0 ? _off - travel : _off;
+            var high:Number = travel > 0 ? -_off - travel : -_off;
             return p > low && q > low && r > low || p < high && q < high && r < high;
         }
 

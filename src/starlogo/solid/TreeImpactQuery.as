@@ -43,7 +43,7 @@ package starlogo.solid
         // For contacts: nodes.
         private var _boxA:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _boxB:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
-        private var _displacement:RelativeMotion = new RelativeMotion(0);
+        private var _stopped:RelativeMotion = new RelativeMotion(0);
 
         /**
          * @param overlaps tests the two where they stand
@@ -56,7 +56,6 @@ package starlogo.solid
             _trianglePairs = new TrianglePairSweep(counts);
             _nodes = new NodeStructureTest(counts);
             _triangles = new TriangleStructureTest(counts);
-            _pose.motion = new RelativeMotion();
         }
 
         /**
@@ -207,10 +206,10 @@ package starlogo.solid
         {
             var time:Number = motion.time;
             var inFirst:RelativeMotion = _pose.motion;
-            _displacement.startX = -time * inFirst.x;
-            _displacement.startY = -time * inFirst.y;
-            _displacement.startZ = -time * inFirst.z;
-            PairTable.findContact(a, _pose.place(b), _displacement, out);
+            _stopped.startX = -time * inFirst.x;
+            _stopped.startY = -time * inFirst.y;
+            _stopped.startZ = -time * inFirst.z;
+            PairTable.findContact(a, _pose.place(b), _stopped, out);
             out.x += time * inFirst.x;
             out.y += time * inFirst.y;
             out.z += time * inFirst.z;

@@ -7,7 +7,7 @@ package starlogo.solid
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.intersection.TriangleKernel;
+    import starlogo.intersection.ConvexTrianglePair;
 
     use namespace engine;
 
@@ -19,9 +19,9 @@ package starlogo.solid
         private var _counts:TreeCounts;
 
         private var _mesh:TriangleMesh;
-        private var _test:TriangleKernel = new TriangleKernel();
+        private var _pair:ConvexTrianglePair = new ConvexTrianglePair();
 
-        // The structure's extents: least x, greatest x, least y, ...
+        // The structure's extents: minX, maxX, minY, ...
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // The closest points so far, and the index of the nearest triangle in the tree's order.
@@ -47,8 +47,8 @@ package starlogo.solid
         public function find(model:ModelTree, structure:BoundingStructure, pose:RelativePose, out:ClosestPoints):int
         {
             _mesh = model.prepareMesh();
-            _test.setStructure(structure, pose.placement);
-            _test.structure.extentsInto(_extents);
+            _pair.setStructure(structure, pose.placement);
+            _pair.structure.extentsInto(_extents);
             _nearest = out;
             _triangle = -1;
             least = out.distance = Infinity;
@@ -66,8 +66,8 @@ package starlogo.solid
                 if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) < least * least)
                 {
                     _counts.triangleTests++;
-                    _test.setTriangle(_mesh.corners, 9 * i);
-                    if (_test.findCloser(_nearest))
+                    _pair.setTriangle(_mesh.corners, 9 * i);
+                    if (_pair.findCloser(_nearest))
                     {
                         least = _nearest.distance;
                         _triangle = i;

@@ -66,10 +66,10 @@ package starlogo.solid
             var extents:Vector.<Number> = _triangles.extents;
             var extent:int = 6 * triangle;
             var minX:Number = extents[extent];
-            var minY:Number = extents[int(extent + 1)];
-            var minZ:Number = extents[int(extent + 2)];
-            var maxX:Number = extents[int(extent + 3)];
-            var maxY:Number = extents[int(extent + 4)];
+            var minY:Number = extents[int(extent + 2)];
+            var minZ:Number = extents[int(extent + 4)];
+            var maxX:Number = extents[int(extent + 1)];
+            var maxY:Number = extents[int(extent + 3)];
             var maxZ:Number = extents[int(extent + 5)];
             var limit:Number = _squared;
             var isProjected:Boolean = false;
@@ -82,22 +82,22 @@ package starlogo.solid
                 var distance:Number = extents[extent] - maxX;
                 if (distance < 0)
                 {
-                    distance = minX - extents[int(extent + 3)];
+                    distance = minX - extents[int(extent + 1)];
                 }
                 if (distance > 0)
                 {
                     squared = distance * distance;
                 }
-                distance = extents[int(extent + 1)] - maxY;
+                distance = extents[int(extent + 2)] - maxY;
                 if (distance < 0)
                 {
-                    distance = minY - extents[int(extent + 4)];
+                    distance = minY - extents[int(extent + 3)];
                 }
                 if (distance > 0)
                 {
                     squared += distance * distance;
                 }
-                distance = extents[int(extent + 2)] - maxZ;
+                distance = extents[int(extent + 4)] - maxZ;
                 if (distance < 0)
                 {
                     distance = minZ - extents[int(extent + 5)];

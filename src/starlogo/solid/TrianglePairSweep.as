@@ -71,27 +71,27 @@ package starlogo.solid
             var spans:Vector.<Number> = _triangles.extents;
             var span:int = 6 * triangle;
             var minX:Number = spans[span] - tolerance;
-            var minY:Number = spans[int(span + 1)] - tolerance;
-            var minZ:Number = spans[int(span + 2)] - tolerance;
-            var maxX:Number = spans[int(span + 3)] + tolerance;
-            var maxY:Number = spans[int(span + 4)] + tolerance;
+            var minY:Number = spans[int(span + 2)] - tolerance;
+            var minZ:Number = spans[int(span + 4)] - tolerance;
+            var maxX:Number = spans[int(span + 1)] + tolerance;
+            var maxY:Number = spans[int(span + 3)] + tolerance;
             var maxZ:Number = spans[int(span + 5)] + tolerance;
-            var displacement:Number = motion.x * latest;
-            minX = displacement < 0 ? minX + displacement : minX;
-            maxX = displacement > 0 ? maxX + displacement : maxX;
-            displacement = motion.y * latest;
-            minY = displacement < 0 ? minY + displacement : minY;
-            maxY = displacement > 0 ? maxY + displacement : maxY;
-            displacement = motion.z * latest;
-            minZ = displacement < 0 ? minZ + displacement : minZ;
-            maxZ = displacement > 0 ? maxZ + displacement : maxZ;
+            var travel:Number = motion.x * latest;
+            minX = travel < 0 ? minX + travel : minX;
+            maxX = travel > 0 ? maxX + travel : maxX;
+            travel = motion.y * latest;
+            minY = travel < 0 ? minY + travel : minY;
+            maxY = travel > 0 ? maxY + travel : maxY;
+            travel = motion.z * latest;
+            minZ = travel < 0 ? minZ + travel : minZ;
+            maxZ = travel > 0 ? maxZ + travel : maxZ;
             var extents:Vector.<Number> = _triangles.meshA.extents;
             _triangles.setSecond(triangle);
             for (var i:int = end - 1; i >= first && bounds.current > 0; i--)
             {
                 var extent:int = 6 * i;
-                if (extents[extent] > maxX || extents[int(extent + 3)] < minX || extents[int(extent + 1)] > maxY
-                        || extents[int(extent + 4)] < minY || extents[int(extent + 2)] > maxZ || extents[int(extent + 5)] < minZ)
+                if (extents[extent] > maxX || extents[int(extent + 1)] < minX || extents[int(extent + 2)] > maxY
+                        || extents[int(extent + 3)] < minY || extents[int(extent + 4)] > maxZ || extents[int(extent + 5)] < minZ)
                 {
                     continue;
                 }

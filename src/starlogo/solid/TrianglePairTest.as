@@ -52,18 +52,18 @@ package starlogo.solid
             var extents:Vector.<Number> = _triangles.extents;
             var tolerance:Number = _triangles.outerTolerance;
             var minX:Number = extents[at] - tolerance;
-            var minY:Number = extents[int(at + 1)] - tolerance;
-            var minZ:Number = extents[int(at + 2)] - tolerance;
-            var maxX:Number = extents[int(at + 3)] + tolerance;
-            var maxY:Number = extents[int(at + 4)] + tolerance;
+            var minY:Number = extents[int(at + 2)] - tolerance;
+            var minZ:Number = extents[int(at + 4)] - tolerance;
+            var maxX:Number = extents[int(at + 1)] + tolerance;
+            var maxY:Number = extents[int(at + 3)] + tolerance;
             var maxZ:Number = extents[int(at + 5)] + tolerance;
             extents = mesh.extents;
             _triangles.setSecond(triangle);
             for (var i:int = first; i < end; i++)
             {
                 at = 6 * i;
-                if (extents[at] > maxX || extents[int(at + 3)] < minX || extents[int(at + 1)] > maxY
-                        || extents[int(at + 4)] < minY || extents[int(at + 2)] > maxZ || extents[int(at + 5)] < minZ)
+                if (extents[at] > maxX || extents[int(at + 1)] < minX || extents[int(at + 2)] > maxY
+                        || extents[int(at + 3)] < minY || extents[int(at + 4)] > maxZ || extents[int(at + 5)] < minZ)
                 {
                     continue;
                 }

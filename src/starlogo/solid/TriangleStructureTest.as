@@ -11,7 +11,7 @@ package starlogo.solid
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.intersection.TriangleKernel;
+    import starlogo.intersection.ConvexTrianglePair;
     import starlogo.intersection.Zonotope;
 
     use namespace engine;
@@ -28,10 +28,11 @@ package starlogo.solid
 
         private var _mesh:TriangleMesh;
         private var _motion:RelativeMotion;
+        private var _isMoving:Boolean = false;
         private var _sweep:RelativeMotion = new RelativeMotion();
-        private var _test:TriangleKernel = new TriangleKernel();
+        private var _pair:ConvexTrianglePair = new ConvexTrianglePair();
 
-        // The extents of the structure's core and of its motion: least x, greatest x, least y, ... The core of a round structure is a point
+        // The extents of the structure's core and of its motion: minX, maxX, minY, ... The core of a round structure is a point
         // or a segment.
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
@@ -66,6 +67,7 @@ package starlogo.solid
         public function areTouching(model:ModelTree, structure:BoundingStructure, pose:RelativePose):Boolean
         {
             begin(model, structure, pose, RelativeMotion.NONE);
+            _isMoving = false;
             least = 0;
             _boxes.find(_mesh.tree, int.MAX_VALUE, this);
             return _isFound;
@@ -73,12 +75,13 @@ package starlogo.solid
 
         /**
          * Finds when a moving structure first touches a triangle of a model. The parameters are those of <code>areTouching()</code>. The pose's
-         * motion, which must not be RelativeMotion.NONE and is kept, receives the time.
+         * motion is kept, and receives the time.
          */
         public function findTime(model:ModelTree, structure:BoundingStructure, pose:RelativePose):void
         {
             begin(model, structure, pose, pose.motion);
             prepareMotion();
+            _isMoving = true;
             least = _motion.latest;
             _boxes.find(_mesh.tree, int.MAX_VALUE, this);
             var time:Number = least > 0 ? least : 0;
@@ -91,21 +94,21 @@ package starlogo.solid
             _mesh = model.prepareMesh();
             _mesh.preparePlanes();
             _motion = motion;
-            _test.setStructure(structure, pose.placement);
-            _test.shape.margin += pose.tolerance + Touching.marginOfSurface(model.tree.radius);
-            _test.structure.extentsInto(_extents);
+            _pair.setStructure(structure, pose.placement);
+            _pair.shape.margin += pose.tolerance + Touching.marginOfSurface(model.tree.radius);
+            _pair.structure.extentsInto(_extents);
             var extents:Vector.<Number> = _extents;
-            var margin:Number = _test.shape.margin;
+            var margin:Number = _pair.shape.margin;
             _boxes.setExtents(extents, margin);
             _boxes.setMotion(motion);
-            var round:Number = _test.shape.radius;
+            var round:Number = _pair.shape.radius;
             _radius = round + margin + Tolerances.EXTENTS * (_boxes.halfX + _boxes.halfY + _boxes.halfZ);
             for (var i:int = 0; i < 6; i += 2)
             {
                 extents[i] += round;
                 extents[int(i + 1)] -= round;
             }
-            _core.setTo(_test.structure);
+            _core.setTo(_pair.structure);
             _sweep.x = motion.x;
             _sweep.y = motion.y;
             _sweep.z = motion.z;
@@ -117,7 +120,7 @@ package starlogo.solid
             var motion:RelativeMotion = _motion;
             var margin:Number = Tolerances.EXTENTS * (_boxes.halfX + _boxes.halfY + _boxes.halfZ + Math.abs(_core.x) + Math.abs(_core.y) + Math.abs(_core.z)
                     + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            _radius = _test.shape.radius + _test.shape.margin + margin;
+            _radius = _pair.shape.radius + _pair.shape.margin + margin;
             widen(0, motion.x);
             widen(2, motion.y);
             widen(4, motion.z);
@@ -130,11 +133,11 @@ package starlogo.solid
             _separatingAxes.setTo(_core, _radius, motion);
         }
 
-        // Widens the extents along an axis to those of the motion from its earliest to its latest time. The displacement is the whole motion's.
-        private function widen(axis:int, displacement:Number):void
+        // Widens the extents along an axis to those of the motion from its earliest to its latest time. The travel is the whole motion's.
+        private function widen(axis:int, travel:Number):void
         {
-            var begin:Number = displacement * _motion.earliest;
-            var end:Number = displacement * _motion.latest;
+            var begin:Number = travel * _motion.earliest;
+            var end:Number = travel * _motion.latest;
             var low:Number = begin < end ? begin : end;
             var high:Number = begin < end ? end : begin;
             _extents[axis] += low;
@@ -144,7 +147,7 @@ package starlogo.solid
         /** @inheritDoc */
         override public function testLeaf(node:int, first:int, end:int):void
         {
-            var isMoving:Boolean = _motion !== RelativeMotion.NONE;
+            var isMoving:Boolean = _isMoving;
             for (var i:int = first; i < end; i++)
             {
                 if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) > _radius * _radius)
@@ -158,8 +161,8 @@ package starlogo.solid
                     continue;
                 }
                 _counts.triangleTests++;
-                _test.setTriangle(_mesh.corners, 9 * i);
-                if (isMoving ? !takeEarlierTime() : !_test.areTouching())
+                _pair.setTriangle(_mesh.corners, 9 * i);
+                if (isMoving ? !takeEarlierTime() : !_pair.areTouching())
                 {
                     continue;
                 }
@@ -177,7 +180,7 @@ package starlogo.solid
         // If the triangle of the test is touched earlier than all before, takes its time as the least. Returns whether it is.
         private function takeEarlierTime():Boolean
         {
-            _test.findTime(_sweep);
+            _pair.findTime(_sweep);
             var time:Number = _sweep.time;
             if (time < least || !_isFound && time == least)
             {
@@ -194,9 +197,9 @@ package starlogo.solid
          */
         public function findContact(out:ContactPoint):void
         {
-            _test.setTriangle(_mesh.corners, _first);
+            _pair.setTriangle(_mesh.corners, _first);
             _sweep.time = _motion.time;
-            _test.findContact(_sweep, out);
+            _pair.findContact(_sweep, out);
             out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
         }
 

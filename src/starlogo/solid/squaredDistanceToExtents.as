@@ -3,7 +3,7 @@ package starlogo.solid
     /**
      * Returns the squared distance of a triangle's extents from other extents.
      *
-     * @param extents least x, greatest x, least y, ...
+     * @param extents minX, maxX, minY, ...
      * @param corners has nine numbers of the triangle
      * @param at index of the first of them
      * @private

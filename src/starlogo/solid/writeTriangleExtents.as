@@ -1,7 +1,7 @@
 package starlogo.solid
 {
     /**
-     * Writes the extents of a triangle: minX, minY, minZ, maxX, maxY, maxZ.
+     * Writes the extents of a triangle: minX, maxX, minY, maxY, minZ, maxZ.
      *
      * @param corners has the triangle: nine numbers, from an index on
      * @param at the index
@@ -18,8 +18,8 @@ package starlogo.solid
             var r:Number = corners[int(at + axis + 6)];
             var low:Number = q < p ? q : p;
             var high:Number = q < p ? p : q;
-            out[int(to + axis)] = r < low ? r : low;
-            out[int(to + axis + 3)] = r > high ? r : high;
+            out[int(to + 2 * axis)] = r < low ? r : low;
+            out[int(to + 2 * axis + 1)] = r > high ? r : high;
         }
     }
 }

@@ -139,8 +139,8 @@ package starlogo.solid
             {
                 for (var axis:int = 0; axis < 3; axis++)
                 {
-                    assertTrue(box[axis] - box[axis + 3] < extents[6 * i + axis]);
-                    assertTrue(box[axis] + box[axis + 3] > extents[6 * i + axis + 3]);
+                    assertTrue(box[axis] - box[axis + 3] < extents[6 * i + 2 * axis]);
+                    assertTrue(box[axis] + box[axis + 3] > extents[6 * i + 2 * axis + 1]);
                 }
             }
             if (left == 0)

@@ -22,7 +22,7 @@ package starlogo.intersection
     use namespace engine;
 
     /** When structures that move touch a triangle, and how: against their distances at many times. */
-    public class TriangleKernelTest
+    public class ConvexTrianglePairTest
     {
         private static const NEAR:Number = 1e-9;
 
@@ -50,7 +50,7 @@ package starlogo.intersection
                 {
                     continue;
                 }
-                var sweep:TriangleKernel = new TriangleKernel();
+                var sweep:ConvexTrianglePair = new ConvexTrianglePair();
                 var end:Number = Math.min(1, timeOf(sweep, structure, corners, motion));
                 var message:String = structure + ", triangle " + corners + ", motion " + [motion.x, motion.y, motion.z] + ", time " + motion.time;
                 _wrong.addIf(touchesBefore(structure, corners, motion, end * (1 - 1e-7)), "through", message);
@@ -76,7 +76,7 @@ package starlogo.intersection
             {
                 var structure:BoundingStructure = _structures.ofKind(i % 3, _random.logBetween(0.02, 2), 2);
                 var corners:Vector.<Number> = anyTriangle(i % 4);
-                var sweep:TriangleKernel = new TriangleKernel();
+                var sweep:ConvexTrianglePair = new ConvexTrianglePair();
                 closest.distance = Infinity;
                 sweep.setStructure(structure, new Placement());
                 sweep.setTriangle(corners, 0);
@@ -129,7 +129,7 @@ package starlogo.intersection
                 motion.x = _random.between(-4, 4);
                 motion.y = _random.between(-4, 4);
                 motion.z = _random.between(-4, 4);
-                var sweep:TriangleKernel = new TriangleKernel();
+                var sweep:ConvexTrianglePair = new ConvexTrianglePair();
                 var first:Number = timeOf(sweep, structure, corners, motion);
                 for (var k:int = -4; k <= 4 && first > 0 && first < 1; k++)
                 {
@@ -146,7 +146,7 @@ package starlogo.intersection
         [Test]
         public function nothingIsBehindATriangleWithoutArea():void
         {
-            var triangle:TriangleKernel = new TriangleKernel();
+            var triangle:ConvexTrianglePair = new ConvexTrianglePair();
             var out:ContactPoint = new ContactPoint();
             for (var i:int = 0; i < 300; i++)
             {
@@ -163,7 +163,7 @@ package starlogo.intersection
             _wrong.assertNone();
         }
 
-        private static function timeOf(sweep:TriangleKernel, structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion):Number
+        private static function timeOf(sweep:ConvexTrianglePair, structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion):Number
         {
             sweep.setStructure(structure, new Placement());
             sweep.setTriangle(corners, 0);
@@ -175,7 +175,7 @@ package starlogo.intersection
             return motion.time;
         }
 
-        private function assertContact(structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion, sweep:TriangleKernel, message:String):void
+        private function assertContact(structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion, sweep:ConvexTrianglePair, message:String):void
         {
             var there:BoundingStructure = moved(structure, motion, motion.time);
             _wrong.addIf(!areTouching(there, corners, NEAR), "no touch", message);

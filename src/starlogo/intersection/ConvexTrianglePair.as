@@ -16,13 +16,13 @@ package starlogo.intersection
     use namespace engine;
 
     /**
-     * Tests a convex shape against triangles, one after the other: whether the two touch, when and how they first touch, and how far they are
-     * apart. The shape is set once, and a triangle is a part of a list. ConvexPair decides. This class adds a quick test that comes before it, and
+     * A convex shape and a triangle: whether the two touch, when and how they first touch, and how far they are apart. The shape is set once, and
+     * then one triangle after the other, each a part of a list. ConvexPair decides. This class adds a quick test that comes before it, and
      * what depends on a triangle's two sides.
      *
      * @private
      */
-    public final class TriangleKernel
+    public final class ConvexTrianglePair
     {
         /** The shape, in the triangles' space. Only its margin may be changed. */
         public var shape:ConvexShape = new ConvexShape();

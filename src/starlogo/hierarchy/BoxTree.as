@@ -185,7 +185,7 @@ package starlogo.hierarchy
         }
 
         /**
-         * Writes the extents of some items together: minX, minY, minZ, maxX, maxY, maxZ.
+         * Writes the extents of some items together: minX, maxX, minY, maxY, minZ, maxZ.
          *
          * @param from index of the first of them in the order
          * @param to index after the last of them
@@ -227,17 +227,17 @@ package starlogo.hierarchy
                 }
             }
             out[at] = minX;
-            out[int(at + 1)] = minY;
-            out[int(at + 2)] = minZ;
-            out[int(at + 3)] = maxX;
-            out[int(at + 4)] = maxY;
+            out[int(at + 1)] = maxX;
+            out[int(at + 2)] = minY;
+            out[int(at + 3)] = maxY;
+            out[int(at + 4)] = minZ;
             out[int(at + 5)] = maxZ;
         }
 
         /**
          * For makers of trees: writes the extents of a node's part. The extents of its children must be there already.
          *
-         * @param extents six numbers for each node, in the order of the nodes: minX, minY, minZ, maxX, maxY, maxZ
+         * @param extents six numbers for each node, in the order of the nodes: minX, maxX, minY, maxY, minZ, maxZ
          */
         engine function measure(node:int, extents:Vector.<Number>):void
         {
@@ -248,14 +248,14 @@ package starlogo.hierarchy
                 writeExtents(first[node], end[node], extents, at);
                 return;
             }
-            for (var i:int = 0; i < 3; i++)
+            for (var i:int = 0; i < 6; i += 2)
             {
                 var a:Number = extents[int(child + i)];
                 var b:Number = extents[int(child + 6 + i)];
                 extents[int(at + i)] = b < a ? b : a;
-                a = extents[int(child + 3 + i)];
-                b = extents[int(child + 9 + i)];
-                extents[int(at + 3 + i)] = b > a ? b : a;
+                a = extents[int(child + 1 + i)];
+                b = extents[int(child + 7 + i)];
+                extents[int(at + 1 + i)] = b > a ? b : a;
             }
         }
 
@@ -320,7 +320,7 @@ package starlogo.hierarchy
          * For makers of trees: measures the radius about the origin, on which the boxes' margins depend. Must be called before
          * <code>enclose()</code>.
          *
-         * @param extents the extents of the whole model; begins with minX, minY, minZ, maxX, maxY, maxZ
+         * @param extents the extents of the whole model; begins with minX, maxX, minY, maxY, minZ, maxZ
          * @throws ArgumentError if a coordinate is larger than 1e60
          */
         engine function measureRadiusAboutOrigin(extents:Vector.<Number>):void
@@ -338,17 +338,17 @@ package starlogo.hierarchy
          * For makers of trees: sets a node's box. It is larger than the node's part by a margin. So everything that touches the surface touches
          * the boxes, and boxes are inside of their parents' boxes in spite of rounding.
          *
-         * @param extents contains the extents of the part: minX, minY, minZ, maxX, maxY, maxZ
+         * @param extents contains the extents of the part: minX, maxX, minY, maxY, minZ, maxZ
          * @param at index at which they begin
          */
         engine function enclose(node:int, extents:Vector.<Number>, at:int = 0):void
         {
             var margin:Number = radiusAboutOrigin * (Tolerances.SURFACES + Tolerances.NESTING * Math.max(1, Tolerances.NESTED_LEVELS - levelOf(node)));
             var minX:Number = extents[at];
-            var minY:Number = extents[int(at + 1)];
-            var minZ:Number = extents[int(at + 2)];
-            var halfX:Number = 0.5 * (extents[int(at + 3)] - minX);
-            var halfY:Number = 0.5 * (extents[int(at + 4)] - minY);
+            var minY:Number = extents[int(at + 2)];
+            var minZ:Number = extents[int(at + 4)];
+            var halfX:Number = 0.5 * (extents[int(at + 1)] - minX);
+            var halfY:Number = 0.5 * (extents[int(at + 3)] - minY);
             var halfZ:Number = 0.5 * (extents[int(at + 5)] - minZ);
             var to:int = 6 * node;
             boxes[to] = minX + halfX;

@@ -91,10 +91,13 @@ package starlogo.hierarchy
             pair.aY = numbers[int(at + 4)];
             pair.aZ = numbers[int(at + 5)];
             pair.latest = out.least < 1 ? out.least : 1;
-            _sweep.meetFaces(pair);
-            if (withEdges && pair.time != RelativeMotion.NEVER)
+            if (withEdges)
             {
-                _sweep.meetEdges(pair);
+                _sweep.findTime(pair);
+            }
+            else
+            {
+                _sweep.findTimeOfFaces(pair);
             }
             out.current = pair.time;
         }

@@ -16,7 +16,7 @@ package starlogo.hierarchy
         public var order:Vector.<int>;
 
         /** The extents of all items together after <code>measure()</code>. */
-        public var bounds:Vector.<Number> = new <Number>[Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
+        public var bounds:Vector.<Number> = new <Number>[Infinity, -Infinity, Infinity, -Infinity, Infinity, -Infinity];
 
         /** After a division, the index in the order at which the second group begins. */
         public var middle:int;
@@ -32,7 +32,7 @@ package starlogo.hierarchy
 
         private var _tree:BoxTree;
 
-        // The extents of each item, by its index: minX, minY, minZ, maxX, maxY, maxZ.
+        // The extents of each item, by its index: minX, maxX, minY, maxY, minZ, maxZ.
         private var _extents:Vector.<Number>;
 
         // The current division. The last item not looked at yet is at _last. The first one is at middle + _waiting, because the item at the
@@ -62,10 +62,10 @@ package starlogo.hierarchy
             var triangles:Vector.<uint> = _tree.triangles;
             var extents:Vector.<Number> = _extents;
             var minX:Number = bounds[0];
-            var minY:Number = bounds[1];
-            var minZ:Number = bounds[2];
-            var maxX:Number = bounds[3];
-            var maxY:Number = bounds[4];
+            var minY:Number = bounds[2];
+            var minZ:Number = bounds[4];
+            var maxX:Number = bounds[1];
+            var maxY:Number = bounds[3];
             var maxZ:Number = bounds[5];
             var p:Number, q:Number, r:Number, low:Number, high:Number;
             for (var i:int = first; i < end; i++)
@@ -181,26 +181,26 @@ package starlogo.hierarchy
             var rest:int = last - i - waiting + 1 - most;
             rest = rest < 0 ? 0 : rest;
             var leftMinX:Number = leftExtents[0];
-            var leftMinY:Number = leftExtents[1];
-            var leftMinZ:Number = leftExtents[2];
-            var leftMaxX:Number = leftExtents[3];
-            var leftMaxY:Number = leftExtents[4];
+            var leftMinY:Number = leftExtents[2];
+            var leftMinZ:Number = leftExtents[4];
+            var leftMaxX:Number = leftExtents[1];
+            var leftMaxY:Number = leftExtents[3];
             var leftMaxZ:Number = leftExtents[5];
             var rightMinX:Number = rightExtents[0];
-            var rightMinY:Number = rightExtents[1];
-            var rightMinZ:Number = rightExtents[2];
-            var rightMaxX:Number = rightExtents[3];
-            var rightMaxY:Number = rightExtents[4];
+            var rightMinY:Number = rightExtents[2];
+            var rightMinZ:Number = rightExtents[4];
+            var rightMaxX:Number = rightExtents[1];
+            var rightMaxY:Number = rightExtents[3];
             var rightMaxZ:Number = rightExtents[5];
             while (last - i - waiting >= rest)
             {
                 var item:int = items[waiting == 0 ? i : last];
                 var at:int = 6 * item;
                 var minX:Number = all[at];
-                var minY:Number = all[int(at + 1)];
-                var minZ:Number = all[int(at + 2)];
-                var maxX:Number = all[int(at + 3)];
-                var maxY:Number = all[int(at + 4)];
+                var minY:Number = all[int(at + 2)];
+                var minZ:Number = all[int(at + 4)];
+                var maxX:Number = all[int(at + 1)];
+                var maxY:Number = all[int(at + 3)];
                 var maxZ:Number = all[int(at + 5)];
                 var sum:Number = along == 0 ? minX + maxX : (along == 1 ? minY + maxY : minZ + maxZ);
                 if (sum < split)
@@ -243,18 +243,18 @@ package starlogo.hierarchy
         // Twice the centre of an item's extents along an axis.
         private function sumAlong(axis:int, place:int):Number
         {
-            var at:int = 6 * order[place] + axis;
-            return _extents[at] + _extents[int(at + 3)];
+            var at:int = 6 * order[place] + 2 * axis;
+            return _extents[at] + _extents[int(at + 1)];
         }
 
         private static function write(extents:Vector.<Number>, minX:Number, minY:Number, minZ:Number,
                 maxX:Number, maxY:Number, maxZ:Number):void
         {
             extents[0] = minX;
-            extents[1] = minY;
-            extents[2] = minZ;
-            extents[3] = maxX;
-            extents[4] = maxY;
+            extents[1] = maxX;
+            extents[2] = minY;
+            extents[3] = maxY;
+            extents[4] = minZ;
             extents[5] = maxZ;
         }
     }

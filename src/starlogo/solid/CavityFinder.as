@@ -124,7 +124,6 @@ package starlogo.solid
                 {
                     countAround(shell, i, corner);
                     _around[shell] = stillAround(shell, _around[shell]);
-                    _windings.clear();
                 }
             }
         }

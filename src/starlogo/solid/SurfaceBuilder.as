@@ -178,7 +178,6 @@ package starlogo.solid
                             _joined.join(_partOf[windings.crossed[k]], part);
                         }
                     }
-                    windings.clear();
                 }
             }
         }

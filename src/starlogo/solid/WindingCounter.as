@@ -82,7 +82,6 @@ package starlogo.solid
             {
                 isFound ||= isAround(crossed[i]);
             }
-            clear();
             return isFound;
         }
 
@@ -102,6 +101,11 @@ package starlogo.solid
          */
         public function count(x:Number, y:Number, z:Number):void
         {
+            for (var before:int = 0; before < crossedCount; before++)
+            {
+                windings[crossed[before]] = 0;
+            }
+            crossedCount = 0;
             _a = _axis == 0 ? x : (_axis == 1 ? y : z);
             _b = _axis == 0 ? y : (_axis == 1 ? z : x);
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
@@ -118,16 +122,6 @@ package starlogo.solid
                     windings[state] = 0;
                 }
             }
-        }
-
-        /** Forgets the windings. Must be called between two calls of <code>count()</code>. */
-        public function clear():void
-        {
-            for (var i:int = 0; i < crossedCount; i++)
-            {
-                windings[crossed[i]] = 0;
-            }
-            crossedCount = 0;
         }
 
         /** @inheritDoc */

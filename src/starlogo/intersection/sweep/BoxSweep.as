@@ -39,13 +39,13 @@ package starlogo.intersection.sweep
             return STANDING_PAIR.time == 0;
         }
 
-        /** Sets the pair's time to the first at which the boxes touch. */
+        /** Sets the pair's time to the first at which the boxes touch. It is NEVER if it is after the latest time. */
         public function findTime(pair:BoxPairMotion):void
         {
-            meetFaces(pair);
+            findTimeOfFaces(pair);
             if (pair.time != RelativeMotion.NEVER)
             {
-                meetEdges(pair);
+                addEdges(pair);
             }
         }
 
@@ -53,7 +53,7 @@ package starlogo.intersection.sweep
          * Sets the pair's time to the first from which no face separates the boxes. The boxes touch at that time or later. It is NEVER if it is
          * after the latest time.
          */
-        public function meetFaces(pair:BoxPairMotion):void
+        public function findTimeOfFaces(pair:BoxPairMotion):void
         {
             pair.time = RelativeMotion.NEVER;
             var times:ContactInterval = _times;
@@ -111,13 +111,9 @@ package starlogo.intersection.sweep
             }
         }
 
-        /**
-         * Sets the pair's time to the first at which the boxes touch. Call meetFaces first, with the same pair.
-         *
-         * <p>The boxes are projected in full on the cross product of an edge of each. So even a short cross product of nearly parallel
-         * edges is an axis like any other. The test uses no identity between axes, because rounding would break it.</p>
-         */
-        public function meetEdges(pair:BoxPairMotion):void
+        // Goes on from the faces to the edges. The boxes are projected in full on the cross product of an edge of each. So even a short cross product
+        // of nearly parallel edges is an axis like any other. The test uses no identity between axes, because rounding would break it.
+        private function addEdges(pair:BoxPairMotion):void
         {
             var b:BoxAxes = pair.axes;
             var edges:Vector.<Number> = _edges;

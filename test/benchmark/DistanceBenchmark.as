@@ -67,9 +67,7 @@ package benchmark
             {
                 var a:Placement = place(spread);
                 var b:Placement = place(spread);
-                _pair.setFirst(tree, a, DEPTH);
-                _pair.setSecond(tree, null, b, DEPTH);
-                _pair.decideByTriangles(false);
+                _pair.setTo(tree, a, DEPTH, tree, null, b, DEPTH, false);
                 if (!_overlaps.areOverlapping(_pair))
                 {
                     firsts.push(a);
@@ -78,30 +76,22 @@ package benchmark
             }
             add(name + " at depth 5", function(i:int):void
                 {
-                    _pair.setFirst(tree, firsts[i], DEPTH);
-                    _pair.setSecond(tree, null, seconds[i], DEPTH);
-                    _pair.decideByTriangles(false);
+                    _pair.setTo(tree, firsts[i], DEPTH, tree, null, seconds[i], DEPTH, false);
                     _distances.findClosest(_pair, false, _closest);
                 });
             add("  by triangles", function(i:int):void
                 {
-                    _pair.setFirst(tree, firsts[i], DEPTH);
-                    _pair.setSecond(tree, null, seconds[i], DEPTH);
-                    _pair.decideByTriangles(true);
+                    _pair.setTo(tree, firsts[i], DEPTH, tree, null, seconds[i], DEPTH, true);
                     _distances.findClosest(_pair, false, _closest);
                 });
             add("  the other one a box", function(i:int):void
                 {
-                    _pair.setFirst(tree, firsts[i], DEPTH);
-                    _pair.setSecond(null, tree.root.bounds, seconds[i], 1);
-                    _pair.decideByTriangles(false);
+                    _pair.setTo(tree, firsts[i], DEPTH, null, tree.root.bounds, seconds[i], 1, false);
                     _distances.findClosest(_pair, false, _closest);
                 });
             add("  whether they touch, by triangles", function(i:int):void
                 {
-                    _pair.setFirst(tree, firsts[i], DEPTH);
-                    _pair.setSecond(tree, null, seconds[i], DEPTH);
-                    _pair.decideByTriangles(true);
+                    _pair.setTo(tree, firsts[i], DEPTH, tree, null, seconds[i], DEPTH, true);
                     _overlaps.areOverlapping(_pair);
                 });
         }

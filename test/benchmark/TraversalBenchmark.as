@@ -87,9 +87,7 @@ package benchmark
             var second:Vector.<Placement> = places(spread, size, isUpright);
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _pair.setFirst(a, first[i], DEPTH);
-                    _pair.setSecond(b, null, second[i], DEPTH);
-                    _pair.decideByTriangles(exact);
+                    _pair.setTo(a, first[i], DEPTH, b, null, second[i], DEPTH, exact);
                     var answer:Boolean = _overlaps.areOverlapping(_pair);
                     if (answers != null)
                     {
@@ -122,9 +120,7 @@ package benchmark
             var structures:Vector.<BoundingStructure> = randomStructures();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _pair.setFirst(a, first[i], DEPTH);
-                    _pair.setSecond(null, structures[i], second[i], 1);
-                    _pair.decideByTriangles(exact);
+                    _pair.setTo(a, first[i], DEPTH, null, structures[i], second[i], 1, exact);
                     var answer:Boolean = _overlaps.areOverlapping(_pair);
                     if (answers != null)
                     {
@@ -141,9 +137,7 @@ package benchmark
             var contact:ContactPoint = new ContactPoint();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _pair.setFirst(a, first[i], DEPTH);
-                    _pair.setSecond(b, null, second[i], DEPTH);
-                    _pair.decideByTriangles(exact);
+                    _pair.setTo(a, first[i], DEPTH, b, null, second[i], DEPTH, exact);
                     _impacts.findFirst(_pair, motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)
@@ -167,9 +161,7 @@ package benchmark
             var contact:ContactPoint = new ContactPoint();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _pair.setFirst(a, first[i], DEPTH);
-                    _pair.setSecond(null, structures[i], second[i], 1);
-                    _pair.decideByTriangles(exact);
+                    _pair.setTo(a, first[i], DEPTH, null, structures[i], second[i], 1, exact);
                     _impacts.findFirst(_pair, motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)

@@ -1,13 +1,11 @@
 package starlogo.convex
 {
     import flash.geom.Vector3D;
-    import starlogo.geometry.Tolerances;
 
     /**
      * How two shapes touch or overlap, as a record: the point, the normal and the depth.
      *
-     * <p>While a contact is searched for, the record has results of single steps. Then the normal may have any length, and the depth of shapes that
-     * are apart is less than 0.</p>
+     * <p>While a contact is searched for, the record has results of single steps. Then the depth of shapes that are apart is less than 0.</p>
      *
      * @private
      */
@@ -130,32 +128,6 @@ package starlogo.convex
         public function pointAgainst(motion:RelativeMotion):void
         {
             setNormal(-motion.x, -motion.y, -motion.z);
-            normalise();
-        }
-
-        /**
-         * Replaces the normal by a unit vector perpendicular to it that points upwards as far as possible. If the normal is vertical or 0,
-         * the new one points along x or z.
-         */
-        public function makePerpendicular():void
-        {
-            var axisX:Number = normalX;
-            var axisY:Number = normalY;
-            var axisZ:Number = normalZ;
-            var axisSquared:Number = axisX * axisX + axisY * axisY + axisZ * axisZ;
-            if (!(axisSquared > 0))
-            {
-                setNormal(0, 0, 1);
-                return;
-            }
-            if (axisX * axisX + axisY * axisY > Tolerances.UPRIGHT * axisSquared)
-            {
-                setNormal(-axisX * axisZ / axisSquared, -axisY * axisZ / axisSquared, 1 - axisZ * axisZ / axisSquared);
-            }
-            else
-            {
-                setNormal(1 - axisX * axisX / axisSquared, -axisX * axisY / axisSquared, -axisX * axisZ / axisSquared);
-            }
             normalise();
         }
     }

@@ -21,7 +21,7 @@ package starlogo.convex
         private var _common:CommonPoint = new CommonPoint();
         private var _cores:CorePair = new CorePair();
         private var _witness:CoreWitness = new CoreWitness();
-        private var _sweep:ConvexSweep = new ConvexSweep(_distance, _overlap, _witness);
+        private var _sweep:ConvexSweep = new ConvexSweep();
 
         /** Whether two shapes touch or overlap. */
         public function areTouching(a:ConvexShape, b:ConvexShape):Boolean
@@ -114,7 +114,6 @@ package starlogo.convex
         {
             _cores.setShapes(a, b);
             _cores.setMotion(motion);
-            _cores.moveTo(motion);
             if (!(motion.time > 0))
             {
                 // a has not come from anywhere

@@ -12,22 +12,14 @@ package starlogo.convex
     {
         private static const MOST_STEPS:int = 80;
 
-        private var _distance:CoreDistance;
-        private var _overlap:CoreOverlap;
-        private var _witness:CoreWitness;
+        private var _distance:CoreDistance = new CoreDistance();
+        private var _overlap:CoreOverlap = new CoreOverlap();
+        private var _witness:CoreWitness = new CoreWitness();
         private var _exact:ContactPoint = new ContactPoint();
         private var _balls:CoreGap = new CoreGap();
 
         // The latest time at which the shapes touch within rounding.
         private var _lastTouch:Number = 0;
-
-        /** Takes what a ConvexPair asks with. */
-        public function ConvexSweep(distance:CoreDistance, overlap:CoreOverlap, witness:CoreWitness)
-        {
-            _distance = distance;
-            _overlap = overlap;
-            _witness = witness;
-        }
 
         /**
          * Finds the time.
@@ -37,6 +29,7 @@ package starlogo.convex
          */
         public function findTime(cores:CorePair, motion:RelativeMotion):void
         {
+            motion.time = 0;
             cores.setMotion(motion);
             motion.findMargin();
             cores.touchingDistance += motion.margin;
@@ -66,14 +59,12 @@ package starlogo.convex
             }
         }
 
-        // Sets the motion's time to when balls around the two first meet.
+        // Moves the motion's time on, from 0 to when balls around the two first meet.
         private function skipToBalls(cores:CorePair, motion:RelativeMotion):void
         {
             var balls:CoreGap = _balls;
             // the motion is that of the shape that was asked about first
             var side:int = cores.isSwapped ? -1 : 1;
-            motion.time = 0;
-            cores.moveTo(motion);
             balls.x = side * cores.x;
             balls.y = side * cores.y;
             balls.z = side * cores.z;

@@ -237,14 +237,14 @@ package starlogo.convex
         // first.
         private function tryUpwards(cores:CorePair, out:ContactPoint):void
         {
-            out.setNormal(0, 0, 0);
-            findSegment(cores.b, out);
-            findSegment(cores.a, out);
-            out.makePerpendicular();
+            _along.setTo(0, 0, 0);
+            setToSegment(cores.b);
+            setToSegment(cores.a);
+            turnUpwards();
             var up:int = cores.isSwapped ? -1 : 1;
-            _along.x = up * out.normalX;
-            _along.y = up * out.normalY;
-            _along.z = up * out.normalZ;
+            _along.x *= up;
+            _along.y *= up;
+            _along.z *= up;
             measure(cores, _differences);
             // rounding hides on which side they are
             var isDown:Boolean = _differences.greatest < -_differences.least - Tolerances.ROUNDING * (cores.a.size + cores.b.size);
@@ -253,8 +253,8 @@ package starlogo.convex
             out.setNormal(up * _along.x, up * _along.y, up * _along.z);
         }
 
-        // Sets the normal to the vector from the first point of a core to the farthest other one, unless all are in one place.
-        private static function findSegment(shape:ConvexShape, out:ContactPoint):void
+        // Sets the direction to the vector from the first point of a core to the farthest other one, unless all are in one place.
+        private function setToSegment(shape:ConvexShape):void
         {
             var p:Vector.<Number> = shape.points;
             var most:Number = 0;
@@ -267,9 +267,37 @@ package starlogo.convex
                 if (squared > most)
                 {
                     most = squared;
-                    out.setNormal(x, y, z);
+                    _along.setTo(x, y, z);
                 }
             }
+        }
+
+        // Replaces the direction by a unit vector perpendicular to it that points upwards as far as possible. If the direction is vertical, the new one
+        // is along x; if it is 0, along z.
+        private function turnUpwards():void
+        {
+            var along:Vector3D = _along;
+            var x:Number = along.x;
+            var y:Number = along.y;
+            var z:Number = along.z;
+            var squared:Number = x * x + y * y + z * z;
+            if (!(squared > 0))
+            {
+                along.setTo(0, 0, 1);
+                return;
+            }
+            if (x * x + y * y > Tolerances.UPRIGHT * squared)
+            {
+                along.setTo(-x * z / squared, -y * z / squared, 1 - z * z / squared);
+            }
+            else
+            {
+                along.setTo(1 - x * x / squared, -x * y / squared, -x * z / squared);
+            }
+            var length:Number = Math.sqrt(along.x * along.x + along.y * along.y + along.z * along.z);
+            along.x /= length;
+            along.y /= length;
+            along.z /= length;
         }
 
         // Tries a displacement along the direction, and the one against it. The direction gets a length of 1 unless both are too long.

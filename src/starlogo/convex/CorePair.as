@@ -66,7 +66,7 @@ package starlogo.convex
             touchingDistance = (first.radius + second.radius) * Tolerances.TOUCHING + (first.margin + second.margin) + Tolerances.CORES * (first.size + second.size);
         }
 
-        /** Sets the motion of the shape that was asked about first. Call moveTo next. */
+        /** Sets the motion of the shape that was asked about first, and moves a to where it is at the motion's time. */
         public function setMotion(motion:RelativeMotion):void
         {
             // If the shapes are swapped, the first one moves in the opposite direction as seen from the second.
@@ -77,6 +77,7 @@ package starlogo.convex
             motionX = side * motion.x;
             motionY = side * motion.y;
             motionZ = side * motion.z;
+            moveTo(motion);
         }
 
         /** Moves a to where it is at the motion's time. */

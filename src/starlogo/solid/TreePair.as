@@ -31,42 +31,29 @@ package starlogo.solid
         /** Whether triangles decide in place of depths. */
         public var isExact:Boolean = false;
 
-        /** Sets the first model. */
-        public function setFirst(model:ModelTree, placement:Placement, depth:int):void
-        {
-            a = model;
-            placementA = placement;
-            depthA = depth;
-        }
-
-        /** Sets the second model. The structure, in its own space, stands for it if the model is null. */
-        public function setSecond(model:ModelTree, structure:BoundingStructure, placement:Placement, depth:int):void
-        {
-            b = model;
-            structureB = structure;
-            placementB = placement;
-            depthB = depth;
-        }
-
         /**
-         * Lets triangles decide in place of depths, if the trees have triangles. Both models must have been set. A tree and a structure collide if a
-         * triangle touches the solid structure, or if the structure is inside of the tree's closed surface.
+         * Sets both models. The structure, in its own space, stands for the second one if <code>b</code> is null.
+         *
+         * @param exact whether triangles decide in place of depths, if the trees have triangles. Then a tree and a structure collide if a triangle
+         *     touches the solid structure, or if the structure is inside of the tree's closed surface
          */
-        public function decideByTriangles(exact:Boolean):void
+        public function setTo(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, structureB:BoundingStructure, placementB:Placement, depthB:int,
+                exact:Boolean):void
         {
+            this.a = a;
+            this.placementA = placementA;
+            this.b = b;
+            this.structureB = structureB;
+            this.placementB = placementB;
             isExact = exact && a.hasTriangles && (b == null || b.hasTriangles);
-            if (isExact)
-            {
-                depthA = depthB = int.MAX_VALUE;
-            }
+            this.depthA = isExact ? int.MAX_VALUE : depthA;
+            this.depthB = isExact ? int.MAX_VALUE : depthB;
         }
 
         /** Copies another pair. */
         public function copyFrom(other:TreePair):void
         {
-            setFirst(other.a, other.placementA, other.depthA);
-            setSecond(other.b, other.structureB, other.placementB, other.depthB);
-            isExact = other.isExact;
+            setTo(other.a, other.placementA, other.depthA, other.b, other.structureB, other.placementB, other.depthB, other.isExact);
         }
     }
 }

@@ -73,9 +73,7 @@ package starlogo.solid
                 if (between > 0.99 * margin && between < 0.99 * reach)
                 {
                     tested++;
-                    _pair.setFirst(cube, stands, int.MAX_VALUE);
-                    _pair.setSecond(cube, null, beside, int.MAX_VALUE);
-                    _pair.decideByTriangles(true);
+                    _pair.setTo(cube, stands, int.MAX_VALUE, cube, null, beside, int.MAX_VALUE, true);
                     assertTrue("standing " + between, _overlaps.areOverlapping(_pair));
                 }
             }
@@ -94,15 +92,11 @@ package starlogo.solid
             for (var at:int = bear.prepareCorners().length - 9; at > cube.prepareCorners().length; at -= 900)
             {
                 var sphere:Sphere = new Sphere(new Vector3D(bear.prepareCorners()[at], bear.prepareCorners()[at + 1], bear.prepareCorners()[at + 2]), 1e-6);
-                pair.setFirst(bear, stands, int.MAX_VALUE);
-                pair.setSecond(null, sphere, stands, 1);
-                pair.decideByTriangles(true);
+                pair.setTo(bear, stands, int.MAX_VALUE, null, sphere, stands, 1, true);
                 assertTrue(_overlaps.areOverlapping(pair));
                 _overlaps.findCommonPoint(pair, out);
                 out.aX = 7;
-                pair.setFirst(cube, stands, int.MAX_VALUE);
-                pair.setSecond(null, new Sphere(new Vector3D(5, 5, 5), 0.1), stands, 1);
-                pair.decideByTriangles(true);
+                pair.setTo(cube, stands, int.MAX_VALUE, null, new Sphere(new Vector3D(5, 5, 5), 0.1), stands, 1, true);
                 _overlaps.findCommonPoint(pair, out);
                 assertEquals(7, out.aX);
             }
@@ -248,17 +242,13 @@ package starlogo.solid
         private function treesOverlap(a:ModelTree, placementA:Placement, depthA:int, b:ModelTree, placementB:Placement, depthB:int,
                 exact:Boolean):Boolean
         {
-            _pair.setFirst(a, placementA, depthA);
-            _pair.setSecond(b, null, placementB, depthB);
-            _pair.decideByTriangles(exact);
+            _pair.setTo(a, placementA, depthA, b, null, placementB, depthB, exact);
             return _overlaps.areOverlapping(_pair);
         }
 
         private function structureOverlaps(a:ModelTree, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement):Boolean
         {
-            _pair.setFirst(a, placementA, depth);
-            _pair.setSecond(null, structure, placementB, 1);
-            _pair.decideByTriangles(false);
+            _pair.setTo(a, placementA, depth, null, structure, placementB, 1, false);
             return _overlaps.areOverlapping(_pair);
         }
 

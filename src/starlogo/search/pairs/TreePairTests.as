@@ -179,9 +179,8 @@ package starlogo.search.pairs
         private function setPair(a:Body, b:Body):void
         {
             var shapeB:ModelShape = b.shape;
-            _pair.setFirst(a.shape.hierarchy, a.placement, limits.depthOf(a));
-            _pair.setSecond(shapeB.hierarchy, shapeB.structure, b.placement, limits.depthOf(b));
-            _pair.decideByTriangles(limits.exact && !a.stopsAtLeaves && !b.stopsAtLeaves);
+            var exact:Boolean = limits.exact && !a.stopsAtLeaves && !b.stopsAtLeaves;
+            _pair.setTo(a.shape.hierarchy, a.placement, limits.depthOf(a), shapeB.hierarchy, shapeB.structure, b.placement, limits.depthOf(b), exact);
         }
     }
 }

@@ -15,7 +15,7 @@ package starlogo.solid
      * <p>The package solid says how two models meet if trees, or for exact tests triangles, decide: whether they overlap, when they first touch,
      * how far they are apart. A query for each of these (TreeOverlapQuery, TreeImpactQuery, TreeDistanceQuery) finds pairs of leaves that are
      * near each other, and a test of the leaves' triangles decides about them. Read this class first, then TreeOverlapQuery, then
-     * TrianglePairTest, then Interior, which knows what is inside of a surface.</p>
+     * TrianglePairTest, then Interior with its WindingCounter, which knows what is inside of a surface.</p>
      *
      * @private
      */

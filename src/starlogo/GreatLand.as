@@ -12,7 +12,7 @@ package starlogo
     import starlogo.libraries.StructuresBuilder;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
-    import starlogo.models.cooked.argumentsFingerprint;
+    import starlogo.models.cooked.CookedFile;
     import starlogo.solid.ModelTreeBuilder;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -180,7 +180,7 @@ package starlogo
         {
             var builder:ModelResultsBuilder = newBuilder(model, null);
             finish(builder);
-            return builder.toCooked(argumentsFingerprint(upAxis, model.data.scaling, usesTransforms));
+            return builder.toCooked(CookedFile.settingsOfLoad(upAxis, model.data.scaling, usesTransforms));
         }
 
         /** @inheritDoc */

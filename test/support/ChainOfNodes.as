@@ -2,8 +2,7 @@ package support
 {
     import flash.utils.ByteArray;
     import starlogo.engine;
-    import starlogo.libraries.cooked.TreeReader;
-    import starlogo.libraries.cooked.TreeWriter;
+    import starlogo.libraries.cooked.CookedTree;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.VarInt;
     import starlogo.hierarchy.BoxTree;
@@ -34,7 +33,7 @@ package support
             var bytes:ByteArray = CookedFile.newBytes();
             var vertices:Vector.<Number> = new Vector.<Number>();
             var triangles:Vector.<uint> = areTriangles ? new Vector.<uint>() : null;
-            var width:int = TreeWriter.widthFor(count);
+            var width:int = CookedTree.widthFor(count);
             for (var i:int = 0; i < count; i++)
             {
                 vertices.push(i, 0, 0);
@@ -56,7 +55,7 @@ package support
             VarInt.write(0, bytes);
             bytes.position = 0;
             var tree:BoxTree = new BoxTree(vertices, triangles);
-            finish(new TreeReader(bytes, tree, maxDepth));
+            finish(new CookedTree(bytes, tree, maxDepth));
             return tree;
         }
     }

@@ -2,7 +2,7 @@ package starlogo.away3d
 {
     import away3d.core.base.ISubGeometry;
     import starlogo.geometry.PointTable;
-    import starlogo.models.AffineTransform;
+    import starlogo.geometry.AffineTransform;
     import starlogo.models.ModelError;
     import starlogo.models.refuseIf;
     import starlogo.steps.Slices;

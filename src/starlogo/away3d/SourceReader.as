@@ -6,7 +6,7 @@ package starlogo.away3d
     import away3d.entities.Mesh;
     import flash.utils.getQualifiedClassName;
     import starlogo.geometry.PointTable;
-    import starlogo.models.AffineTransform;
+    import starlogo.geometry.AffineTransform;
     import starlogo.models.ModelError;
     import starlogo.models.ModelReader;
     import starlogo.steps.StepSequence;

@@ -74,7 +74,7 @@ package starlogo.hierarchy
         private var _splits:Vector.<int> = new Vector.<int>();
 
         /**
-         * Creates a tree without nodes. A BoxTreeBuilder or a TreeReader makes them.
+         * Creates a tree without nodes. A BoxTreeBuilder or a CookedTree makes them.
          *
          * @param vertices x, y, z of each
          * @param triangles three vertex indices each, or null if the vertices are the items

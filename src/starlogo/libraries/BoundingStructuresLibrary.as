@@ -31,8 +31,8 @@ package starlogo.libraries
         public var keepAll:Boolean = false;
 
         /**
-         * Whether a hull is found too, for agents that collide as "hull". It has no effect on the tightest fit. A GreatLand sets it as
-         * loadHulls.
+         * Whether a hull is found too when a model is added, for agents that collide as "hull". Without it, a hull is found when an agent
+         * first needs it. It has no effect on the tightest fit. A GreatLand sets it as loadHulls.
          */
         public var keepHulls:Boolean = false;
 
@@ -175,16 +175,17 @@ package starlogo.libraries
         }
 
         /**
-         * The hull found for a shape. If the smallest sphere found is not larger, it is that Sphere. It is shared: do not change it.
+         * The hull found for a shape, when its model was added or when an agent first needed it. If the smallest sphere found is not larger,
+         * it is that Sphere. It is shared: do not change it.
          *
-         * @throws ArgumentError if no model of this name was added, or no hull was kept for it
+         * @throws ArgumentError if no model of this name was added, or no hull was found for it yet
          */
         public function hull(name:String):BoundingStructure
         {
             var found:BoundingStructure = find(name).hull;
             if (found == null)
             {
-                throw new ArgumentError("shape \"" + name + "\" has no hull: set loadHulls (keepHulls) before the model is added");
+                throw new ArgumentError("shape \"" + name + "\" has no hull yet: set loadHulls (keepHulls) before the model is added");
             }
             return found;
         }
@@ -196,7 +197,7 @@ package starlogo.libraries
             return shape != null && shape.keepsAll && shape.smallest.indexOf(null) < 0;
         }
 
-        /** Whether there is a hull for a shape, or a sphere in its place. */
+        /** Whether there is a hull for a shape by now, or a sphere in its place. */
         public function hasHull(name:String):Boolean
         {
             var shape:ModelStructures = models.of(name).structures;
@@ -204,7 +205,8 @@ package starlogo.libraries
         }
 
         /**
-         * The smallest structure of a kind for a shape. If none was kept, the fitters find it now, once.
+         * The smallest structure of a kind for a shape. If there is none, the fitters find it now, once. Clients do not see what is found
+         * here, but for a hull.
          *
          * @param name the shape's name
          * @param kind BoundingStructure.SPHERE, CAPSULE, BOX or HULL. In place of a hull it may be a sphere

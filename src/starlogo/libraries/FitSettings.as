@@ -45,7 +45,8 @@ package starlogo.libraries
             }
             if (hierarchies != null)
             {
-                _sections[CookedFile.HIERARCHY] = _sections[CookedFile.SURFACE] = fingerprintOf(["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join());
+                _sections[CookedFile.HIERARCHY] = _sections[CookedFile.SURFACE] =
+                    fingerprintOf(["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join());
                 wantsSurface = hierarchies.prepareExact;
             }
         }
@@ -63,7 +64,7 @@ package starlogo.libraries
          *
          * @private
          */
-        engine function read(file:CookedFile, index:int):ByteArray
+        engine function sectionOf(file:CookedFile, index:int):ByteArray
         {
             return _sections[index] == null ? null : file.section(index, _sections[index]);
         }
@@ -71,12 +72,12 @@ package starlogo.libraries
         /**
          * Makes the bytes of a cooked file.
          *
-         * @param model the settings of the model's section: a fingerprint of its arguments, or of its geometry in a FitStore
+         * @param model the settings of the model's section: see <code>CookedFile.MODEL</code>
          * @param contents the bytes of each section; null for none. Those that cannot be kept are left out
          *
          * @private
          */
-        engine function write(model:Fingerprint, contents:Vector.<ByteArray>):ByteArray
+        engine function newFile(model:Fingerprint, contents:Vector.<ByteArray>):ByteArray
         {
             var settings:Vector.<Fingerprint> = _sections.concat();
             var kept:Vector.<ByteArray> = contents.concat();

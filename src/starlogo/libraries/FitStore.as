@@ -4,7 +4,7 @@ package starlogo.libraries
     import starlogo.engine;
     import starlogo.geometry.Fingerprint;
     import starlogo.geometry.requireGiven;
-    import starlogo.libraries.cooked.TreeWriter;
+    import starlogo.libraries.cooked.CookedTree;
     import starlogo.models.Model;
     import starlogo.models.cooked.CookedFile;
     import starlogo.steps.finish;
@@ -130,7 +130,7 @@ package starlogo.libraries
         engine function mayHold(model:Model, hasTree:Boolean):Boolean
         {
             var itemCount:int = (model.triangles == null ? model.vertices.length : model.triangles.length) / 3;
-            return mayTake(hasTree ? itemCount * TreeWriter.widthFor(itemCount) : 0);
+            return mayTake(hasTree ? itemCount * CookedTree.widthFor(itemCount) : 0);
         }
 
         /**

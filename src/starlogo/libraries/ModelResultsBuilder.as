@@ -6,8 +6,7 @@ package starlogo.libraries
     import starlogo.geometry.Fingerprint;
     import starlogo.geometry.VertexBounds;
     import starlogo.libraries.cooked.CookedStructures;
-    import starlogo.libraries.cooked.TreeReader;
-    import starlogo.libraries.cooked.TreeWriter;
+    import starlogo.libraries.cooked.CookedTree;
     import starlogo.models.Model;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedWriter;
@@ -35,9 +34,9 @@ package starlogo.libraries
         private var _settings:FitSettings;
         private var _store:FitStore;
 
-        // For the store: the fingerprint of the model's vertices and triangles, and whether all results are taken from there.
+        // For the store: the fingerprint of the model's vertices and triangles, and whether all results have come from there.
         private var _geometry:Fingerprint = new Fingerprint();
-        private var _isTaken:Boolean = false;
+        private var _isStored:Boolean = false;
 
         /**
          * @param model the model
@@ -68,9 +67,9 @@ package starlogo.libraries
             }
             if (treeBuilder != null)
             {
-                begin(dividing);
+                begin(buildingTree);
             }
-            call(keep);
+            call(storeResults);
         }
 
         /** The structures, when no step is left; null if none were wanted. */
@@ -82,15 +81,15 @@ package starlogo.libraries
         /**
          * Makes a cooked file of the model, including the surface. Call it when no step is left. A surface that is missing is prepared now.
          *
-         * @param wanted the fingerprint of the model's arguments
+         * @param settings of the model's section: see <code>CookedFile.settingsOfLoad()</code>
          */
-        public function toCooked(wanted:Fingerprint):ByteArray
+        public function toCooked(settings:Fingerprint):ByteArray
         {
             if (treeBuilder != null)
             {
                 treeBuilder.finishTree().prepare();
             }
-            return write(wanted, CookedWriter.of(_model));
+            return newFile(settings, CookedWriter.of(_model));
         }
 
         // Whether all results that are wanted are there.
@@ -110,19 +109,37 @@ package starlogo.libraries
                 // no fitter accepts such a model, so the record is wrong
                 return;
             }
-            if (_structuresBuilder != null)
+            if (_structuresBuilder != null && structures == null)
             {
-                _structuresBuilder.takeFrom(file, _settings, size);
+                takeStructures(file, size);
             }
-            var tree:ByteArray = treeBuilder == null ? null : _settings.read(file, CookedFile.HIERARCHY);
-            if (tree != null)
+            if (treeBuilder != null)
             {
-                var bytes:ByteArray = _settings.read(file, CookedFile.SURFACE);
-                var surface:SurfaceTopology = bytes == null || _model.triangles == null ? null : SurfaceTopology.read(bytes, _model.triangles.length / 3);
-                if (!treeBuilder.isStored || surface != null && treeBuilder.modelTree.surface == null)
-                {
-                    treeBuilder.useStored(new TreeReader(tree, treeBuilder.modelTree.tree, treeBuilder.maxDepth), surface);
-                }
+                takeTree(file);
+            }
+        }
+
+        // The file must have all structures that are wanted.
+        private function takeStructures(file:CookedFile, size:Number):void
+        {
+            var found:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.STRUCTURES), BoundingStructure.BOX, size);
+            var hulls:Vector.<BoundingStructure> = _structuresBuilder.wantsHull
+                ? CookedStructures.read(_settings.sectionOf(file, CookedFile.HULL), BoundingStructure.HULL, size) : null;
+            if (found != null && (hulls != null || !_structuresBuilder.wantsHull))
+            {
+                // The smallest sphere may be in the hull's place.
+                _structuresBuilder.useStored(found, hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE]);
+            }
+        }
+
+        private function takeTree(file:CookedFile):void
+        {
+            var tree:ByteArray = _settings.sectionOf(file, CookedFile.HIERARCHY);
+            var bytes:ByteArray = _settings.sectionOf(file, CookedFile.SURFACE);
+            var surface:SurfaceTopology = bytes == null || _model.triangles == null ? null : SurfaceTopology.read(bytes, _model.triangles.length / 3);
+            if (tree != null && (!treeBuilder.isStored || surface != null && treeBuilder.modelTree.surface == null))
+            {
+                treeBuilder.useStored(new CookedTree(tree, treeBuilder.modelTree.tree, treeBuilder.maxDepth), surface);
             }
         }
 
@@ -135,30 +152,30 @@ package starlogo.libraries
                     {
                         takeFrom(stored);
                     }
-                    _isTaken = isComplete;
+                    _isStored = isComplete;
                 });
         }
 
         // A hierarchy that was read is not built until it is needed, unless prepareExact is set.
-        private function dividing():Steps
+        private function buildingTree():Steps
         {
             return treeBuilder.isStored && !_settings.wantsSurface ? null : treeBuilder;
         }
 
-        private function keep():void
+        private function storeResults():void
         {
-            var isKept:Boolean = _isTaken && (treeBuilder == null || treeBuilder.isStored);
+            var isKept:Boolean = _isStored && (treeBuilder == null || treeBuilder.isStored);
             if (_store != null && !isKept && _store.mayHold(_model, treeBuilder != null))
             {
-                _store.keep(_geometry, _settings, write(_geometry, null));
+                _store.keep(_geometry, _settings, newFile(_geometry, null));
             }
         }
 
-        // Makes a file of the results. The model's section is null if the model is read from elsewhere.
-        private function write(settingsOfModel:Fingerprint, modelSection:ByteArray):ByteArray
+        // Makes a file of the results. The model's section has these settings and bytes; null if the file is for the store.
+        private function newFile(settings:Fingerprint, model:ByteArray):ByteArray
         {
             var contents:Vector.<ByteArray> = new Vector.<ByteArray>(CookedFile.SECTIONS, true);
-            contents[CookedFile.MODEL] = modelSection;
+            contents[CookedFile.MODEL] = model;
             if (structures != null)
             {
                 contents[CookedFile.STRUCTURES] = CookedStructures.write(structures.smallest);
@@ -167,15 +184,14 @@ package starlogo.libraries
             if (treeBuilder != null)
             {
                 var made:ModelTree = treeBuilder.finishTree();
-                contents[CookedFile.HIERARCHY] = CookedFile.newBytes();
-                TreeWriter.write(made.tree, contents[CookedFile.HIERARCHY]);
+                contents[CookedFile.HIERARCHY] = CookedTree.write(made.tree);
                 if (made.isPrepared)
                 {
                     contents[CookedFile.SURFACE] = CookedFile.newBytes();
                     made.surface.writeTo(contents[CookedFile.SURFACE]);
                 }
             }
-            return _settings.write(settingsOfModel, contents);
+            return _settings.newFile(settings, contents);
         }
     }
 }

@@ -9,8 +9,6 @@ package starlogo.libraries
     import starlogo.fitting.Fitter;
     import starlogo.fitting.HullFitter;
     import starlogo.geometry.Tolerances;
-    import starlogo.libraries.cooked.CookedStructures;
-    import starlogo.models.cooked.CookedFile;
     import starlogo.steps.StepSequence;
 
     use namespace engine;
@@ -71,24 +69,21 @@ package starlogo.libraries
             slices(fitters.length, 1, check).call(choose);
         }
 
-        /**
-         * Takes the structures of a cooked file instead of running the fitters, if the file has all that are wanted. Call it before the
-         * first step.
-         *
-         * @param file all its steps must be done
-         * @param settings the settings that the file must have been made with
-         * @param size the largest coordinate of the vertices
-         */
-        public function takeFrom(file:CookedFile, settings:FitSettings, size:Number):void
+        /** Whether a hull is wanted too. */
+        public function get wantsHull():Boolean
         {
-            var read:Vector.<BoundingStructure> = CookedStructures.read(settings.read(file, CookedFile.STRUCTURES), BoundingStructure.BOX, size);
-            var hulls:Vector.<BoundingStructure> = _hullFit == null ? null
-                : CookedStructures.read(settings.read(file, CookedFile.HULL), BoundingStructure.HULL, size);
-            if (structures == null && read != null && (_hullFit == null || hulls != null))
-            {
-                // The smallest sphere may be in the hull's place.
-                structures = new ModelStructures(read, hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE], _keepsAll);
-            }
+            return _hullFit != null;
+        }
+
+        /**
+         * Uses stored results instead of running the fitters. No step is left then.
+         *
+         * @param found what the fitters found, enlarged
+         * @param hull the hull, or the sphere in its place; null if none is wanted
+         */
+        public function useStored(found:Vector.<BoundingStructure>, hull:BoundingStructure):void
+        {
+            structures = new ModelStructures(found, hull, _keepsAll);
         }
 
         /**

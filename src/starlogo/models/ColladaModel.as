@@ -32,15 +32,15 @@ package starlogo.models
          * Reads a model. <code>Model</code> says how it is normalised.
          *
          * @param name what agents call the shape, not empty
-         * @param source the document's text
+         * @param text the document's text
          * @param upAxis null for the axis that the document names; "x", "y", "z" or a ModelTransform to use that instead
          * @param scaling as for <code>Model</code>
          * @throws ModelError if the text is no COLLADA document, if its scene has no geometry, if a number, count, index or reference is
          * wrong, if nodes place each other in a circle, or as for <code>Model</code>. The message names the element
          */
-        public function ColladaModel(name:String, source:String, upAxis:Object = null, scaling:String = Model.FOOTPRINT)
+        public function ColladaModel(name:String, text:String, upAxis:Object = null, scaling:String = Model.FOOTPRINT)
         {
-            super(null, null, null, null, new ColladaReader(name, source, upAxis).read(scaling));
+            super(null, null, null, null, new ColladaReader(name, text, upAxis).read(scaling));
         }
 
         /**

@@ -2,7 +2,8 @@ package starlogo.models
 {
     /**
      * What reading a file may cost. A reader asks it before it reserves memory for a declared count, and before it does something again.
-     * What a file may repeat grows with the bytes that are present, so time and memory are in proportion to them (docs/limits.md).
+     * Things of several kinds are counted: VERTICES to FILES. How many a file may have grows with the bytes that are present, so time and
+     * memory are in proportion to them (docs/limits.md).
      *
      * @private
      */
@@ -30,17 +31,15 @@ package starlogo.models
         public static const MOST_VERTICES:int = 1000000;
 
         /** The most bytes of a file. */
-        public static const BYTES:int = 67108864;
+        public static const MOST_BYTES:int = 67108864;
 
         // The most tests of corners while polygons are cut: CORNER_TESTS, and TESTS_PER_BYTE more for each byte.
         private static const TESTS_PER_BYTE:Number = 40;
         private static const CORNER_TESTS:Number = 100000;
 
-        private static const WHAT:Vector.<String> = new <String>["# vertices or 2000000 triangles", "1000000 vertices or # triangles",
-                "# numbers, each counted as often as it is used", "# numbers without data",
-                "# elements, values, nodes, transforms and instances, each counted as often as it is placed", "# other files"];
-
-        // By kind: what each byte allows, what a file without bytes may have, and the most that any file may have.
+        // By kind: its name for messages; what each byte allows, what a file without bytes may have, and the most that any file may have.
+        private static const NAMES:Vector.<String> = new <String>["vertices", "triangles", "numbers, each counted as often as it is used",
+                "numbers without data", "elements, values, nodes, transforms and instances, each counted as often as it is placed", "other files"];
         private static const PER_BYTE:Vector.<Number> = new <Number>[16, 32, 16, 1, 1, 0];
         private static const FREE:Vector.<Number> = new <Number>[100000, 200000, 100000, 0, 50000, 100];
         private static const MOST:Vector.<Number> = new <Number>[MOST_VERTICES, 2 * MOST_VERTICES, 40000000, Infinity, 500000, 100];
@@ -97,7 +96,7 @@ package starlogo.models
             var most:Number = Math.min(MOST[kind], FREE[kind] + PER_BYTE[kind] * _bytes);
             if (count > most)
             {
-                throw new ModelError(name, String(place), "it has more than " + WHAT[kind].replace("#", most));
+                throw new ModelError(name, String(place), "it has more than " + most + " " + NAMES[kind]);
             }
         }
     }

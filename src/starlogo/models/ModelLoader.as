@@ -96,7 +96,7 @@ package starlogo.models
             this.budget = budget;
         }
 
-        /** Whether any loader has work. */
+        /** Whether any loader has work. For tests. */
         internal static function get isAnyWorking():Boolean
         {
             return sFrames.hasEventListener(Event.ENTER_FRAME);
@@ -235,7 +235,7 @@ package starlogo.models
             }
         }
 
-        /** Cancels one load, if it is not over. */
+        /** Cancels one load, if it is not over. For the promises of the ES module. */
         internal function drop(load:ModelLoad):void
         {
             if (!remove(load))
@@ -251,13 +251,13 @@ package starlogo.models
             }
         }
 
-        /** Creates a loader for one file. */
+        /** Creates a loader for one file. Tests override it. */
         internal function newURLLoader():URLLoader
         {
             return new URLLoader();
         }
 
-        /** The time, in milliseconds. */
+        /** The time, in milliseconds. Tests override it. */
         internal function now():int
         {
             return getTimer();

@@ -1,5 +1,6 @@
 package starlogo.models
 {
+    import starlogo.geometry.AffineTransform;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;

@@ -2,6 +2,7 @@ package starlogo.models
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
+    import starlogo.geometry.AffineTransform;
     import starlogo.geometry.Placement;
     import starlogo.models.text.Decimal;
 
@@ -58,18 +59,17 @@ package starlogo.models
             for each (var line:String in (text || "").split("\r").join("").split("\n"))
             {
                 var words:Array = line.split(" ");
-                var x:Number = numberIn(words[1]);
-                var isEven:Boolean = words.length < 4;
-                var numbers:Vector3D = isEven ? new Vector3D(x, x, x) : new Vector3D(x, numberIn(words[2]), numberIn(words[3]));
+                var hasThree:Boolean = words.length >= 4;
+                var numbers:Vector3D = new Vector3D(numberIn(words[1]), numberIn(words[hasThree ? 2 : 1]), numberIn(words[hasThree ? 3 : 1]));
                 if (words[0] == "scale" && isScale(numbers))
                 {
                     factors = numbers;
                 }
-                else if (words[0] == "rotate" && !isEven && isFinitePoint(numbers))
+                else if (words[0] == "rotate" && hasThree && isFinitePoint(numbers))
                 {
                     turn = numbers;
                 }
-                else if (words[0] == "translate" && !isEven && isFinitePoint(numbers))
+                else if (words[0] == "translate" && hasThree && isFinitePoint(numbers))
                 {
                     move = numbers;
                 }

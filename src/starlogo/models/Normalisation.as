@@ -2,6 +2,7 @@ package starlogo.models
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
+    import starlogo.geometry.AffineTransform;
     import starlogo.geometry.VertexBounds;
     import starlogo.geometry.VertexData;
     import starlogo.geometry.cubeRoot;

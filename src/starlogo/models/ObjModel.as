@@ -24,15 +24,15 @@ package starlogo.models
          * Reads a model. <code>Model</code> says how it is normalised.
          *
          * @param name what agents call the shape, not empty
-         * @param source the file's text
+         * @param text the file's text
          * @param upAxis the axis that points up in the file: "x", "y" or "z", because OBJ files do not say; or a ModelTransform
          * @param scaling as for <code>Model</code>
          * @throws ModelError if the text is no OBJ file or has no vertex, if a number or an index is wrong, or as for <code>Model</code>.
          * The message names the line
          */
-        public function ObjModel(name:String, source:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
+        public function ObjModel(name:String, text:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            super(null, null, null, null, new ObjReader(name, source, upAxis).read(scaling));
+            super(null, null, null, null, new ObjReader(name, text, upAxis).read(scaling));
         }
 
         /**

@@ -4,6 +4,7 @@ package starlogo.models
     import flash.geom.Vector3D;
     import flash.utils.ByteArray;
     import starlogo.engine;
+    import starlogo.geometry.AffineTransform;
     import starlogo.geometry.areSameNumbers;
 
     use namespace engine;

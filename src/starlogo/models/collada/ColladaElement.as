@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    import starlogo.models.AffineTransform;
+    import starlogo.geometry.AffineTransform;
     import starlogo.models.text.TextWords;
 
     /** An element of a COLLADA document. Its name and its attributes' names have no namespace prefix. */

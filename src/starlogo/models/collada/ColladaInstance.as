@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    import starlogo.models.AffineTransform;
+    import starlogo.geometry.AffineTransform;
 
     /** A geometry at a place in a COLLADA scene. One geometry may be placed often. */
     internal final class ColladaInstance

@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    import starlogo.models.AffineTransform;
+    import starlogo.geometry.AffineTransform;
 
     /** A node of a COLLADA scene during the visit. One element may be visited often, through instance_node. */
     internal final class ColladaNode

@@ -26,16 +26,16 @@ package starlogo.models.collada
 
         /**
          * @param name the model's name
-         * @param source the document's text
+         * @param text the document's text
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the document as it is; null for the axis that the document names
          */
-        public function ColladaReader(name:String, source:String, upAxis:Object)
+        public function ColladaReader(name:String, text:String, upAxis:Object)
         {
             super(name, upAxis == null ? "z" : upAxis);
-            refuseIf(source == null, name, "there is no text to read");
+            refuseIf(text == null, name, "there is no text to read");
             _isAxisNamed = upAxis != null;
-            _budget = new ModelBudget(name, source.length);
-            addSteps(new XmlReader(source, _budget));
+            _budget = new ModelBudget(name, text.length);
+            addSteps(new XmlReader(text, _budget));
         }
 
         private function addSteps(xml:XmlReader):void
@@ -157,10 +157,9 @@ package starlogo.models.collada
             {
                 return "y";
             }
-            var text:String = element.splitText().join(" ");
-            refuseIf(!/^[XYZ]_UP$/.test(text), name, "expected X_UP, Y_UP or Z_UP, but found \"" + TextWords.shorten(text) +
-                    "\"", element);
-            return text.charAt(0).toLowerCase();
+            var axis:String = element.splitText().join(" ");
+            refuseIf(!/^[XYZ]_UP$/.test(axis), name, "expected X_UP, Y_UP or Z_UP, but found \"" + TextWords.shorten(axis) + "\"", element);
+            return axis.charAt(0).toLowerCase();
         }
     }
 }

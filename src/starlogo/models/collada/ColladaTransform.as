@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.geometry.Trigonometry;
-    import starlogo.models.AffineTransform;
+    import starlogo.geometry.AffineTransform;
 
     /**
      * Reads the transform elements of a COLLADA node, as the COLLADA 1.4 and 1.5 specifications define them. For skew they refer to

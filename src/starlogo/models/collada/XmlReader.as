@@ -15,7 +15,7 @@ package starlogo.models.collada
         internal static const MAX_DEPTH:int = 1000;
 
         /** The most attributes of an element. */
-        internal static const MAX_ATTRIBUTES:int = 100;
+        private static const MAX_ATTRIBUTES:int = 100;
 
         private static const TAGS_PER_STEP:int = 100;
         private static const QUESTION:int = 0x3F;
@@ -34,7 +34,7 @@ package starlogo.models.collada
         /** The first element of each name and id, by name, "#" and id. The "#" keeps a key different from every property of an Object. */
         public var elementsById:Object = {};
 
-        private var _source:String;
+        private var _text:String;
         private var _at:int = 0;
         private var _quotes:NextOfTwo;
         private var _budget:ModelBudget;
@@ -44,14 +44,14 @@ package starlogo.models.collada
         private var _open:ColladaElement = null;
 
         /**
-         * @param source the text
+         * @param text the text
          * @param budget pays for the elements
          */
-        public function XmlReader(source:String, budget:ModelBudget)
+        public function XmlReader(text:String, budget:ModelBudget)
         {
             _budget = budget;
-            _source = source;
-            _quotes = new NextOfTwo(source, "\"", "'");
+            _text = text;
+            _quotes = new NextOfTwo(text, "\"", "'");
         }
 
         /**
@@ -61,29 +61,29 @@ package starlogo.models.collada
          */
         public function step():Boolean
         {
-            for (var i:int = 0; i < TAGS_PER_STEP && _at < _source.length; i++)
+            for (var i:int = 0; i < TAGS_PER_STEP && _at < _text.length; i++)
             {
-                var tag:int = _source.indexOf("<", _at);
-                addText(_at, tag < 0 ? _source.length : tag);
-                _at = tag < 0 ? _source.length : tag + 1;
+                var tag:int = _text.indexOf("<", _at);
+                addText(_at, tag < 0 ? _text.length : tag);
+                _at = tag < 0 ? _text.length : tag + 1;
                 if (tag >= 0)
                 {
                     readTag();
                 }
             }
-            refuse(_at == _source.length && _open != null);
-            return _at < _source.length;
+            refuse(_at == _text.length && _open != null);
+            return _at < _text.length;
         }
 
         /** The line that is read now, as a place for errors. */
         public function toString():String
         {
-            return "line " + _source.substr(0, _at).split(LINE_END).length;
+            return "line " + _text.substr(0, _at).split(LINE_END).length;
         }
 
         private function readTag():void
         {
-            switch (_source.charCodeAt(_at))
+            switch (_text.charCodeAt(_at))
             {
                 case EXCLAMATION:
                     readDeclaration();
@@ -101,12 +101,12 @@ package starlogo.models.collada
 
         private function readDeclaration():void
         {
-            var isData:Boolean = _source.substr(_at, 8) == "![CDATA[";
+            var isData:Boolean = _text.substr(_at, 8) == "![CDATA[";
             var start:int = _at + 8;
-            _at = endOf(isData ? "]]>" : (_source.substr(_at, 3) == "!--" ? "-->" : ">"));
+            _at = endOf(isData ? "]]>" : (_text.substr(_at, 3) == "!--" ? "-->" : ">"));
             if (isData && _open != null)
             {
-                _open.texts.push(_source.substring(start, _at - 3));
+                _open.texts.push(_text.substring(start, _at - 3));
             }
         }
 
@@ -114,7 +114,7 @@ package starlogo.models.collada
         {
             var start:int = _at + 1;
             _at = endOf(">");
-            refuse(_open == null || _source.substring(start, _at - 1).split(NAME_END, 1)[0] != _names.pop());
+            refuse(_open == null || _text.substring(start, _at - 1).split(NAME_END, 1)[0] != _names.pop());
             _open = _open.parent;
         }
 
@@ -122,7 +122,7 @@ package starlogo.models.collada
         {
             var end:int = endOf(">") - 1;
             var quote:int = _quotes.after(_at);
-            var name:String = _source.substring(_at, Math.min(quote, end)).split(NAME_END, 1)[0];
+            var name:String = _text.substring(_at, Math.min(quote, end)).split(NAME_END, 1)[0];
             refuse(name == "" || root != null && _open == null);
             _budget.take(ModelBudget.THINGS, 1, this);
             var element:ColladaElement = new ColladaElement(localName(name), _open);
@@ -130,21 +130,21 @@ package starlogo.models.collada
             _at += name.length;
             for (var count:int = 0; quote < end && count < MAX_ATTRIBUTES; count++)
             {
-                var words:Array = ATTRIBUTE.exec(_source.substring(_at, quote));
-                var close:int = _source.indexOf(_source.charAt(quote), quote + 1);
+                var words:Array = ATTRIBUTE.exec(_text.substring(_at, quote));
+                var close:int = _text.indexOf(_text.charAt(quote), quote + 1);
                 refuse(words == null || close < 0);
-                element.setAttribute(localName(words[1]), decoded(_source.substring(quote + 1, close)));
+                element.setAttribute(localName(words[1]), decoded(_text.substring(quote + 1, close)));
                 _at = close + 1;
                 end = end < close ? endOf(">") - 1 : end;
                 quote = _quotes.after(_at);
             }
             refuse(quote < end, "an element has more than " + MAX_ATTRIBUTES + " attributes");
-            refuse(!TAG_END.test(_source.substring(_at, end)));
+            refuse(!TAG_END.test(_text.substring(_at, end)));
             if (element.id != "")
             {
                 elementsById[element.name + "#" + element.id] ||= element;
             }
-            if (_source.charCodeAt(end - 1) != SLASH)
+            if (_text.charCodeAt(end - 1) != SLASH)
             {
                 _names.push(name);
                 _open = element;
@@ -157,14 +157,14 @@ package starlogo.models.collada
         {
             if (_open != null && start < end)
             {
-                _open.texts.push(decoded(_source.substring(start, end)));
+                _open.texts.push(decoded(_text.substring(start, end)));
             }
         }
 
         // The place after the next occurrence of a piece. Throws if there is none.
         private function endOf(piece:String):int
         {
-            var place:int = _source.indexOf(piece, _at);
+            var place:int = _text.indexOf(piece, _at);
             refuse(place < 0);
             return place + piece.length;
         }

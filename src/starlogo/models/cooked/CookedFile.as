@@ -26,8 +26,8 @@ package starlogo.models.cooked
     public final class CookedFile extends StepSequence
     {
         /**
-         * The section with the model. Its settings are the arguments of the load. In a FitStore it is empty, and its settings are the
-         * geometry.
+         * The section with the model. Its settings are those of a load: see <code>settingsOfLoad()</code>. In a FitStore it is empty, and the
+         * fingerprint of the model's geometry takes the place of its settings.
          */
         public static const MODEL:int = 0;
 
@@ -103,8 +103,8 @@ package starlogo.models.cooked
             out.length = out.position = TABLE;
             for (var i:int = 0; i < SECTIONS; i++)
             {
-                var wanted:Fingerprint = settings[i] || new Fingerprint();
-                wanted.writeTo(out);
+                var ofSection:Fingerprint = settings[i] || new Fingerprint();
+                ofSection.writeTo(out);
                 out.writeInt(sections[i] == null ? 0 : sections[i].length);
                 out.writeInt(0);
             }
@@ -122,14 +122,17 @@ package starlogo.models.cooked
             return out;
         }
 
-        /** Appends the fingerprint of the bytes and moves the position to the first byte. The length must be a multiple of 8. */
-        public static function seal(bytes:ByteArray):void
+        /**
+         * The settings of a model's section: the fingerprint of the arguments of a load. A cooked file is valid only for these.
+         *
+         * @param upAxis "x", "y", "z" or a ModelTransform
+         * @param scaling as for Model's constructor
+         * @param usesTransforms whether the transform file beside the model's file is fetched too
+         */
+        public static function settingsOfLoad(upAxis:Object, scaling:String, usesTransforms:Boolean):Fingerprint
         {
-            var whole:Fingerprint = new Fingerprint();
-            bytes.position = 0;
-            whole.addBytes(bytes, bytes.length / Fingerprint.LENGTH);
-            whole.writeTo(bytes);
-            bytes.position = 0;
+            // join() calls the transform's toString(). So a program that never uses a ModelTransform need not contain that class.
+            return Fingerprint.of([upAxis, scaling, upAxis is String && usesTransforms].join());
         }
 
         /** An empty ByteArray in the byte order of cooked files. */
@@ -140,7 +143,7 @@ package starlogo.models.cooked
             return bytes;
         }
 
-        /** Whether the file is complete and its model was made for these arguments. */
+        /** Whether the file is complete and its model has these settings. */
         public function isFor(settings:Fingerprint):Boolean
         {
             if (isWhole)
@@ -154,10 +157,10 @@ package starlogo.models.cooked
          * The bytes of a section. Their position is 0.
          *
          * @param index the section
-         * @param wanted the settings that the section must have; null for any
+         * @param settings the settings that the section must have; null for any
          * @return null if the section is empty or has other settings
          */
-        public function section(index:int, wanted:Fingerprint):ByteArray
+        public function section(index:int, settings:Fingerprint):ByteArray
         {
             var length:int = isWhole ? lengthOf(index) : 0;
             if (length == 0)
@@ -170,7 +173,7 @@ package starlogo.models.cooked
                 start += lengthOf(i);
             }
             _bytes.position = TABLE + ENTRY_LENGTH * index;
-            if (wanted != null && !wanted.isNextOf(_bytes))
+            if (settings != null && !settings.isNextOf(_bytes))
             {
                 return null;
             }
@@ -178,6 +181,16 @@ package starlogo.models.cooked
             bytes.writeBytes(_bytes, start, length);
             bytes.position = 0;
             return bytes;
+        }
+
+        // Appends the fingerprint of the bytes and moves the position to the first byte. The length must be a multiple of 8.
+        private static function seal(bytes:ByteArray):void
+        {
+            var whole:Fingerprint = new Fingerprint();
+            bytes.position = 0;
+            whole.addBytes(bytes, bytes.length / Fingerprint.LENGTH);
+            whole.writeTo(bytes);
+            bytes.position = 0;
         }
 
         private function lengthOf(index:int):int
@@ -207,7 +220,7 @@ package starlogo.models.cooked
         private static function hasRightLength(bytes:ByteArray):Boolean
         {
             var length:int = bytes.length;
-            return length % Fingerprint.LENGTH == 0 && length <= ModelBudget.BYTES && bytes.readInt() == length && length >= HEAD_LENGTH + Fingerprint.LENGTH;
+            return length % Fingerprint.LENGTH == 0 && length <= ModelBudget.MOST_BYTES && bytes.readInt() == length && length >= HEAD_LENGTH + Fingerprint.LENGTH;
         }
     }
 }

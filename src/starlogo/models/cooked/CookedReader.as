@@ -30,19 +30,19 @@ package starlogo.models.cooked
         private static const VERTICES_PER_STEP:int = 1500;
         private static const CORNERS_PER_STEP:int = 4500;
 
-        private var _asked:Fingerprint;
+        private var _settings:Fingerprint;
         private var _file:CookedFile;
         private var _bytes:ByteArray;
 
         /**
          * @param name the model's name
          * @param bytes the bytes of a possible cooked file
-         * @param asked the arguments for which the file must have been cooked; null for any
+         * @param settings the settings that its model must have; null for any
          */
-        public function CookedReader(name:String, bytes:ByteArray, asked:Fingerprint = null)
+        public function CookedReader(name:String, bytes:ByteArray, settings:Fingerprint = null)
         {
             super(name);
-            _asked = asked;
+            _settings = settings;
             _file = new CookedFile(bytes);
             add(_file).begin(reading);
         }
@@ -64,7 +64,7 @@ package starlogo.models.cooked
         // Reads the head. The work that it returns reads the numbers.
         private function reading():Steps
         {
-            refuseIf(_asked != null && _file.isWhole && !_file.isFor(_asked), name, "the cooked file is for another up axis, transform or scaling");
+            refuseIf(_settings != null && _file.isWhole && !_file.isFor(_settings), name, "the cooked file is for another up axis, transform or scaling");
             _bytes = _file.section(CookedFile.MODEL, null);
             refuseIf(_file.isOfOtherVersion, name, "the cooked file is of another version of the engine: cook it again");
             refuseIf(_bytes == null, name, "the cooked file is damaged: cook it again");
@@ -74,7 +74,7 @@ package starlogo.models.cooked
             var hasTransform:Boolean = readCount(1) == 1;
             var vertexCount:int = readCount(int.MAX_VALUE);
             var triangleCount:int = readCount(int.MAX_VALUE);
-            new ModelBudget(name, ModelBudget.BYTES).requireMesh(vertexCount, triangleCount);
+            new ModelBudget(name, _bytes.length).requireMesh(vertexCount, triangleCount);
             data.transform = hasTransform ? readTransform() : null;
             if (form == CookedWriter.DOUBLE)
             {

@@ -4,7 +4,7 @@ package starlogo.models.gltf
     import flash.utils.Endian;
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
-    import starlogo.models.loading.ModelAddress;
+    import starlogo.models.text.ModelAddress;
     import starlogo.models.refuseIf;
     import starlogo.models.text.ModelText;
     import starlogo.models.text.TextWords;
@@ -239,7 +239,7 @@ package starlogo.models.gltf
 
         private function readBuffer(index:int, buffer:Object, place:String):void
         {
-            json.whole(buffer, "byteLength", place, ModelBudget.BYTES, -1);
+            json.whole(buffer, "byteLength", place, ModelBudget.MOST_BYTES, -1);
             var uri:* = buffer.uri;
             json.refuseIf(uri !== undefined && !(uri is String), "expected an address", place + ".uri");
             if (uri === undefined)
@@ -275,7 +275,7 @@ package starlogo.models.gltf
 
         private function keep(index:int, bytes:ByteArray):void
         {
-            var wanted:int = json.whole(json.entry("buffers", index), "byteLength", "buffers[" + index + "]", ModelBudget.BYTES, -1);
+            var wanted:int = json.whole(json.entry("buffers", index), "byteLength", "buffers[" + index + "]", ModelBudget.MOST_BYTES, -1);
             json.refuseIf(bytes.length < wanted, "it should have " + wanted + " bytes, but has " + bytes.length, "buffers[" + index + "]");
             bytes.endian = Endian.LITTLE_ENDIAN;
             _buffers[index] = bytes;

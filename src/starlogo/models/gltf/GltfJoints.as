@@ -1,6 +1,6 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.AffineTransform;
+    import starlogo.geometry.AffineTransform;
     import starlogo.steps.StepSequence;
 
     /** Finds how the joints of a skin move points, in steps: at rest or in a pose, as the scene's nodes are. */

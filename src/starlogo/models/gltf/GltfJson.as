@@ -123,7 +123,7 @@ package starlogo.models.gltf
         }
 
         /** The path of a key in an object. */
-        public static function placeIn(place:String, key:String):String
+        private static function placeIn(place:String, key:String):String
         {
             return place == "" ? key : place + "." + key;
         }

@@ -1,6 +1,6 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.AffineTransform;
+    import starlogo.geometry.AffineTransform;
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
     import starlogo.steps.StepSequence;

@@ -1,6 +1,7 @@
 package starlogo.models.loading
 {
     import starlogo.models.gltf.GltfFile;
+    import starlogo.models.text.ModelAddress;
 
     /**
      * The downloads for one model: its file, and the files that belong to it.

@@ -8,8 +8,8 @@ package starlogo.models.loading
     import starlogo.models.ModelSource;
     import starlogo.models.ModelTransform;
     import starlogo.models.collada.ColladaReader;
+    import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
-    import starlogo.models.cooked.argumentsFingerprint;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfReader;
     import starlogo.models.obj.ObjReader;
@@ -38,8 +38,8 @@ package starlogo.models.loading
         public var model:Model = null;
 
         /**
-         * <code>function(model:Model, problem:Error):void</code>, called when the load is over. One argument is set; after a cancel both
-         * are null.
+         * <code>function(model:Model, problem:Error):void</code>, called when the load is over; null for none. One argument is set; after a
+         * cancel both are null. For the promises of the ES module.
          */
         public var whenOver:Function = null;
 
@@ -145,7 +145,7 @@ package starlogo.models.loading
             }
             try
             {
-                _reader ||= new CookedReader(name, _downloads.file.bytes, argumentsFingerprint(_upAxis, _scaling, _usesTransforms)).normalised(null);
+                _reader ||= new CookedReader(name, _downloads.file.bytes, CookedFile.settingsOfLoad(_upAxis, _scaling, _usesTransforms)).normalised(null);
                 return _reader.step();
             }
             catch (error:ModelError)

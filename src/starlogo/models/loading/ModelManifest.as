@@ -1,6 +1,7 @@
 package starlogo.models.loading
 {
     import flash.utils.ByteArray;
+    import starlogo.models.text.ModelAddress;
 
     /**
      * The list of the cooked files in a folder and below. It is fetched when it is first needed.

@@ -41,16 +41,16 @@ package starlogo.models.obj
 
         /**
          * @param name the model's name
-         * @param source the text
+         * @param text the text
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is
          */
-        public function ObjReader(name:String, source:String, upAxis:Object)
+        public function ObjReader(name:String, text:String, upAxis:Object)
         {
             super(name, upAxis);
-            refuseIf(source == null, name, "there is no text to read");
-            refuseIf(source.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
-            _lines = new LineReader(name, source);
-            _budget = new ModelBudget(name, source.length);
+            refuseIf(text == null, name, "there is no text to read");
+            refuseIf(text.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
+            _lines = new LineReader(name, text);
+            _budget = new ModelBudget(name, text.length);
             repeat(readSome).call(checkIndices).begin(cutting).begin(turningUp);
         }
 
@@ -115,7 +115,7 @@ package starlogo.models.obj
                 var coordinate:Number = i < rest.length ? TextWords.toNumber(rest[i]) : NaN;
                 if (coordinate - coordinate != 0)
                 {
-                    throw errorAt(first, "expected a vertex, three finite numbers, but found \"v " + TextWords.shorten(rest.join(" ")) + "\"");
+                    throw errorAt(first, LineReader.vertexProblem("v " + rest.join(" ")));
                 }
                 data.vertices.push(coordinate);
             }

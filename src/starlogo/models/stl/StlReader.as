@@ -9,7 +9,6 @@ package starlogo.models.stl
     import starlogo.models.refuseIf;
     import starlogo.models.text.LineReader;
     import starlogo.models.text.ModelText;
-    import starlogo.models.text.TextWords;
 
     /**
      * Reads an STL file, binary or text. StlModel says which parts.
@@ -152,7 +151,7 @@ package starlogo.models.stl
             if (_corners == 3 || !_lines.readPoint(_point, 0))
             {
                 throw new ModelError(name, _lines.place, _corners == 3 ? "a facet has more than three vertices"
-                        : "expected a vertex, three finite numbers, but found \"" + TextWords.shorten(_lines.restOfStatement().join(" ")) + "\"");
+                        : LineReader.vertexProblem(_lines.restOfStatement().join(" ")));
             }
             data.triangles.push(_points.indexOf(_point[0], _point[1], _point[2]));
             _corners++;

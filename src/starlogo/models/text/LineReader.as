@@ -36,7 +36,7 @@ package starlogo.models.text
         public var line:int = 0;
 
         private var _name:String;
-        private var _source:String;
+        private var _text:String;
 
         // The piece is the text from _start up to _end.
         private var _start:int = 0;
@@ -45,19 +45,25 @@ package starlogo.models.text
 
         /**
          * @param name the model's name, for errors
-         * @param source the text; a byte-order mark is skipped
+         * @param text the text; a byte-order mark is skipped
          */
-        public function LineReader(name:String, source:String)
+        public function LineReader(name:String, text:String)
         {
             _name = name;
-            _source = TextWords.withoutByteOrderMark(source);
-            _ends = new NextOfTwo(_source, "\n", "\r");
+            _text = TextWords.withoutByteOrderMark(text);
+            _ends = new NextOfTwo(_text, "\n", "\r");
         }
 
         /** The place of a line, for errors. */
         public static function placeOf(line:int):String
         {
             return "line " + line;
+        }
+
+        /** What is wrong with words that should be a vertex. */
+        public static function vertexProblem(found:String):String
+        {
+            return "expected a vertex, three finite numbers, but found \"" + TextWords.shorten(found) + "\"";
         }
 
         /** The place of the next word, for errors. */
@@ -69,7 +75,7 @@ package starlogo.models.text
         /** Whether there is more to read. */
         public function get hasMore():Boolean
         {
-            return next < words.length - 1 || _end < _source.length;
+            return next < words.length - 1 || _end < _text.length;
         }
 
         /**
@@ -102,7 +108,7 @@ package starlogo.models.text
                     read(word);
                 }
             }
-            return (_start + (_end - _start) * next / words.length) / Math.max(1, _source.length);
+            return (_start + (_end - _start) * next / words.length) / Math.max(1, _text.length);
         }
 
         /**
@@ -170,14 +176,14 @@ package starlogo.models.text
             {
                 _end = _ends.after(_end);
                 // the second of the two characters that end a line may be the first that is found
-                var isSecond:Boolean = _source.charCodeAt(_end) == LINE_FEED && _source.charCodeAt(_end - 1) == RETURN;
-                var isContinued:Boolean = _source.charAt(_end - (isSecond ? 2 : 1)) == "\\";
-                _end += _source.charCodeAt(_end) == RETURN && _source.charCodeAt(_end + 1) == LINE_FEED ? 2 : 1;
+                var isSecond:Boolean = _text.charCodeAt(_end) == LINE_FEED && _text.charCodeAt(_end - 1) == RETURN;
+                var isContinued:Boolean = _text.charAt(_end - (isSecond ? 2 : 1)) == "\\";
+                _end += _text.charCodeAt(_end) == RETURN && _text.charCodeAt(_end + 1) == LINE_FEED ? 2 : 1;
             }
-            while (isContinued && _end < _source.length);
-            _end = Math.min(_end, _source.length);
+            while (isContinued && _end < _text.length);
+            _end = Math.min(_end, _text.length);
             refuseIf(_end - _start > MAX_PIECE, _name, "a line and its continuation lines have more than " + MAX_PIECE + " characters", placeOf(line + 1));
-            var text:String = (_start == 0 ? "\n" : "") + _source.substring(_start, _end) + (_end == _source.length ? "\n" : "");
+            var text:String = (_start == 0 ? "\n" : "") + _text.substring(_start, _end) + (_end == _text.length ? "\n" : "");
             text = TextWords.replaceAll(text, "\r\n", "\n");
             text = TextWords.replaceAll(text, "\r", "\n");
             text = TextWords.replaceAll(text, "\t", " ");

@@ -6,7 +6,8 @@ package starlogo.models.text
     import starlogo.models.refuseIf;
 
     /**
-     * Decodes the bytes of a model's file into text. It detects the encoding.
+     * Decodes the bytes of a model's file into text. It detects the encoding. Other encodings than UTF-8 are decoded here, because Adobe's VM
+     * alone cannot read them.
      *
      * @private
      */
@@ -14,6 +15,13 @@ package starlogo.models.text
     {
         private static const HEAD_LENGTH:int = 1024;
         private static const DECLARATION_LENGTH:int = 100;
+        private static const UNITS_PER_PART:int = 4096;
+
+        // The characters of windows-1252 at 0x80 to 0x9f, where ISO 8859-1 has control characters. A byte that windows-1252 does not define stands
+        // for itself.
+        private static const WINDOWS:Vector.<int> = new <int>[0x20ac, 0x81, 0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021, 0x02c6, 0x2030,
+                0x0160, 0x2039, 0x0152, 0x8d, 0x017d, 0x8f, 0x90, 0x2018, 0x2019, 0x201c, 0x201d, 0x2022, 0x2013, 0x2014, 0x02dc, 0x2122,
+                0x0161, 0x203a, 0x0153, 0x9d, 0x017e, 0x0178];
 
         /**
          * The text of a file.
@@ -32,7 +40,7 @@ package starlogo.models.text
         /** Throws if a file has too many bytes. */
         public static function checkSize(name:String, bytes:ByteArray):void
         {
-            refuseIf(bytes.length > ModelBudget.BYTES, name, "the file has " + bytes.length + " bytes: expected at most " + ModelBudget.BYTES);
+            refuseIf(bytes.length > ModelBudget.MOST_BYTES, name, "the file has " + bytes.length + " bytes: expected at most " + ModelBudget.MOST_BYTES);
         }
 
         private static function decoded(name:String, bytes:ByteArray, format:String):String
@@ -41,7 +49,7 @@ package starlogo.models.text
             var isLowFirst:Boolean = mark == 0xFFFE || mark == 0x3C00; // a byte-order mark, or a "<" without one
             if (isLowFirst || mark == 0xFEFF || mark == 0x003C)
             {
-                return NonUtf8Text.utf16(bytes, isLowFirst);
+                return utf16(bytes, isLowFirst);
             }
             bytes.position = 0;
             var text:String = bytes.readUTFBytes(bytes.length);
@@ -49,7 +57,7 @@ package starlogo.models.text
             bytes.position = 0;
             var start:String = bytes.readUTFBytes(Math.min(bytes.length, DECLARATION_LENGTH));
             var declaration:Array = start.match(/^<\?xml[^>]*encoding=["'](iso-8859-1|windows-1252)["']/i);
-            return declaration == null ? text : NonUtf8Text.latin(bytes, declaration[1].toLowerCase() == "windows-1252");
+            return declaration == null ? text : latin(bytes, declaration[1].toLowerCase() == "windows-1252");
         }
 
         // A zip archive begins with its first file, or with its end if it has no file.
@@ -70,6 +78,43 @@ package starlogo.models.text
                             : "this is a binary file, but no " + format + " file");
                 }
             }
+        }
+
+        /** Decodes UTF-16, with the same result in every player. An odd last byte is ignored. */
+        internal static function utf16(bytes:ByteArray, isLowFirst:Boolean):String
+        {
+            var units:Array = [];
+            var low:int = isLowFirst ? 0 : 1;
+            for (var i:int = 1; i < bytes.length; i += 2)
+            {
+                units.push(bytes[int(i - 1 + low)] | bytes[int(i - low)] << 8);
+            }
+            return textOf(units);
+        }
+
+        /** Decodes one byte per character: windows-1252 or ISO 8859-1. */
+        internal static function latin(bytes:ByteArray, isWindows:Boolean):String
+        {
+            var units:Array = [];
+            for (var i:int = 0; i < bytes.length; i++)
+            {
+                var unit:int = bytes[i];
+                units.push(isWindows && unit >= 0x80 && unit < 0xa0 ? WINDOWS[unit - 0x80] : unit);
+            }
+            return textOf(units);
+        }
+
+        // The player ends a text at its first zero character.
+        private static function textOf(units:Array):String
+        {
+            var end:int = units.indexOf(0);
+            var length:int = end < 0 ? units.length : end;
+            var parts:Array = [];
+            for (var from:int = 0; from < length; from += UNITS_PER_PART)
+            {
+                parts.push(String.fromCharCode.apply(null, units.slice(from, Math.min(length, from + UNITS_PER_PART))));
+            }
+            return parts.join("");
         }
     }
 }

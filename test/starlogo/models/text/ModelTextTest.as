@@ -37,13 +37,13 @@ package starlogo.models.text
         [Test]
         public function everyByteIsTheRightLetter():void
         {
-            assertEquals("\u20AC\u0178\u0081\u00E9A", NonUtf8Text.latin(bytesOf("\u0080\u009F\u0081\u00E9A", "latin", []), true));
-            assertEquals("\u0080\u009F\u0081\u00E9A", NonUtf8Text.latin(bytesOf("\u0080\u009F\u0081\u00E9A", "latin", []), false));
+            assertEquals("\u20AC\u0178\u0081\u00E9A", ModelText.latin(bytesOf("\u0080\u009F\u0081\u00E9A", "latin", []), true));
+            assertEquals("\u0080\u009F\u0081\u00E9A", ModelText.latin(bytesOf("\u0080\u009F\u0081\u00E9A", "latin", []), false));
             var long:String = new Array(2000).join("\u4E2D\uD83D\uDE00");
-            assertEquals(long, NonUtf8Text.utf16(bytesOf(long, "unicode", []), true));
-            assertEquals("an odd byte", "ab", NonUtf8Text.utf16(bytesOf("ab", "unicodeFFFE", [], 1), false));
-            assertEquals("a zero ends a text", "ab", NonUtf8Text.utf16(bytesOf("ab\u0000c", "unicode", []), true));
-            assertEquals("", NonUtf8Text.latin(new ByteArray(), true));
+            assertEquals(long, ModelText.utf16(bytesOf(long, "unicode", []), true));
+            assertEquals("an odd byte", "ab", ModelText.utf16(bytesOf("ab", "unicodeFFFE", [], 1), false));
+            assertEquals("a zero ends a text", "ab", ModelText.utf16(bytesOf("ab\u0000c", "unicode", []), true));
+            assertEquals("", ModelText.latin(new ByteArray(), true));
         }
 
         [Test]

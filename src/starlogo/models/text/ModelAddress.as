@@ -1,4 +1,4 @@
-package starlogo.models.loading
+package starlogo.models.text
 {
     /**
      * The rule for addresses in files: only files in the folder of the file that names them, or below it, are fetched. Browsers drop tabs

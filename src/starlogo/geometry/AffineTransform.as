@@ -1,6 +1,5 @@
-package starlogo.models
+package starlogo.geometry
 {
-    import starlogo.geometry.Placement;
     import starlogo.steps.Slices;
     import starlogo.steps.Steps;
 

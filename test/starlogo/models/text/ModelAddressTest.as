@@ -1,4 +1,4 @@
-package starlogo.models.loading
+package starlogo.models.text
 {
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;

@@ -14,7 +14,7 @@ package starlogo.libraries.cooked
     use namespace engine;
 
     /** Trees that are read from bytes. */
-    public class TreeReaderTest
+    public class CookedTreeTest
     {
         private static const BELOW:int = ChainOfNodes.BELOW;
 
@@ -51,7 +51,7 @@ package starlogo.libraries.cooked
             VarInt.write(0, bytes);
             bytes.position = 0;
             var tree:BoxTree = new BoxTree(new <Number>[0, 0, 0, 1, 0, 0], null);
-            var reader:TreeReader = new TreeReader(bytes, tree, 10);
+            var reader:CookedTree = new CookedTree(bytes, tree, 10);
             finish(reader);
             for (var i:int = 0; i < 10; i++)
             {

@@ -4,6 +4,7 @@ package starlogo.libraries.cooked
     import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
+    import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.VarInt;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -11,18 +12,18 @@ package starlogo.libraries.cooked
     use namespace engine;
 
     /**
-     * Restores a tree from the bytes of a TreeWriter. Only the division of the items is read. The boxes are computed again, in a
-     * fraction of the time that dividing takes. So the tree encloses the model, even if the bytes are wrong. If the bytes are right,
-     * the tree equals the written one to the last bit.
+     * Writes how a tree divides its items into a section of a cooked file, and restores the tree from that in steps. The boxes are not
+     * written. They are computed again, in a fraction of the time that dividing takes. So the tree encloses the model, even if the bytes are
+     * wrong. If the bytes are right, the tree equals the written one to the last bit.
      *
      * @private
      */
-    public final class TreeReader extends StepSequence
+    public final class CookedTree extends StepSequence
     {
         private static const ITEMS_PER_STEP:int = 1500;
         private static const NODES_PER_STEP:int = 300;
 
-        // This is added to the axis of a node that is divided below the thesis's tree.
+        // This is added to the axis of a node that is a leaf of the thesis's tree or below one.
         private static const BELOW:int = 3;
 
         private var _bytes:ByteArray;
@@ -35,16 +36,56 @@ package starlogo.libraries.cooked
         private var _waiting:Vector.<int> = new Vector.<int>();
 
         /**
-         * @param bytes the record, read from its position on
-         * @param tree without nodes; receives them, and the order of its items. It stays without nodes if the record does not divide these items
+         * Creates the work that restores a tree.
+         *
+         * @param bytes what <code>write()</code> has written, read from its position on
+         * @param tree without nodes; receives them, and the order of its items. It stays without nodes if the bytes do not divide these items
          * @param maxDepth a node on this level is a leaf of the thesis
          */
-        public function TreeReader(bytes:ByteArray, tree:BoxTree, maxDepth:int)
+        public function CookedTree(bytes:ByteArray, tree:BoxTree, maxDepth:int)
         {
             _bytes = bytes;
             _tree = tree;
             _maxDepth = maxDepth;
             call(addParts);
+        }
+
+        /**
+         * Writes the order of the items. Each index takes as few bytes as the number of items allows. Then it writes the nodes from the
+         * root down, left before right. A node without children is 0. Any other node is the sum of: 1; its axis; 3 if the node is a leaf of
+         * the thesis's tree or below one; 6 times the number of items on its low side.
+         */
+        public static function write(tree:BoxTree):ByteArray
+        {
+            var out:ByteArray = CookedFile.newBytes();
+            var width:int = widthFor(tree.order.length);
+            for each (var item:int in tree.order)
+            {
+                for (var bits:int = 0; bits < 8 * width; bits += 8)
+                {
+                    out.writeByte(item >> bits);
+                }
+            }
+            var waiting:Vector.<int> = new <int>[0];
+            while (waiting.length > 0)
+            {
+                var node:int = waiting.pop();
+                var left:int = tree.left[node];
+                if (left == 0)
+                {
+                    VarInt.write(0, out);
+                    continue;
+                }
+                VarInt.write(1 + tree.axisOf(node) + (tree.stop[node] >= BoxTree.LARGEST_DEPTH ? BELOW : 0) + 6 * (tree.end[left] - tree.first[left]), out);
+                waiting.push(left + 1, left);
+            }
+            return out;
+        }
+
+        /** The number of bytes for the index of an item. @param count the number of items */
+        public static function widthFor(count:int):int
+        {
+            return count <= 0x100 ? 1 : (count <= 0x10000 ? 2 : 4);
         }
 
         private function addParts():void
@@ -79,7 +120,7 @@ package starlogo.libraries.cooked
             var bytes:ByteArray = _bytes;
             var order:Vector.<int> = _order;
             var count:int = order.length;
-            var width:int = TreeWriter.widthFor(count);
+            var width:int = widthFor(count);
             for (var i:int = first; i < end; i++)
             {
                 var item:int = width == 1 ? bytes.readUnsignedByte() : (width == 2 ? bytes.readUnsignedShort() : bytes.readInt());

@@ -202,6 +202,21 @@ package starlogo.fitting
         }
 
         [Test]
+        public function minimalCapsulesAreFoundInManySteps():void
+        {
+            var session:FitSession = new FitSession(PointSets.cloud(new SeededRandom(60), 40, 1, 0.5, 0.2));
+            var fit:Fit = new MinimalCapsuleFitter().begin(session);
+            var count:int = 1;
+            while (fit.step())
+            {
+                assertEquals(null, fit.structure);
+                count++;
+            }
+            assertTrue(count + " steps", count > 100 && count < 500);
+            assertTrue(fit.structure is Capsule);
+        }
+
+        [Test]
         public function settingsCountAsTheyWereAtTheBeginning():void
         {
             var random:SeededRandom = new SeededRandom(59);

@@ -1,15 +1,14 @@
 package starlogo.fitting.minimal
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.Capsule;
     import starlogo.engine;
-    import starlogo.fitting.EnclosingStructures;
+    import starlogo.steps.Steps;
 
     use namespace engine;
 
     /**
-     * Searches all directions for the smallest capsule. It measures many directions, and descends from the best of them: it moves the
-     * capsule's ends until no small move makes it smaller while it encloses all points. It is a part of MinimalCapsuleFitter.
+     * Descends from a capsule to a smaller one: it moves the ends until no small move makes the capsule smaller while it encloses all points.
+     * Each step is a move. It is a part of CapsuleSearch.
      *
      * <p>The volume is a smooth function of the ends' six coordinates and the radius. But the radius is the largest of many distances, so
      * it is not smooth. Each step replaces the distances and the volume by their tangents. It finds the best change that keeps the points
@@ -20,157 +19,81 @@ package starlogo.fitting.minimal
      *
      * @private
      */
-    public final class CapsuleDescent
+    public final class CapsuleDescent implements Steps
     {
-        private static const STARTS:int = 6;
         private static const STEPS:int = 60;
+        private static const SMALLEST_STEP:Number = 1e-7;
         private static const SWEEPS:int = 60;
         // A point cannot matter in one step if its distance is less than the radius by more than this share of the radius.
         private static const ACTIVE:Number = 0.15;
         private static const MOST_ACTIVE:int = 48;
         private static const GAIN:Number = 1e-7;
 
-        // The radii to try, as multiples of the circle's radius.
-        private static const RADII:Vector.<Number> = new <Number>[1, 1.02, 1.05, 1.1, 1.2, 1.35];
+        /** The ends so far, x, y, z of each. */
+        public var ends:Vector.<Number>;
 
-        /** The smallest capsule so far. */
-        public var best:Capsule;
+        /** The radius so far: the largest distance of a point from the segment. */
+        public var radius:Number;
 
-        private var _vertices:Vector.<Number>;
         private var _points:Vector.<Number>;
 
         // by point: the square of its distance from the segment that was measured last
         private var _squares:Vector.<Number>;
 
+        private var _volume:Number;
+        private var _stepSize:Number = 0.1;
+        private var _stepCount:int = 0;
+
         /**
-         * @param vertices x, y, z of each
-         * @param points the vertices on the hull
-         * @param best a capsule around the vertices
+         * @param points x, y, z of each
+         * @param start a capsule
          */
-        public function CapsuleDescent(vertices:Vector.<Number>, points:Vector.<Number>, best:Capsule)
+        public function CapsuleDescent(points:Vector.<Number>, start:Capsule)
         {
-            this.best = best;
-            _vertices = vertices;
             _points = points;
             _squares = new Vector.<Number>(points.length / 3);
-        }
-
-        /**
-         * Measures directions, and descends from the best ones.
-         *
-         * @param directions unit vectors, x, y, z of each; opposite ones count as one
-         * @param apart the smallest angle between two directions to descend from: radians, small
-         */
-        public function search(directions:Vector.<Number>, apart:Number):void
-        {
-            var all:Vector.<Vector3D> = new Vector.<Vector3D>();
-            var volumes:Array = [];
-            var i:int;
-            for (i = 0; i < directions.length; i += 3)
-            {
-                var direction:Vector3D = new Vector3D(directions[i], directions[i + 1], directions[i + 2]);
-                all.push(direction);
-                volumes.push(capsuleAlong(direction).volume);
-            }
-            var order:Array = volumes.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY);
-            var starts:Vector.<Vector3D> = new Vector.<Vector3D>();
-            for (i = 0; i < order.length && starts.length < STARTS; i++)
-            {
-                direction = all[order[i]];
-                if (!isNear(starts, direction, apart))
-                {
-                    starts.push(direction);
-                    descendFrom(capsuleAlong(direction));
-                }
-            }
-        }
-
-        // Moves a capsule's ends until nothing is gained.
-        private function descendFrom(start:Capsule):void
-        {
-            // x, y, z of each
-            var ends:Vector.<Number> = start.numbers();
+            ends = start.numbers();
             ends.length = 6;
-            var stepSize:Number = 0.1;
-            var radius:Number = measure(ends);
-            var volume:Number = volumeOf(ends, radius);
-            for (var step:int = 0; step < STEPS && stepSize > 1e-7; step++)
-            {
-                var trial:Vector.<Number> = solve(ends, radius, tangentsAt(ends, radius), stepSize);
-                for (var i:int = 0; i < 6; i++)
-                {
-                    trial[i] += ends[i];
-                }
-                var trialRadius:Number = measure(trial);
-                var trialVolume:Number = volumeOf(trial, trialRadius);
-                if (trialVolume < volume)
-                {
-                    stepSize *= trialVolume < volume * (1 - GAIN) ? 2 : 0.5;
-                    volume = trialVolume;
-                    radius = trialRadius;
-                    ends = trial;
-                }
-                else
-                {
-                    stepSize *= 0.3;
-                }
-            }
-            keepAround(ends, radius);
+            radius = measure(ends);
+            _volume = volumeOf(ends, radius);
         }
 
-        // Keeps the smallest capsule around the line through the ends, if it is smaller than the best.
-        private function keepAround(ends:Vector.<Number>, least:Number):void
+        /** @inheritDoc */
+        public function step():Boolean
         {
-            var from:Vector3D = new Vector3D(ends[0], ends[1], ends[2]);
-            var axis:Vector3D = new Vector3D(ends[3] - ends[0], ends[4] - ends[1], ends[5] - ends[2]);
-            if (axis.normalize() == 0)
+            if (hasMore)
             {
-                axis.setTo(1, 0, 0);
+                move();
+                _stepCount++;
             }
-            var radius:Number = Math.max(least, EnclosingStructures.distanceFromLine(_vertices, from, axis));
-            var capsule:Capsule = EnclosingStructures.capsule(_vertices, from, axis, Infinity, -Infinity, radius);
-            if (capsule.volume < best.volume)
-            {
-                best = capsule;
-            }
+            return hasMore;
         }
 
-        private static function isNear(others:Vector.<Vector3D>, direction:Vector3D, angle:Number):Boolean
+        private function get hasMore():Boolean
         {
-            for each (var other:Vector3D in others)
-            {
-                if (direction.crossProduct(other).lengthSquared < angle * angle)
-                {
-                    return true;
-                }
-            }
-            return false;
+            return _stepCount < STEPS && _stepSize > SMALLEST_STEP;
         }
 
-        // Finds the best capsule along a unit vector, trying several radii. Its axis goes through the smallest circle around the points as
-        // seen along the vector.
-        private function capsuleAlong(axis:Vector3D):Capsule
+        private function move():void
         {
-            var seen:Vector.<Number> = new Vector.<Number>(_points.length);
-            for (var i:int = 0; i < _points.length; i += 3)
+            var trial:Vector.<Number> = solve(ends, radius, tangentsAt(ends, radius), _stepSize);
+            for (var i:int = 0; i < 6; i++)
             {
-                var along:Number = _points[i] * axis.x + _points[i + 1] * axis.y + _points[i + 2] * axis.z;
-                seen[i] = _points[i] - along * axis.x;
-                seen[i + 1] = _points[i + 1] - along * axis.y;
-                seen[i + 2] = _points[i + 2] - along * axis.z;
+                trial[i] += ends[i];
             }
-            var circle:SmallestEnclosingBall = new SmallestEnclosingBall(seen);
-            var center:Vector3D = new Vector3D(circle.x, circle.y, circle.z);
-            var smallest:Capsule = null;
-            for each (var multiple:Number in RADII)
+            var trialRadius:Number = measure(trial);
+            var trialVolume:Number = volumeOf(trial, trialRadius);
+            if (trialVolume < _volume)
             {
-                var capsule:Capsule = EnclosingStructures.capsule(_points, center, axis, Infinity, -Infinity, multiple * circle.radius);
-                if (smallest == null || capsule.volume < smallest.volume)
-                {
-                    smallest = capsule;
-                }
+                _stepSize *= trialVolume < _volume * (1 - GAIN) ? 2 : 0.5;
+                _volume = trialVolume;
+                radius = trialRadius;
+                ends = trial;
             }
-            return smallest;
+            else
+            {
+                _stepSize *= 0.3;
+            }
         }
 
         private static function volumeOf(ends:Vector.<Number>, radius:Number):Number

@@ -1,0 +1,168 @@
+package starlogo.fitting.minimal
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.fitting.EnclosingStructures;
+    import starlogo.fitting.Fit;
+    import starlogo.fitting.FitSession;
+    import starlogo.geometry.ConvexHull;
+    import starlogo.geometry.Trigonometry;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
+
+    /**
+     * Searches all directions for the smallest capsule, in steps. It measures many directions, and descends from the best of them. It is a
+     * part of MinimalCapsuleFitter.
+     *
+     * @private
+     */
+    public final class CapsuleSearch extends StepSequence
+    {
+        private static const DIRECTIONS:int = 60;
+
+        // The most descents, and the smallest angle between the directions of two of them, in radians.
+        private static const STARTS:int = 6;
+        private static const APART:Number = 0.15;
+
+        // The radii to try, as multiples of the circle's radius.
+        private static const RADII:Vector.<Number> = new <Number>[1, 1.02, 1.05, 1.1, 1.2, 1.35];
+
+        /** The smallest capsule so far. */
+        public var best:Capsule;
+
+        private var _session:FitSession;
+        private var _sphereFit:Fit;
+        private var _points:Vector.<Number>;
+
+        // Unit vectors, and the volume of the best capsule along each. The directions from which it still has to descend.
+        private var _directions:Vector.<Vector3D>;
+        private var _volumes:Array = [];
+        private var _starts:Vector.<Vector3D> = new Vector.<Vector3D>();
+
+        /**
+         * @param session the vertices; their hull may not exist before the first step
+         * @param sphereFit finds the smallest sphere around them
+         */
+        public function CapsuleSearch(session:FitSession, sphereFit:Fit)
+        {
+            _session = session;
+            _sphereFit = sphereFit;
+            add(sphereFit).call(start);
+        }
+
+        private function start():void
+        {
+            var sphere:Sphere = Sphere(_sphereFit.structure);
+            best = new Capsule(sphere.center, sphere.center, sphere.radius);
+            _points = _session.hull.points;
+            _directions = directionsFor(_session.hull);
+            slices(_directions.length, 1, measure).call(chooseStarts).beginEach(descending);
+        }
+
+        private function measure(index:int, end:int):void
+        {
+            _volumes.push(capsuleAlong(_directions[index]).volume);
+        }
+
+        private function chooseStarts():void
+        {
+            var order:Array = _volumes.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY);
+            for (var i:int = 0; i < order.length && _starts.length < STARTS; i++)
+            {
+                if (!isNear(_starts, _directions[order[i]]))
+                {
+                    _starts.push(_directions[order[i]]);
+                }
+            }
+        }
+
+        // The descent from the next start. Null if there is none.
+        private function descending():Steps
+        {
+            if (_starts.length == 0)
+            {
+                return null;
+            }
+            var descent:CapsuleDescent = new CapsuleDescent(_points, capsuleAlong(_starts.shift()));
+            return new StepSequence().add(descent).call(function():void
+                {
+                    keepAround(descent.ends, descent.radius);
+                });
+        }
+
+        // Keeps the smallest capsule around the line through the ends, if it is smaller than the best.
+        private function keepAround(ends:Vector.<Number>, least:Number):void
+        {
+            var from:Vector3D = new Vector3D(ends[0], ends[1], ends[2]);
+            var axis:Vector3D = new Vector3D(ends[3] - ends[0], ends[4] - ends[1], ends[5] - ends[2]);
+            if (axis.normalize() == 0)
+            {
+                axis.setTo(1, 0, 0);
+            }
+            var radius:Number = Math.max(least, EnclosingStructures.distanceFromLine(_session.vertices, from, axis));
+            var capsule:Capsule = EnclosingStructures.capsule(_session.vertices, from, axis, Infinity, -Infinity, radius);
+            if (capsule.volume < best.volume)
+            {
+                best = capsule;
+            }
+        }
+
+        // Whether the angle to one of the others is small. Opposite directions count as one.
+        private static function isNear(others:Vector.<Vector3D>, direction:Vector3D):Boolean
+        {
+            for each (var other:Vector3D in others)
+            {
+                if (direction.crossProduct(other).lengthSquared < APART * APART)
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        // Finds the best capsule along a unit vector, trying several radii. Its axis goes through the smallest circle around the points as
+        // seen along the vector.
+        private function capsuleAlong(axis:Vector3D):Capsule
+        {
+            var seen:Vector.<Number> = new Vector.<Number>(_points.length);
+            for (var i:int = 0; i < _points.length; i += 3)
+            {
+                var along:Number = _points[i] * axis.x + _points[i + 1] * axis.y + _points[i + 2] * axis.z;
+                seen[i] = _points[i] - along * axis.x;
+                seen[i + 1] = _points[i + 1] - along * axis.y;
+                seen[i + 2] = _points[i + 2] - along * axis.z;
+            }
+            var circle:SmallestEnclosingBall = new SmallestEnclosingBall(seen);
+            var center:Vector3D = new Vector3D(circle.x, circle.y, circle.z);
+            var smallest:Capsule = null;
+            for each (var multiple:Number in RADII)
+            {
+                var capsule:Capsule = EnclosingStructures.capsule(_points, center, axis, Infinity, -Infinity, multiple * circle.radius);
+                if (smallest == null || capsule.volume < smallest.volume)
+                {
+                    smallest = capsule;
+                }
+            }
+            return smallest;
+        }
+
+        // The hull's axes, and directions spread evenly over the upper half of the sphere, along a spiral.
+        private static function directionsFor(hull:ConvexHull):Vector.<Vector3D>
+        {
+            var directions:Vector.<Vector3D> = new Vector.<Vector3D>();
+            for (var axis:int = 0; axis < hull.axes.length; axis += 3)
+            {
+                directions.push(new Vector3D(hull.axes[axis], hull.axes[axis + 1], hull.axes[axis + 2]));
+            }
+            for (var i:int = 0; i < DIRECTIONS; i++)
+            {
+                var z:Number = 1 - (i + 0.5) / DIRECTIONS;
+                var angle:Number = i * 180 * (3 - Math.sqrt(5));
+                var across:Number = Math.sqrt(1 - z * z);
+                directions.push(new Vector3D(across * Trigonometry.cosine(angle), across * Trigonometry.sine(angle), z));
+            }
+            return directions;
+        }
+    }
+}

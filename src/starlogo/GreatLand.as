@@ -186,7 +186,7 @@ package starlogo
         /** @inheritDoc */
         public function expect(name:String):void
         {
-            _models.entryFor(name).loading++;
+            _models.entryFor(name).loadingCount++;
         }
 
         /** @inheritDoc */
@@ -194,14 +194,14 @@ package starlogo
         {
             if (isLoading(name))
             {
-                _models.of(name).loading--;
+                _models.of(name).loadingCount--;
             }
         }
 
         /** Whether a ModelLoader is loading a model of this name. A model of the same name may already be added. */
         public function isLoading(name:String):Boolean
         {
-            return _models.of(name).loading > 0;
+            return _models.of(name).loadingCount > 0;
         }
 
         /** Whether a model of this name was added. */

@@ -263,7 +263,7 @@ package benchmark
             var library:HierarchiesLibrary = new HierarchiesLibrary();
             library.prepareExact = true;
             library.add(model.name, model.vertices, model.triangles);
-            return library.hierarchy(model.name);
+            return library.treeOf(model.name);
         }
     }
 }

@@ -38,7 +38,7 @@ package starlogo
             assertFalse(_greatLand.hasModel("a") || _greatLand.isLoading("a") || _greatLand.boundingStructures.has("a") || _greatLand.hierarchies.has("a"));
             assertFalse(_greatLand.removeModel("a"));
             assertStrictlyEquals(table.of("a"), table.of("b"));
-            table.entryFor("a").loading++;
+            table.entryFor("a").loadingCount++;
             assertTrue(_greatLand.isLoading("a"));
             assertFalse(_greatLand.isLoading("b"));
         }
@@ -153,7 +153,7 @@ package starlogo
 
         private function isPrepared(name:String):Boolean
         {
-            return _greatLand.hierarchies.hierarchy(name).isPrepared;
+            return _greatLand.hierarchies.treeOf(name).isPrepared;
         }
     }
 }

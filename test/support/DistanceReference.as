@@ -79,7 +79,7 @@ package support
         // Relative to another agent's place, to be as precise far away.
         private function cornersOf(agent:Agent, at:Agent):Vector.<Number>
         {
-            var hierarchy:ModelTree = _greatLand.hierarchies.hierarchy(agent.shape);
+            var hierarchy:ModelTree = _greatLand.hierarchies.treeOf(agent.shape);
             var placement:Placement = agent.worldPlacement();
             var corners:Vector.<Number> = new Vector.<Number>();
             for each (var vertex:int in hierarchy.tree.triangles)

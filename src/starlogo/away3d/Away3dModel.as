@@ -33,7 +33,7 @@ package starlogo.away3d
          */
         public function Away3dModel(name:String, source:Object)
         {
-            super(null, null, null, null, source is SourceReader ? SourceReader(source).data : new SourceReader(name, source).read(Model.FOOTPRINT));
+            super(name, null, null, Model.FOOTPRINT, source is SourceReader ? SourceReader(source) : new SourceReader(name, source));
             var offset:Vector3D = this.source.offset;
             _origin = new Vector3D(offset.x, offset.z, offset.y);
         }

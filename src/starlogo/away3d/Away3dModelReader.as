@@ -33,7 +33,7 @@ package starlogo.away3d
         {
             _name = name;
             _reader = new SourceReader(name, source);
-            _work = new StepSequence().add(_reader.normalised(Model.FOOTPRINT)).call(makeModel);
+            _work = new StepSequence().add(_reader).call(makeModel);
         }
 
         /** @inheritDoc */

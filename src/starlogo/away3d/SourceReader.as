@@ -7,6 +7,7 @@ package starlogo.away3d
     import flash.utils.getQualifiedClassName;
     import starlogo.geometry.PointTable;
     import starlogo.geometry.AffineTransform;
+    import starlogo.models.Model;
     import starlogo.models.ModelError;
     import starlogo.models.ModelReader;
     import starlogo.steps.StepSequence;
@@ -27,9 +28,9 @@ package starlogo.away3d
          */
         public function SourceReader(name:String, source:Object)
         {
-            super(name || "");
+            super(name || "", "z", Model.FOOTPRINT);
             _source = source;
-            begin(readingParts);
+            begin(readingParts).begin(normalising);
         }
 
         private function readingParts():Steps

@@ -33,11 +33,11 @@ package starlogo.fitting
         private var _stepZ:Number;
         private var _aboutX:Number = 0;
         private var _aboutY:Number = 0;
-        private var _isForth:Boolean = false;
+        private var _isForward:Boolean = false;
         private var _cosines:Vector.<Number> = new Vector.<Number>();
         private var _sines:Vector.<Number> = new Vector.<Number>();
         private var _corners:Vector.<int> = new Vector.<int>(6);
-        private var _enough:Number;
+        private var _smallEnough:Number;
         private var _least:Number = Infinity;
         private var _best:Placement = new Placement();
 
@@ -85,25 +85,25 @@ package starlogo.fitting
             corners[5] = climb(corners[5], 1, 0, -1);
             var thickness:Number = _rotated[3 * corners[4] + 2] - _rotated[3 * corners[5] + 2];
             // The order alternates, because the corners found last are then close to the next ones.
-            _isForth = !_isForth;
+            _isForward = !_isForward;
             var count:int = _sines.length;
             for (var i:int = 0; i < count; i++)
             {
-                var place:int = _isForth ? i : count - 1 - i;
+                var place:int = _isForward ? i : count - 1 - i;
                 var cosine:Number = _cosines[place];
                 var sine:Number = _sines[place];
-                var volume:Number = thickness * span(corners, 0, cosine, -sine) * span(corners, 2, sine, cosine);
+                var volume:Number = thickness * extentAlong(corners, 0, cosine, -sine) * extentAlong(corners, 2, sine, cosine);
                 if (volume < _least * (1 - Tolerances.FIT_TIE))
                 {
                     _least = volume;
                     _best.setRotation(place * _stepZ, _aboutY, _aboutX);
-                    if (volume <= _enough)
+                    if (volume <= _smallEnough)
                     {
                         return false;
                     }
                 }
             }
-            return goOn();
+            return goToNext();
         }
 
         /** The smallest box of the rotations tried so far, around all vertices. */
@@ -118,7 +118,7 @@ package starlogo.fitting
         {
             _hull = _session.hull;
             _rotated = new Vector.<Number>(_hull.points.length);
-            _enough = _hull.volume * (1 + Tolerances.FIT_TIE);
+            _smallEnough = _hull.volume * (1 + Tolerances.FIT_TIE);
             var count:int = Math.ceil(90 / _stepZ);
             for (var i:int = 0; i < count; i++)
             {
@@ -128,7 +128,7 @@ package starlogo.fitting
         }
 
         // Goes to the next rotation about y, or about x. Returns false if there is none.
-        private function goOn():Boolean
+        private function goToNext():Boolean
         {
             _aboutY += _stepXY;
             if (!(_aboutY < 90))
@@ -168,7 +168,7 @@ package starlogo.fitting
 
         // The extent in a direction of the plane. The entries of corners at index and index + 1 are the extreme corners of the last call,
         // and receive the new ones.
-        private function span(corners:Vector.<int>, index:int, alongX:Number, alongY:Number):Number
+        private function extentAlong(corners:Vector.<int>, index:int, alongX:Number, alongY:Number):Number
         {
             var high:int = corners[index] = climb(corners[index], 0, alongX, alongY);
             var low:int = corners[index + 1] = climb(corners[index + 1], 0, -alongX, -alongY);

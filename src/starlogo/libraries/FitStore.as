@@ -80,7 +80,7 @@ package starlogo.libraries
         public function read(model:Model, settings:FitSettings):ByteArray
         {
             var geometry:Fingerprint = geometryOf(model, settings);
-            var bytes:ByteArray = bytesOf(geometry, settings);
+            var bytes:ByteArray = readAsUsed(geometry, settings);
             return isEntryOf(geometry, bytes) ? bytes : null;
         }
 
@@ -117,7 +117,7 @@ package starlogo.libraries
          */
         engine function fileOf(geometry:Fingerprint, settings:FitSettings):CookedFile
         {
-            return new CookedFile(bytesOf(geometry, settings));
+            return new CookedFile(readAsUsed(geometry, settings));
         }
 
         /**
@@ -194,8 +194,8 @@ package starlogo.libraries
             }
         }
 
-        // A copy of an entry; null if there is none. It counts as used.
-        private function bytesOf(geometry:Fingerprint, settings:FitSettings):ByteArray
+        // Makes an entry the most recently used one. Returns a copy of its bytes; null if there is none.
+        private function readAsUsed(geometry:Fingerprint, settings:FitSettings):ByteArray
         {
             var name:String = nameOf(geometry, settings);
             var bytes:ByteArray = _storage.read(name);

@@ -106,7 +106,7 @@ package starlogo.libraries
         /** Whether the library has a hierarchy for a shape. */
         public function has(name:String):Boolean
         {
-            return name != null && models.of(name).hasHierarchy;
+            return name != null && models.of(name).hasTree;
         }
 
         /**
@@ -116,21 +116,23 @@ package starlogo.libraries
          */
         public function root(name:String):HierarchyNode
         {
-            return hierarchy(name).root;
+            return treeOf(name).root;
         }
 
         /**
-         * The hierarchy of a shape; throws an ArgumentError if there is none.
+         * The tree whose nodes are the hierarchy of a shape. If it is not built yet, it is built now.
+         *
+         * @throws ArgumentError if no model of this name was added
          *
          * @private
          */
-        engine function hierarchy(name:String):ModelTree
+        engine function treeOf(name:String):ModelTree
         {
             if (!has(name))
             {
                 throw ModelTable.missing("hierarchy", name, "loadHierarchies");
             }
-            return models.of(name).builtHierarchy();
+            return models.of(name).builtTree();
         }
 
         /**

@@ -19,7 +19,7 @@ package starlogo.libraries
     public final class ModelEntry implements PoseListener
     {
         /** The number of models of this name that are loading. */
-        public var loading:int = 0;
+        public var loadingCount:int = 0;
 
         /** The number of times that data under this name was replaced, removed or posed. */
         public var revision:int = 0;
@@ -31,8 +31,10 @@ package starlogo.libraries
         public var structures:ModelStructures = null;
 
         private var _table:ModelTable;
+
+        // At most one of them is set: the builder of a tree that is not built yet, or the tree.
         private var _builder:ModelTreeBuilder = null;
-        private var _hierarchy:ModelTree = null;
+        private var _tree:ModelTree = null;
 
         /** @param table counts replaced and removed data of all shapes */
         public function ModelEntry(table:ModelTable)
@@ -40,21 +42,21 @@ package starlogo.libraries
             _table = table;
         }
 
-        /** Whether there is a hierarchy. It may not be built yet. */
-        public function get hasHierarchy():Boolean
+        /** Whether there is a hierarchy. Its tree may not be built yet. */
+        public function get hasTree():Boolean
         {
-            return _builder != null || _hierarchy != null;
+            return _builder != null || _tree != null;
         }
 
-        /** The hierarchy; null if there is none. If it is not built yet, builds it. */
-        public function builtHierarchy():ModelTree
+        /** The tree whose nodes are the hierarchy; null if there is none. If it is not built yet, builds it. */
+        public function builtTree():ModelTree
         {
             if (_builder != null)
             {
-                _hierarchy = _builder.finishTree();
+                _tree = _builder.finishTree();
                 _builder = null;
             }
-            return _hierarchy;
+            return _tree;
         }
 
         /** Sets the model; null for none. */
@@ -75,9 +77,9 @@ package starlogo.libraries
         /** @inheritDoc */
         public function onPose():void
         {
-            if (hasHierarchy)
+            if (hasTree)
             {
-                (_builder == null ? _hierarchy : _builder.modelTree).refit();
+                (_builder == null ? _tree : _builder.modelTree).refit();
             }
             countChange(model);
         }
@@ -92,9 +94,9 @@ package starlogo.libraries
         /** Sets the builder that has the hierarchy, or that builds it when it is first needed; null for none. */
         public function setTreeBuilder(builder:ModelTreeBuilder):void
         {
-            countChange(_builder || _hierarchy);
+            countChange(_builder || _tree);
             _builder = builder == null || builder.isDone ? null : builder;
-            _hierarchy = builder == null || !builder.isDone ? null : builder.modelTree;
+            _tree = builder == null || !builder.isDone ? null : builder.modelTree;
         }
 
         private function countChange(before:Object):void

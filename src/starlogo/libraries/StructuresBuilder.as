@@ -46,11 +46,11 @@ package starlogo.libraries
             _keepsAll = keepsAll;
             if (fitters == null || fitters.length == 0)
             {
-                throw named("the library's list of fitters is empty");
+                throw errorOf("the library's list of fitters is empty");
             }
             if (fitters.indexOf(null) >= 0)
             {
-                throw named("a fitter must not be null");
+                throw errorOf("a fitter must not be null");
             }
             _fitters = fitters.concat();
             var session:FitSession = new FitSession(vertices, false);
@@ -102,7 +102,7 @@ package starlogo.libraries
             }
             catch (error:ArgumentError)
             {
-                throw named(error.message);
+                throw errorOf(error.message);
             }
             return false;
         }
@@ -161,7 +161,7 @@ package starlogo.libraries
             return wider;
         }
 
-        private function named(problem:String):ArgumentError
+        private function errorOf(problem:String):ArgumentError
         {
             return new ArgumentError("shape \"" + _name + "\": " + problem);
         }

@@ -40,7 +40,7 @@ package starlogo.models
          */
         public function ColladaModel(name:String, text:String, upAxis:Object = null, scaling:String = Model.FOOTPRINT)
         {
-            super(null, null, null, null, new ColladaReader(name, text, upAxis).read(scaling));
+            super(name, null, null, scaling, new ColladaReader(name, text, upAxis, scaling));
         }
 
         /**

@@ -20,7 +20,7 @@ package starlogo.models
          */
         public function CookedModel(name:String, bytes:ByteArray)
         {
-            super(null, null, null, null, new CookedReader(name, bytes).read(null));
+            super(name, null, null, null, new CookedReader(name, bytes));
         }
 
         /**

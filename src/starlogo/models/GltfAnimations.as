@@ -99,7 +99,7 @@ package starlogo.models
                 throw new RangeError("the time must be a finite number, not " + time);
             }
             _file.renewBudget();
-            var reader:GltfReader = new GltfReader(_name, _file, _upAxis, chosen.valuesAt(time));
+            var reader:GltfReader = new GltfReader(_name, _file, _upAxis, null, chosen.valuesAt(time));
             finish(reader);
             return reader.data.vertices;
         }

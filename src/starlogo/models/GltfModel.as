@@ -34,7 +34,7 @@ package starlogo.models
          */
         public function GltfModel(name:String, bytes:ByteArray, upAxis:Object = null, scaling:String = Model.FOOTPRINT, buffers:Object = null)
         {
-            super(null, null, null, null, new GltfReader(name, fileOf(name, bytes, buffers), upAxis).read(scaling));
+            super(name, null, null, scaling, new GltfReader(name, fileOf(name, bytes, buffers), upAxis, scaling));
         }
 
         /**

@@ -7,6 +7,7 @@ package starlogo.models
     import starlogo.geometry.areSameNumbers;
     import starlogo.geometry.VertexBounds;
     import starlogo.geometry.VertexData;
+    import starlogo.steps.finish;
 
     use namespace engine;
 
@@ -67,14 +68,18 @@ package starlogo.models
          * @param triangles three vertex indices for each triangle (0 is the first vertex); null or empty if only vertices are known; is not
          * changed
          * @param scaling <code>FOOTPRINT</code>, <code>VOLUME</code> or <code>AS_GIVEN</code>
-         * @param data for the engine alone: what a reader has read and normalised. The other arguments are null then
+         * @param reader for the engine alone: reads the model. The vertices and triangles are null then
          * @throws ModelError if the name is empty, if there is no vertex, if a coordinate is missing, not finite or so large that the
          * model's extent is not finite, if an index names no vertex, or if the scaling is unknown
          * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295. In a Vector all indices are such integers
          */
-        public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT, data:ModelData = null)
+        public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT, reader:ModelReader = null)
         {
-            _data = data || ModelData.of(name, vertices, triangles, scaling);
+            if (reader != null)
+            {
+                finish(reader);
+            }
+            _data = reader == null ? ModelData.of(name, vertices, triangles, scaling) : reader.data;
         }
 
         /** The model's place and scale in its source, for a renderer that draws the source. Shared with the model. */
@@ -176,7 +181,7 @@ package starlogo.models
             for (var i:int = 0; i < count; i++)
             {
                 refuseIf(numbers[i] < -1 || names != null && numbers[i] >= names.length, name, "no name for number " + numbers[i] + " of its " + what);
-                labels.begin(numbers[i], i);
+                labels.beginRun(numbers[i], i);
             }
             return labels;
         }
@@ -261,7 +266,7 @@ package starlogo.models
         engine final function isMadeOf(points:Vector.<Number>):Boolean
         {
             var made:ModelData = ModelData.of(name, points, triangles, _data.scaling, _data.transform);
-            return areSameNumbers(made.vertices, vertices) && made.frame.isAs(source) && String(made.triangles) == String(triangles);
+            return areSameNumbers(made.vertices, vertices) && made.frame.equals(source) && String(made.triangles) == String(triangles);
         }
     }
 }

@@ -65,7 +65,7 @@ package starlogo.models
         }
 
         /** A budget for the same bytes of which nothing is taken. */
-        public function anew():ModelBudget
+        public function renewed():ModelBudget
         {
             return new ModelBudget(name, _bytes);
         }

@@ -3,17 +3,16 @@ package starlogo.models
     import starlogo.geometry.AffineTransform;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
-    import starlogo.steps.finish;
 
     /**
-     * Reads a model's file into a ModelData. Each format has a subclass. A step takes about a millisecond, and throws a ModelError if the
-     * file is wrong.
+     * Reads a model's file into a ModelData, and normalises it. Each format has a subclass, which adds the parts of the work in its constructor.
+     * The last part is <code>normalising()</code>. A step takes about a millisecond, and throws a ModelError if the file is wrong.
      *
      * @private
      */
     public class ModelReader extends StepSequence
     {
-        /** What is read. It is complete when no step is left. */
+        /** The model's data. It is complete when no step is left. */
         public var data:ModelData;
 
         /** The share that is read, from 0 to 1. */
@@ -28,11 +27,13 @@ package starlogo.models
         /**
          * @param name the model's name
          * @param upAxis "x", "y", "z" or a ModelTransform
+         * @param scaling as for Model's constructor; null if the file says it
          * @throws ModelError if the up axis is none of these
          */
-        public function ModelReader(name:String, upAxis:Object = "z")
+        public function ModelReader(name:String, upAxis:Object, scaling:String)
         {
             data = new ModelData(name);
+            data.scaling = scaling;
             data.transform = upAxis as ModelTransform;
             _upAxis = data.transform == null ? String(upAxis) : "z";
             refuseIf(_upAxis != "x" && _upAxis != "y" && _upAxis != "z", name,
@@ -43,25 +44,6 @@ package starlogo.models
         public final function get name():String
         {
             return data.name;
-        }
-
-        /**
-         * Adds the steps that normalise what is read. Returns the reader.
-         *
-         * @param scaling as for Model's constructor. A cooked file has its own
-         */
-        public final function normalised(scaling:String):ModelReader
-        {
-            data.scaling = scaling;
-            begin(normalising);
-            return this;
-        }
-
-        /** Does all steps. Returns the data of the model. @param scaling as for Model's constructor */
-        public final function read(scaling:String):ModelData
-        {
-            finish(normalised(scaling));
-            return data;
         }
 
         /** The list for a mesh's vertices: the model's vertices, or the points that have no surface. */
@@ -78,6 +60,12 @@ package starlogo.models
         {
             data.vertices = data.vertices.length == 0 ? _loosePoints : data.vertices;
             refuseIf(data.vertices.length == 0, name, "no vertices: expected " + expected);
+        }
+
+        /** The steps that bring what is read to its place and scale. */
+        protected final function normalising():Steps
+        {
+            return new Normalisation(data);
         }
 
         /** The steps that turn the vertices to z up. */
@@ -107,11 +95,6 @@ package starlogo.models
                 default:
                     return new AffineTransform();
             }
-        }
-
-        private function normalising():Steps
-        {
-            return new Normalisation(data);
         }
     }
 }

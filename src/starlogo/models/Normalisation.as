@@ -57,8 +57,8 @@ package starlogo.models
             }
             data.frame ||= _frame;
             var triangleCount:int = data.triangles.length / 3;
-            data.materials = data.materials.trimmed(triangleCount);
-            data.meshes = data.meshes.trimmed(triangleCount);
+            data.materials = data.materials.trim(triangleCount);
+            data.meshes = data.meshes.trim(triangleCount);
             refuse(VertexData.triangleProblem(data.triangles, vertices.length / 3, 0, 0));
             data.triangles = triangleCount == 0 ? null : data.triangles;
             if (triangleCount > 0)
@@ -110,7 +110,7 @@ package starlogo.models
         {
             call(function():void
                 {
-                    _frame.turn(transform, factor);
+                    _frame.addTransform(transform, factor);
                 }).add(transform.transformingPoints(_data.vertices));
             return addMeasuring();
         }
@@ -165,7 +165,7 @@ package starlogo.models
         {
             var size:Number = _bounds.extentX + _bounds.extentY + _bounds.extentZ;
             refuse(size < Infinity ? null : "the coordinates are too large: the model's extent is not a finite number");
-            _frame.add(lowX + halfX, lowY + halfY, lowZ + halfZ, divisor);
+            _frame.addMove(lowX + halfX, lowY + halfY, lowZ + halfZ, divisor);
             return new Slices(_data.vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     // 0 - 0 is 0, but -0 would be negative

@@ -95,7 +95,7 @@ package starlogo.models
          *
          * @private
          */
-        engine function isAs(other:SourceFrame):Boolean
+        engine function equals(other:SourceFrame):Boolean
         {
             return areSameNumbers(_numbers, other._numbers);
         }
@@ -109,7 +109,7 @@ package starlogo.models
         {
             for (var i:int = 0; i < 13; i++)
             {
-                bytes.writeDouble(_numbers[written(i)]);
+                bytes.writeDouble(_numbers[placeInFile(i)]);
             }
         }
 
@@ -128,7 +128,7 @@ package starlogo.models
             for (var i:int = 0; i < 13; i++)
             {
                 var number:Number = bytes.readDouble();
-                frame._numbers[written(i)] = number;
+                frame._numbers[placeInFile(i)] = number;
                 sum += number - number;
             }
             return sum == 0 && frame.unit > 0 ? frame : null;
@@ -140,7 +140,7 @@ package starlogo.models
          *
          * @private
          */
-        internal function add(x:Number, y:Number, z:Number, divisor:Number):void
+        internal function addMove(x:Number, y:Number, z:Number, divisor:Number):void
         {
             // a turn's inverse is its transpose; the factors along the new axes are divided out
             for (var row:int = 0; row < 3; row++)
@@ -163,7 +163,7 @@ package starlogo.models
          *
          * @private
          */
-        internal function turn(by:AffineTransform, factor:Number):void
+        internal function addTransform(by:AffineTransform, factor:Number):void
         {
             by.transformPoints(_numbers, 0, 3, _numbers, 0);
             _numbers[12] /= factor;
@@ -176,7 +176,7 @@ package starlogo.models
         }
 
         // The matrix is stored row by row in a file.
-        private static function written(i:int):int
+        private static function placeInFile(i:int):int
         {
             return i < 9 ? i % 3 * 3 + i / 3 : i;
         }

@@ -41,7 +41,7 @@ package starlogo.models
         }
 
         /** Gives a number to all triangles from one on. It must not be before the last run. */
-        public function begin(number:int, triangle:int):void
+        public function beginRun(number:int, triangle:int):void
         {
             var last:int = starts.length - 1;
             if (last >= 0 && starts[last] == triangle)
@@ -56,7 +56,7 @@ package starlogo.models
         }
 
         /** Drops runs beyond the last triangle. Returns these labels; null if no triangle has a number. @param count the number of triangles */
-        public function trimmed(count:int):TriangleLabels
+        public function trim(count:int):TriangleLabels
         {
             var isAny:Boolean = false;
             while (starts.length > 0 && starts[starts.length - 1] >= count)
@@ -80,11 +80,11 @@ package starlogo.models
             numbers = new Vector.<int>();
             for (var run:int = before.length - 1; run >= 0; run--)
             {
-                begin(ofBefore[run], count - (run + 1 < before.length ? before[run + 1] : count));
+                beginRun(ofBefore[run], count - (run + 1 < before.length ? before[run + 1] : count));
             }
             if (before.length > 0 && before[0] > 0)
             {
-                begin(-1, count - before[0]);
+                beginRun(-1, count - before[0]);
             }
         }
 

@@ -97,7 +97,7 @@ package starlogo.queries
                 shape.setStructure(entry.structures.tightest);
                 return;
             }
-            shape.setTree(entry.builtHierarchy());
+            shape.setTree(entry.builtTree());
         }
     }
 }

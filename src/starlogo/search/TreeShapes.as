@@ -54,7 +54,7 @@ package starlogo.search
             {
                 throw new ArgumentError(agent + ": its model was added while loadHierarchies was false; set it to true, and add the model again");
             }
-            shape.setTree(greatLand.hierarchies.hierarchy(shape.modelName));
+            shape.setTree(greatLand.hierarchies.treeOf(shape.modelName));
         }
 
         // A level is one large model, and a box around it is hardly what a game wants.

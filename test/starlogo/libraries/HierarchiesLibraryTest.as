@@ -78,7 +78,7 @@ package starlogo.libraries
             _library.prepareExact = false;
             assertEquals("points have no surface", plain, stepsOf(_library.newBuilder(model.vertices, null)));
             plain = stepsOf(_library.newBuilder(model.vertices, model.triangles));
-            assertFalse(_library.hierarchy("at first need").isPrepared);
+            assertFalse(_library.treeOf("at first need").isPrepared);
             _library.prepareExact = true;
             var builder:ModelTreeBuilder = _library.newBuilder(model.vertices, model.triangles);
             assertTrue("many steps more", stepsOf(builder) > plain + 8);

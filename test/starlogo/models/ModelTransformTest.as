@@ -172,7 +172,7 @@ package starlogo.models
             for (var i:int = 0; i < 20; i++)
             {
                 var data:ModelData = ModelData.of("a", box.vertices, box.triangles, random.pick(SCALINGS), randomTransform(random, i));
-                assertTrue(Surfaces.volume(new Model(null, null, null, null, data)) > 0);
+                assertTrue(Surfaces.volume(new Model("a", data.vertices, data.triangles, Model.AS_GIVEN)) > 0);
             }
             assertTrue("some are mirrored: " + _mirrored, _mirrored > 3 && _mirrored < 17);
         }

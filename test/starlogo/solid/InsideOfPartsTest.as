@@ -171,7 +171,7 @@ package starlogo.solid
         {
             var library:HierarchiesLibrary = new HierarchiesLibrary();
             library.add("model", vertices, triangles);
-            return library.hierarchy("model");
+            return library.treeOf("model");
         }
     }
 }

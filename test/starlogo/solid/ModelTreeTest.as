@@ -215,7 +215,7 @@ package starlogo.solid
             var library:HierarchiesLibrary = new HierarchiesLibrary();
             library.add("model", vertices, triangles);
             assertWellFormed(library, "model", vertices, triangles);
-            return library.hierarchy("model");
+            return library.treeOf("model");
         }
 
         private static function read(address:String):Model

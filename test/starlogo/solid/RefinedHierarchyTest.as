@@ -117,7 +117,7 @@ package starlogo.solid
             agents[2].moveTo(0.7, 0.5, 0.1);
             agents[2].traversalDepth = int.MAX_VALUE;
             var before:int = visitsOf(collider, agents);
-            greatLand.hierarchies.hierarchy("bear").prepare();
+            greatLand.hierarchies.treeOf("bear").prepare();
             assertEquals(before, visitsOf(collider, agents));
         }
 

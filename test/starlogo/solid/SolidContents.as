@@ -12,7 +12,7 @@ package starlogo.solid
         /** The solid of a model, which is prepared if it was not. */
         public static function of(greatLand:GreatLand, name:String):String
         {
-            var hierarchy:ModelTree = greatLand.hierarchies.hierarchy(name);
+            var hierarchy:ModelTree = greatLand.hierarchies.treeOf(name);
             if (!hierarchy.hasTriangles)
             {
                 return "none";

@@ -146,7 +146,7 @@ package starlogo.solid
         {
             var library:HierarchiesLibrary = new HierarchiesLibrary();
             library.add("tetrahedron", new <Number>[-0.5, -0.5, 0, 0.5, -0.5, 0, 0, 0.5, 0, 0, 0, 1], new <uint>[0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3]);
-            return library.hierarchy("tetrahedron");
+            return library.treeOf("tetrahedron");
         }
 
         private static function deciding(node:HierarchyNode, depth:int, out:Array):Array
@@ -190,7 +190,7 @@ package starlogo.solid
             library.minVerticesToSplit = 1;
             // two walls far apart, and nothing between them
             library.add("walls", new <Number>[-0.5, -0.5, 0, -0.5, 0.5, 0, -0.5, 0, 1, 0.5, -0.5, 0, 0.5, 0.5, 0, 0.5, 0, 1], new <uint>[0, 1, 2, 3, 4, 5]);
-            var walls:ModelTree = library.hierarchy("walls");
+            var walls:ModelTree = library.treeOf("walls");
             var speck:ModelTree = hierarchyOf(BuiltInModel.sphere());
             var large:Placement = placed(1e6, 0, 0, 0);
             var small:Placement = placed(1e-6, 0, 0, 0.5e6);
@@ -280,7 +280,7 @@ package starlogo.solid
         {
             var library:HierarchiesLibrary = new HierarchiesLibrary();
             library.add(model.name, model.vertices, model.triangles);
-            return library.hierarchy(model.name);
+            return library.treeOf(model.name);
         }
     }
 }

@@ -70,7 +70,7 @@ package starlogo.models.collada
                 {
                     var work:StepSequence = new StepSequence();
                     var symbol:String = element.attribute("material");
-                    symbols.begin(symbol == "" ? -1 : symbols.numberFor(symbol, symbol), triangles.length / 3);
+                    symbols.beginRun(symbol == "" ? -1 : symbols.numberFor(symbol, symbol), triangles.length / 3);
                     var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(_document, element)), work);
                     return work.call(function():void
                         {

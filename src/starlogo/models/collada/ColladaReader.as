@@ -28,10 +28,11 @@ package starlogo.models.collada
          * @param name the model's name
          * @param text the document's text
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the document as it is; null for the axis that the document names
+         * @param scaling as for Model's constructor
          */
-        public function ColladaReader(name:String, text:String, upAxis:Object)
+        public function ColladaReader(name:String, text:String, upAxis:Object, scaling:String)
         {
-            super(name, upAxis == null ? "z" : upAxis);
+            super(name, upAxis == null ? "z" : upAxis, scaling);
             refuseIf(text == null, name, "there is no text to read");
             _isAxisNamed = upAxis != null;
             _budget = new ModelBudget(name, text.length);
@@ -43,7 +44,7 @@ package starlogo.models.collada
             add(xml).begin(function():Steps
                 {
                     return readingDocument(new ColladaDocument(_budget, xml));
-                });
+                }).begin(normalising);
         }
 
         private function readingDocument(document:ColladaDocument):Steps
@@ -106,8 +107,8 @@ package starlogo.models.collada
             var element:ColladaElement = instance.element;
             var symbols:TriangleLabels = instance.mesh.symbols;
             var label:String = nameOf(element.name != "geometry" && element.parent != null ? element.parent : element) || nameOf(instance.mesh.geometry);
-            data.meshes.begin(data.meshes.addNumber(label), firstTriangle);
-            data.materials.begin(-1, firstTriangle);
+            data.meshes.beginRun(data.meshes.addNumber(label), firstTriangle);
+            data.materials.beginRun(-1, firstTriangle);
             var bound:Vector.<int> = new Vector.<int>();
             for each (var symbol:String in symbols.names)
             {
@@ -118,7 +119,7 @@ package starlogo.models.collada
             }
             for (var i:int = 0; i < symbols.starts.length; i++)
             {
-                data.materials.begin(symbols.numbers[i] < 0 ? -1 : bound[symbols.numbers[i]], firstTriangle + symbols.starts[i]);
+                data.materials.beginRun(symbols.numbers[i] < 0 ? -1 : bound[symbols.numbers[i]], firstTriangle + symbols.starts[i]);
             }
         }
 

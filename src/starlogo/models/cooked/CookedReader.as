@@ -41,10 +41,10 @@ package starlogo.models.cooked
          */
         public function CookedReader(name:String, bytes:ByteArray, settings:Fingerprint = null)
         {
-            super(name);
+            super(name, "z", null);
             _settings = settings;
             _file = new CookedFile(bytes);
-            add(_file).begin(reading);
+            add(_file).begin(reading).begin(normalising);
         }
 
         /** @inheritDoc */

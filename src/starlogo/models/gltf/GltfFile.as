@@ -92,7 +92,7 @@ package starlogo.models.gltf
         /** Lets the meshes be read once more. What that may cost is counted anew. */
         public function renewBudget():void
         {
-            budget = budget.anew();
+            budget = budget.renewed();
         }
 
         /**

@@ -20,14 +20,19 @@ package starlogo.models.gltf
          * @param name the model's name
          * @param file the file; all its steps must be done and all buffers set
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
-         * @param animated the values of a GltfAnimation at a time; null for the rest pose
+         * @param scaling as for Model's constructor
+         * @param animated the values of a GltfAnimation at a time: the vertices are not normalised then; null for the rest pose
          */
-        public function GltfReader(name:String, file:GltfFile, upAxis:Object, animated:Object = null)
+        public function GltfReader(name:String, file:GltfFile, upAxis:Object, scaling:String, animated:Object = null)
         {
-            super(name, upAxis == null ? "y" : upAxis);
+            super(name, upAxis == null ? "y" : upAxis, scaling);
             _file = file;
             _animated = animated;
             begin(readingScene).begin(droppingUnused);
+            if (animated == null)
+            {
+                begin(normalising);
+            }
         }
 
         private function readingScene():Steps
@@ -88,12 +93,12 @@ package starlogo.models.gltf
             {
                 return work;
             }
-            var source:GltfAccessor = _file.accessor(position, "VEC3");
+            var positions:GltfAccessor = _file.accessor(position, "VEC3");
             var hasSurface:Boolean = GltfTriangles.modeOf(json, primitive, place) >= GltfTriangles.TRIANGLES;
             // primitives may share their vertices and have different triangles
             var isPlain:Boolean = json.listIn(primitive, "targets", place).length == 0 && attributes.JOINTS_0 === undefined;
             var key:String = "#" + position + hasSurface + (isPlain ? "" : "," + place);
-            var points:GltfVertices = placed[key] ||= new GltfVertices(_file, scene, node, primitive, place, weights, source,
+            var points:GltfVertices = placed[key] ||= new GltfVertices(_file, scene, node, primitive, place, weights, positions,
                     verticesFor(hasSurface));
             work.add(points);
             if (hasSurface)
@@ -109,8 +114,8 @@ package starlogo.models.gltf
             var json:GltfJson = _file.json;
             var entry:Object = json.entry("nodes", node);
             var mesh:Object = json.entry("meshes", json.reference(entry, "mesh", "nodes[" + node + "]", "meshes"));
-            data.meshes.begin(data.meshes.numberFor(String(node), textOf(entry.name) || textOf(mesh.name)), data.triangles.length / 3);
-            data.materials.begin(json.reference(primitive, "material", place, "materials"), data.triangles.length / 3);
+            data.meshes.beginRun(data.meshes.numberFor(String(node), textOf(entry.name) || textOf(mesh.name)), data.triangles.length / 3);
+            data.materials.beginRun(json.reference(primitive, "material", place, "materials"), data.triangles.length / 3);
         }
 
         private static function textOf(value:*):String

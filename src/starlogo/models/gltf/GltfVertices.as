@@ -22,7 +22,7 @@ package starlogo.models.gltf
 
         private var _json:GltfJson;
         private var _node:String;
-        private var _source:GltfAccessor;
+        private var _positions:GltfAccessor;
         private var _vertices:Vector.<Number>;
         // the points before the node places them
         private var _points:Vector.<Number>;
@@ -38,22 +38,22 @@ package starlogo.models.gltf
          * @param primitive the primitive
          * @param place its place in the file, for errors
          * @param weights the weights of its morph targets
-         * @param source the vertices of its mesh
+         * @param positions the vertices of its mesh
          * @param vertices takes its vertices
          */
         public function GltfVertices(file:GltfFile, scene:GltfScene, node:int, primitive:Object, place:String, weights:Vector.<Number>,
-                source:GltfAccessor, vertices:Vector.<Number>)
+                positions:GltfAccessor, vertices:Vector.<Number>)
         {
             var json:GltfJson = file.json;
             _json = json;
             _node = "nodes[" + node + "]";
-            _source = source;
+            _positions = positions;
             _vertices = vertices;
-            _points = source.numbers;
+            _points = positions.numbers;
             firstVertex = vertices.length / 3;
-            count = source.count;
+            count = positions.count;
             file.budget.require(ModelBudget.VERTICES, firstVertex + Number(count), place);
-            add(source);
+            add(positions);
             addTargets(file, json.listIn(primitive, "targets", place), place, weights);
             var skin:int = json.reference(json.entry("nodes", node), "skin", _node, "skins");
             if (skin >= 0 && primitive.attributes.JOINTS_0 !== undefined)
@@ -88,7 +88,7 @@ package starlogo.models.gltf
 
         private function addTarget(target:GltfAccessor, weight:Number):void
         {
-            counted(target);
+            addAccessor(target);
             call(copyPoints).slices(3 * count, 3 * VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
@@ -101,7 +101,7 @@ package starlogo.models.gltf
         // copied, because other nodes may have the same mesh
         private function copyPoints():void
         {
-            _points = _points == _source.numbers ? _points.slice() : _points;
+            _points = _points == _positions.numbers ? _points.slice() : _points;
         }
 
         // The weights of a point are divided by their sum. A point without weights moves with the first joint.
@@ -113,7 +113,7 @@ package starlogo.models.gltf
                 {
                     var index:int = _json.reference(attributes, key, place, "accessors");
                     _json.refuseIf(index < 0, "a mesh has no weights for its joints", place);
-                    _sets.push(counted(file.accessor(index, "VEC4")));
+                    _sets.push(addAccessor(file.accessor(index, "VEC4")));
                 }
             }
             file.budget.take(ModelBudget.NUMBERS, 2 * count * Number(_sets.length), place);
@@ -121,7 +121,7 @@ package starlogo.models.gltf
         }
 
         // Adds the steps of an accessor that has an element for each vertex.
-        private function counted(accessor:GltfAccessor):GltfAccessor
+        private function addAccessor(accessor:GltfAccessor):GltfAccessor
         {
             _json.refuseIf(accessor.count != count, "it has " + accessor.count + " elements, but there are " + count + " vertices", accessor.place);
             add(accessor);
@@ -179,7 +179,7 @@ package starlogo.models.gltf
         {
             if (!_transform.transformPoints(_points, first, end, _vertices, firstVertex + first))
             {
-                throw new ModelError(_json.name, _node, "its vertices are not finite numbers, or are too large at the node's place (" + _source.place + ")");
+                throw new ModelError(_json.name, _node, "its vertices are not finite numbers, or are too large at the node's place (" + _positions.place + ")");
             }
         }
     }

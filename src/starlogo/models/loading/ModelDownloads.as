@@ -70,7 +70,7 @@ package starlogo.models.loading
         }
 
         /** Starts to fetch the file. @param usesTransforms whether the transform file beside it is fetched too */
-        public function fetchSource(usesTransforms:Boolean):void
+        public function fetchFile(usesTransforms:Boolean):void
         {
             file = url == "" ? null : download(url);
             if (usesTransforms && hasFolder)

@@ -1,23 +1,30 @@
 package starlogo.models.loading
 {
     import flash.utils.ByteArray;
+    import starlogo.models.ModelReader;
+    import starlogo.models.ModelTransform;
+    import starlogo.models.collada.ColladaReader;
     import starlogo.models.cooked.CookedFile;
+    import starlogo.models.cooked.CookedReader;
     import starlogo.models.gltf.GltfFile;
+    import starlogo.models.obj.ObjReader;
     import starlogo.models.stl.StlReader;
     import starlogo.models.text.TextWords;
 
     /**
-     * Detects the format of a file from its content. If the content does not tell, the file's name does.
+     * Detects the format of a file from its content, and makes its reader. If the content does not tell, the file's name does.
      *
      * @private
      */
     public final class ModelFormat
     {
-        public static const COOKED:String = "cooked";
-        public static const OBJ:String = "obj";
-        public static const COLLADA:String = "dae";
+        /** The format glTF. Its files are opened before they are read, because they may name other files. */
         public static const GLTF:String = "gltf";
-        public static const STL:String = "stl";
+
+        private static const COOKED:String = "cooked";
+        private static const OBJ:String = "obj";
+        private static const COLLADA:String = "dae";
+        private static const STL:String = "stl";
 
         private static const HEAD_LENGTH:int = 10000;
         private static const TAG:RegExp = /^\s*</;
@@ -58,6 +65,31 @@ package starlogo.models.loading
             }
             var named:Array = url == null || VERTEX.test("\n" + text.substr(0, HEAD_LENGTH)) ? null : url.match(EXTENSION);
             return named == null ? OBJ : named[1].toLowerCase();
+        }
+
+        /**
+         * The reader of a file. A format other than glTF.
+         *
+         * @param format the file's format
+         * @param name the model's name
+         * @param bytes the file in a binary form, if there is no text
+         * @param text the file's text
+         * @param upAxis the axis that points up, if the file does not say it; or a ModelTransform
+         * @param scaling as for Model's constructor
+         */
+        public static function newReader(format:String, name:String, bytes:ByteArray, text:String, upAxis:Object, scaling:String):ModelReader
+        {
+            switch (format)
+            {
+                case COOKED:
+                    return new CookedReader(name, bytes);
+                case STL:
+                    return new StlReader(name, bytes, text, upAxis, scaling);
+                case COLLADA:
+                    return new ColladaReader(name, text, upAxis as ModelTransform, scaling);
+                default:
+                    return new ObjReader(name, text, upAxis, scaling);
+            }
         }
     }
 }

@@ -7,20 +7,18 @@ package starlogo.models.loading
     import starlogo.models.ModelReceiver;
     import starlogo.models.ModelSource;
     import starlogo.models.ModelTransform;
-    import starlogo.models.collada.ColladaReader;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfReader;
-    import starlogo.models.obj.ObjReader;
     import starlogo.models.refuseIf;
-    import starlogo.models.stl.StlReader;
     import starlogo.models.text.ModelText;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
-     * One model in a ModelLoader. It is fetched, read, normalised and given to the receiver. A step throws a ModelError if the file did not
+     * One model in a ModelLoader. It is fetched, read, normalised and given to the receiver. A step that starts downloads is the last one until
+     * they are over: the loader calls <code>step()</code> only while <code>isReady</code>. A step throws a ModelError if the file did not
      * arrive or is no model. The receiver's steps may throw other errors.
      *
      * @private
@@ -100,11 +98,11 @@ package starlogo.models.loading
             _usesTransforms = usesTransforms && !(_upAxis is ModelTransform);
             if (manifest == null || !_downloads.hasFolder)
             {
-                fetchSource();
+                fetchFile();
                 return;
             }
             _downloads.fetchManifest(manifest);
-            call(_downloads.fetchCooked).repeat(tryCooked).call(useCooked);
+            call(_downloads.fetchCooked).repeat(readCooked).call(takeCooked);
         }
 
         /** Sets the file to read, as bytes or as text. The other is null. */
@@ -119,7 +117,7 @@ package starlogo.models.loading
                     }
                 }).call(function():void
                 {
-                    open(bytes, text);
+                    read(bytes, text);
                 });
         }
 
@@ -136,8 +134,8 @@ package starlogo.models.loading
             _downloads.cancel();
         }
 
-        // A cooked file that is missing, damaged or made for other arguments is no error. The source is fetched instead.
-        private function tryCooked():Boolean
+        // A cooked file that is missing, damaged or made for other arguments is no error. The model's own file is fetched instead.
+        private function readCooked():Boolean
         {
             if (_downloads.file == null)
             {
@@ -145,7 +143,7 @@ package starlogo.models.loading
             }
             try
             {
-                _reader ||= new CookedReader(name, _downloads.file.bytes, CookedFile.settingsOfLoad(_upAxis, _scaling, _usesTransforms)).normalised(null);
+                _reader ||= new CookedReader(name, _downloads.file.bytes, CookedFile.settingsOfLoad(_upAxis, _scaling, _usesTransforms));
                 return _reader.step();
             }
             catch (error:ModelError)
@@ -155,24 +153,24 @@ package starlogo.models.loading
             return false;
         }
 
-        private function useCooked():void
+        private function takeCooked():void
         {
             if (_reader == null)
             {
-                fetchSource();
+                fetchFile();
                 return;
             }
             keepModel();
             begin(receiving);
         }
 
-        private function fetchSource():void
+        private function fetchFile():void
         {
-            _downloads.fetchSource(_usesTransforms);
-            call(useFile);
+            _downloads.fetchFile(_usesTransforms);
+            call(readFetched);
         }
 
-        private function useFile():void
+        private function readFetched():void
         {
             var problem:String = _downloads.file == null ? "there is no address to fetch its file from" : _downloads.file.problem;
             refuseIf(problem != null, name, problem);
@@ -188,12 +186,12 @@ package starlogo.models.loading
         }
 
         // Reads the text, or bytes in a binary form. A glTF file is opened first, because it may name other files.
-        private function open(bytes:ByteArray, text:String):void
+        private function read(bytes:ByteArray, text:String):void
         {
             var format:String = ModelFormat.of(bytes, text, _downloads.url);
             if (format != ModelFormat.GLTF)
             {
-                readWith(newReader(format, bytes, text));
+                readWith(ModelFormat.newReader(format, name, bytes, text, _upAxis, _scaling));
                 return;
             }
             var gltf:GltfFile = new GltfFile(name, bytes, text);
@@ -203,35 +201,20 @@ package starlogo.models.loading
                 }).call(function():void
                 {
                     _downloads.giveBuffers(gltf);
-                    readWith(new GltfReader(name, gltf, _upAxis as ModelTransform));
+                    readWith(new GltfReader(name, gltf, _upAxis as ModelTransform, _scaling));
                 });
         }
 
         private function readWith(reader:ModelReader):void
         {
             _downloads.release();
-            _reader = reader.normalised(_scaling);
+            _reader = reader;
             add(_reader).call(keepModel).begin(receiving);
-        }
-
-        private function newReader(format:String, bytes:ByteArray, text:String):ModelReader
-        {
-            switch (format)
-            {
-                case ModelFormat.COOKED:
-                    return new CookedReader(name, bytes);
-                case ModelFormat.STL:
-                    return new StlReader(name, bytes, text, _upAxis);
-                case ModelFormat.COLLADA:
-                    return new ColladaReader(name, text, _upAxis as ModelTransform);
-                default:
-                    return new ObjReader(name, text, _upAxis);
-            }
         }
 
         private function keepModel():void
         {
-            model = _source != null ? _source.model : new Model(null, null, null, null, _reader.data);
+            model = _source != null ? _source.model : new Model(name, null, null, _scaling, _reader);
             _reader = null;
             _source = null;
             _downloads.release();

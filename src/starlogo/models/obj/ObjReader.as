@@ -43,15 +43,16 @@ package starlogo.models.obj
          * @param name the model's name
          * @param text the text
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is
+         * @param scaling as for Model's constructor
          */
-        public function ObjReader(name:String, text:String, upAxis:Object)
+        public function ObjReader(name:String, text:String, upAxis:Object, scaling:String)
         {
-            super(name, upAxis);
+            super(name, upAxis, scaling);
             refuseIf(text == null, name, "there is no text to read");
             refuseIf(text.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
             _lines = new LineReader(name, text);
             _budget = new ModelBudget(name, text.length);
-            repeat(readSome).call(checkIndices).begin(cutting).begin(turningUp);
+            repeat(readSome).call(checkIndices).begin(cutting).begin(turningUp).begin(normalising);
         }
 
         private function readSome():Boolean
@@ -74,12 +75,12 @@ package starlogo.models.obj
             else if (word == "usemtl")
             {
                 _material = readLabel(data.materials);
-                data.materials.begin(_material, data.triangles.length / 3);
+                data.materials.beginRun(_material, data.triangles.length / 3);
             }
             else if (word == "o" || word == "g")
             {
                 _mesh = readLabel(data.meshes);
-                data.meshes.begin(_mesh, data.triangles.length / 3);
+                data.meshes.beginRun(_mesh, data.triangles.length / 3);
             }
             else
             {
@@ -218,8 +219,8 @@ package starlogo.models.obj
 
         private function cutPolygon(index:int, triangulator:Triangulator, isUsed:Vector.<uint>):void
         {
-            data.materials.begin(_polygonLabels[2 * index], data.triangles.length / 3);
-            data.meshes.begin(_polygonLabels[2 * index + 1], data.triangles.length / 3);
+            data.materials.beginRun(_polygonLabels[2 * index], data.triangles.length / 3);
+            data.meshes.beginRun(_polygonLabels[2 * index + 1], data.triangles.length / 3);
             triangulator.addPolygon(_polygons[index]);
             for each (var corner:uint in _polygons[index])
             {

@@ -38,10 +38,11 @@ package starlogo.models.stl
          * @param bytes a binary file; its endianness is set; null for text
          * @param text the text; null for a binary file
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is
+         * @param scaling as for Model's constructor
          */
-        public function StlReader(name:String, bytes:ByteArray, text:String, upAxis:Object)
+        public function StlReader(name:String, bytes:ByteArray, text:String, upAxis:Object, scaling:String)
         {
-            super(name, upAxis);
+            super(name, upAxis, scaling);
             _budget = new ModelBudget(name, bytes == null ? text.length : bytes.length);
             if (bytes != null)
             {
@@ -54,7 +55,7 @@ package starlogo.models.stl
                 repeat(readSome);
             }
             data.vertices = _points.coordinates;
-            call(checkEnd).begin(turningUp);
+            call(checkEnd).begin(turningUp).begin(normalising);
         }
 
         private function addBinary(bytes:ByteArray):void
@@ -73,10 +74,10 @@ package starlogo.models.stl
         }
 
         /** The reader of a file's bytes. */
-        public static function of(name:String, bytes:ByteArray, upAxis:Object):StlReader
+        public static function of(name:String, bytes:ByteArray, upAxis:Object, scaling:String):StlReader
         {
-            return bytes != null && isBinary(bytes) ? new StlReader(name, bytes, null, upAxis)
-                : new StlReader(name, null, ModelText.decode(name, bytes, "STL"), upAxis);
+            return bytes != null && isBinary(bytes) ? new StlReader(name, bytes, null, upAxis, scaling)
+                : new StlReader(name, null, ModelText.decode(name, bytes, "STL"), upAxis, scaling);
         }
 
         /**

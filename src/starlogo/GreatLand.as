@@ -2,13 +2,14 @@ package starlogo
 {
     import flash.utils.ByteArray;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.geometry.requireGiven;
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.libraries.FitSettings;
     import starlogo.libraries.FitStore;
     import starlogo.libraries.HierarchiesLibrary;
-    import starlogo.libraries.ModelResultsBuilder;
     import starlogo.libraries.ModelEntry;
     import starlogo.libraries.ModelTable;
+    import starlogo.libraries.StoredResults;
     import starlogo.libraries.StructuresBuilder;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
@@ -154,13 +155,16 @@ package starlogo
          */
         public function receive(model:Model):Steps
         {
-            var builder:ModelResultsBuilder = newBuilder(model, fitStore);
-            return new StepSequence().add(builder).call(function():void
+            requireGiven("model", model);
+            var structures:StructuresBuilder = newStructuresBuilder(model);
+            var tree:ModelTreeBuilder = newTreeBuilder(model);
+            var stored:StoredResults = fitStore == null && model.data.cooked == null ? null : newStored(model, structures, tree, fitStore);
+            return computing(structures, tree, stored).call(function():void
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model
                     var entry:ModelEntry = _models.entryFor(model.name);
-                    entry.setTreeBuilder(builder.treeBuilder);
-                    entry.setStructures(builder.structures);
+                    entry.setTreeBuilder(tree);
+                    entry.setStructures(structures == null ? null : structures.structures);
                     entry.setModel(model);
                 });
         }
@@ -178,9 +182,12 @@ package starlogo
          */
         public function cook(model:Model, upAxis:Object = "z", usesTransforms:Boolean = false):ByteArray
         {
-            var builder:ModelResultsBuilder = newBuilder(model, null);
-            finish(builder);
-            return builder.toCooked(CookedFile.settingsOfLoad(upAxis, model.data.scaling, usesTransforms));
+            requireGiven("model", model);
+            var structures:StructuresBuilder = newStructuresBuilder(model);
+            var tree:ModelTreeBuilder = newTreeBuilder(model);
+            var stored:StoredResults = newStored(model, structures, tree, null);
+            finish(computing(structures, tree, stored));
+            return stored.toCooked(CookedFile.settingsOfLoad(upAxis, model.data.scaling, usesTransforms));
         }
 
         /** @inheritDoc */
@@ -261,17 +268,45 @@ package starlogo
             return _models.of(name).model;
         }
 
-        /** @private The work that computes the results that the flags ask for. None of its steps is done yet. The results are not added. */
-        engine function newBuilder(model:Model, store:FitStore):ModelResultsBuilder
+        /** @private The results for a model that its cooked file or a store may have. */
+        engine function newStored(model:Model, structures:StructuresBuilder, tree:ModelTreeBuilder, store:FitStore):StoredResults
         {
-            if (model == null)
+            var settings:FitSettings = new FitSettings(structures == null ? null : _boundingStructures, tree == null ? null : _hierarchies);
+            return new StoredResults(model, structures, tree, settings, store);
+        }
+
+        private function newStructuresBuilder(model:Model):StructuresBuilder
+        {
+            return loadTightestFit ? _boundingStructures.newBuilder(model.name, model.vertices) : null;
+        }
+
+        private function newTreeBuilder(model:Model):ModelTreeBuilder
+        {
+            return loadHierarchies ? _hierarchies.newBuilder(model.vertices, model.triangles) : null;
+        }
+
+        // The work that computes the results that the flags ask for, and that are not stored. None of its steps is done yet. A hierarchy that is
+        // stored is not built until it is needed, unless prepareExact is set.
+        private function computing(structures:StructuresBuilder, tree:ModelTreeBuilder, stored:StoredResults):StepSequence
+        {
+            var work:StepSequence = new StepSequence();
+            var isTreeNeeded:Boolean = prepareExact;
+            if (stored != null)
             {
-                throw new ArgumentError("model must not be null");
+                work.add(stored);
             }
-            var settings:FitSettings = new FitSettings(loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null);
-            var treeBuilder:ModelTreeBuilder = loadHierarchies ? _hierarchies.newBuilder(model.vertices, model.triangles) : null;
-            var structuresBuilder:StructuresBuilder = loadTightestFit ? _boundingStructures.newBuilder(model.name, model.vertices) : null;
-            return new ModelResultsBuilder(model, structuresBuilder, treeBuilder, settings, store);
+            if (structures != null)
+            {
+                work.add(structures);
+            }
+            if (tree != null)
+            {
+                work.begin(function():Steps
+                    {
+                        return tree.isStored && !isTreeNeeded ? null : tree;
+                    });
+            }
+            return stored == null ? work : work.call(stored.store);
         }
     }
 }

@@ -3,6 +3,7 @@ package starlogo.fitting
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
+    import starlogo.geometry.requireGiven;
 
     /**
      * Base class of fitters that put a structure along the longest axis of a box (thesis §3.4.3). Another fitter finds the box, so it
@@ -21,10 +22,7 @@ package starlogo.fitting
          */
         public function BoxAxisFitter(boxFitter:Fitter)
         {
-            if (boxFitter == null)
-            {
-                throw new ArgumentError("the box's fitter must not be null");
-            }
+            requireGiven("the box's fitter", boxFitter);
             _boxFitter = boxFitter;
         }
 

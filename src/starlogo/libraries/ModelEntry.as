@@ -1,6 +1,6 @@
 // This room has what was computed for each model. A ModelTable has a ModelEntry for each name, and the two libraries show clients a part of it;
-// a ModelResultsBuilder gets the results from a cooked file, from a FitStore, or from a StructuresBuilder and a ModelTreeBuilder. Read this file
-// first, then BoundingStructuresLibrary and ModelResultsBuilder.
+// a StructuresBuilder and a ModelTreeBuilder compute the results, unless StoredResults has them from a cooked file or from a FitStore. Read this
+// file first, then BoundingStructuresLibrary and StoredResults.
 package starlogo.libraries
 {
     import starlogo.engine;

@@ -8,6 +8,7 @@ package starlogo.models
     import flash.net.URLLoader;
     import flash.utils.ByteArray;
     import flash.utils.getTimer;
+    import starlogo.geometry.requireGiven;
     import starlogo.models.loading.ModelLoad;
     import starlogo.models.loading.ModelManifest;
 
@@ -212,10 +213,7 @@ package starlogo.models
          */
         public function loadFrom(source:ModelSource):void
         {
-            if (source == null)
-            {
-                throw new ArgumentError("the source of the model must not be null");
-            }
+            requireGiven("the source of the model", source);
             add(source.name, "z", Model.FOOTPRINT).setSource(source);
         }
 

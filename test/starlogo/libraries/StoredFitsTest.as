@@ -28,6 +28,7 @@ package starlogo.libraries
     import starlogo.models.ObjModel;
     import starlogo.models.cooked.CookedFile;
     import starlogo.queries.AgentQueries;
+    import starlogo.solid.ModelTreeBuilder;
     import starlogo.solid.SolidContents;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
@@ -416,13 +417,16 @@ package starlogo.libraries
         // Whether the structures, or the hierarchy, are taken from a cooked file.
         private function isTaken(model:Model, cooked:ByteArray, structures:Boolean):Boolean
         {
-            var builder:ModelResultsBuilder = _greatLand.newBuilder(CookedModel.fromBytes(model.name, cooked), null);
+            var read:Model = CookedModel.fromBytes(model.name, cooked);
+            var structuresBuilder:StructuresBuilder = _greatLand.boundingStructures.newBuilder(read.name, read.vertices);
+            var treeBuilder:ModelTreeBuilder = _greatLand.hierarchies.newBuilder(read.vertices, read.triangles);
+            _greatLand.newStored(read, structuresBuilder, treeBuilder, null);
             if (structures)
             {
-                return builder.structures != null;
+                return structuresBuilder.structures != null;
             }
-            builder.treeBuilder.finishTree();
-            return builder.treeBuilder.isStored;
+            treeBuilder.finishTree();
+            return treeBuilder.isStored;
         }
 
         private static function damage(cooked:Vector.<ByteArray>, index:int, random:SeededRandom):ByteArray

@@ -19,18 +19,16 @@ package starlogo.libraries
     use namespace engine;
 
     /**
-     * Gets the results that the libraries need for one model. It takes them from the model's cooked file, otherwise from a store. It
-     * computes the results that are missing and adds them to the store.
+     * The stored results for one model. Its steps take what is in the model's cooked file, otherwise what is in a store, and give it to the
+     * builders that would compute it. When the builders have computed what is missing, it stores the results.
      *
      * @private
      */
-    public final class ModelResultsBuilder extends StepSequence
+    public final class StoredResults extends StepSequence
     {
-        /** The builder that has the hierarchy or builds it when it is needed. Read it when no step is left. Null if none was wanted. */
-        public var treeBuilder:ModelTreeBuilder;
-
         private var _model:Model;
         private var _structuresBuilder:StructuresBuilder;
+        private var _treeBuilder:ModelTreeBuilder;
         private var _settings:FitSettings;
         private var _store:FitStore;
 
@@ -40,18 +38,18 @@ package starlogo.libraries
 
         /**
          * @param model the model
-         * @param structuresBuilder finds its structures; null if none are wanted
-         * @param treeBuilder builds its hierarchy; null if none is wanted
+         * @param structuresBuilder finds its structures; null if none are wanted. It has not begun
+         * @param treeBuilder builds its hierarchy; null if none is wanted. It has not begun
          * @param settings the settings of the libraries that want them
          * @param store null for none
          */
-        public function ModelResultsBuilder(model:Model, structuresBuilder:StructuresBuilder, treeBuilder:ModelTreeBuilder, settings:FitSettings,
+        public function StoredResults(model:Model, structuresBuilder:StructuresBuilder, treeBuilder:ModelTreeBuilder, settings:FitSettings,
                 store:FitStore)
         {
             _model = model;
             _structuresBuilder = structuresBuilder;
             _settings = settings;
-            this.treeBuilder = treeBuilder;
+            _treeBuilder = treeBuilder;
             if (model.data.cooked != null)
             {
                 takeFrom(model.data.cooked);
@@ -61,42 +59,44 @@ package starlogo.libraries
             {
                 add(_geometry.addingGeometry(model.vertices, model.triangles)).begin(readingStored);
             }
-            if (structuresBuilder != null)
-            {
-                add(structuresBuilder);
-            }
-            if (treeBuilder != null)
-            {
-                begin(buildingTree);
-            }
-            call(storeResults);
         }
 
-        /** The structures, when no step is left; null if none were wanted. */
-        public function get structures():ModelStructures
+        /** Stores the results, unless all have come from the store. Call it when the builders have no step left. */
+        public function store():void
         {
-            return _structuresBuilder == null ? null : _structuresBuilder.structures;
+            var isKept:Boolean = _isStored && (_treeBuilder == null || _treeBuilder.isStored);
+            if (_store != null && !isKept && _store.mayHold(_model, _treeBuilder != null))
+            {
+                _store.keep(_geometry, _settings, newFile(_geometry, null));
+            }
         }
 
         /**
-         * Makes a cooked file of the model, including the surface. Call it when no step is left. A surface that is missing is prepared now.
+         * Makes a cooked file of the model, including the surface. Call it when the builders have no step left. A surface that is missing is
+         * prepared now.
          *
          * @param settings of the model's section: see <code>CookedFile.settingsOfLoad()</code>
          */
         public function toCooked(settings:Fingerprint):ByteArray
         {
-            if (treeBuilder != null)
+            if (_treeBuilder != null)
             {
-                treeBuilder.finishTree().prepare();
+                _treeBuilder.finishTree().prepare();
             }
             return newFile(settings, CookedWriter.of(_model));
+        }
+
+        // The structures; null if they are not there yet, or are not wanted.
+        private function get structures():ModelStructures
+        {
+            return _structuresBuilder == null ? null : _structuresBuilder.structures;
         }
 
         // Whether all results that are wanted are there.
         private function get isComplete():Boolean
         {
-            return (_structuresBuilder == null || structures != null) && (treeBuilder == null || treeBuilder.isStored)
-                && (!_settings.wantsSurface || _model.triangles == null || treeBuilder.modelTree.surface != null);
+            return (_structuresBuilder == null || structures != null) && (_treeBuilder == null || _treeBuilder.isStored)
+                && (!_settings.wantsSurface || _model.triangles == null || _treeBuilder.modelTree.surface != null);
         }
 
         // Takes results that are missing from a file. Whether the geometry is the model's is not checked, because the file's checksum
@@ -113,7 +113,7 @@ package starlogo.libraries
             {
                 takeStructures(file, size);
             }
-            if (treeBuilder != null)
+            if (_treeBuilder != null)
             {
                 takeTree(file);
             }
@@ -137,9 +137,9 @@ package starlogo.libraries
             var tree:ByteArray = _settings.sectionOf(file, CookedFile.HIERARCHY);
             var bytes:ByteArray = _settings.sectionOf(file, CookedFile.SURFACE);
             var surface:SurfaceTopology = bytes == null || _model.triangles == null ? null : SurfaceTopology.read(bytes, _model.triangles.length / 3);
-            if (tree != null && (!treeBuilder.isStored || surface != null && treeBuilder.modelTree.surface == null))
+            if (tree != null && (!_treeBuilder.isStored || surface != null && _treeBuilder.modelTree.surface == null))
             {
-                treeBuilder.useStored(new CookedTree(tree, treeBuilder.modelTree.tree, treeBuilder.maxDepth), surface);
+                _treeBuilder.useStored(new CookedTree(tree, _treeBuilder.modelTree.tree, _treeBuilder.maxDepth), surface);
             }
         }
 
@@ -156,21 +156,6 @@ package starlogo.libraries
                 });
         }
 
-        // A hierarchy that was read is not built until it is needed, unless prepareExact is set.
-        private function buildingTree():Steps
-        {
-            return treeBuilder.isStored && !_settings.wantsSurface ? null : treeBuilder;
-        }
-
-        private function storeResults():void
-        {
-            var isKept:Boolean = _isStored && (treeBuilder == null || treeBuilder.isStored);
-            if (_store != null && !isKept && _store.mayHold(_model, treeBuilder != null))
-            {
-                _store.keep(_geometry, _settings, newFile(_geometry, null));
-            }
-        }
-
         // Makes a file of the results. The model's section has these settings and bytes; null if the file is for the store.
         private function newFile(settings:Fingerprint, model:ByteArray):ByteArray
         {
@@ -181,9 +166,9 @@ package starlogo.libraries
                 contents[CookedFile.STRUCTURES] = CookedStructures.write(structures.smallest);
                 contents[CookedFile.HULL] = structures.hull == null ? null : CookedStructures.write(new <BoundingStructure>[structures.hull]);
             }
-            if (treeBuilder != null)
+            if (_treeBuilder != null)
             {
-                var made:ModelTree = treeBuilder.finishTree();
+                var made:ModelTree = _treeBuilder.finishTree();
                 contents[CookedFile.HIERARCHY] = CookedTree.write(made.tree);
                 if (made.isPrepared)
                 {

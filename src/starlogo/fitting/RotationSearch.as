@@ -76,6 +76,19 @@ package starlogo.fitting
             }
         }
 
+        private function prepare():void
+        {
+            _hull = _session.hull;
+            _rotated = new Vector.<Number>(_hull.points.length);
+            _smallEnough = _hull.volume * (1 + Tolerances.FIT_TIE);
+            var count:int = Math.ceil(90 / _stepZ);
+            for (var i:int = 0; i < count; i++)
+            {
+                _cosines.push(Trigonometry.cosine(i * _stepZ));
+                _sines.push(Trigonometry.sine(i * _stepZ));
+            }
+        }
+
         // Tries all rotations about z that follow the next one about x and y. Returns false if there are no more.
         private function tryNext():Boolean
         {
@@ -106,25 +119,12 @@ package starlogo.fitting
             return goToNext();
         }
 
-        /** The smallest box of the rotations tried so far, around all vertices. */
-        public function smallestBox(session:FitSession):Box
+        // The smallest box of the rotations tried so far, around all vertices.
+        private function smallestBox(session:FitSession):Box
         {
             var axes:Vector.<Number> = new Vector.<Number>(9);
             _best.writeRotation(axes, 0);
             return EnclosingStructures.box(session.vertices, axes);
-        }
-
-        private function prepare():void
-        {
-            _hull = _session.hull;
-            _rotated = new Vector.<Number>(_hull.points.length);
-            _smallEnough = _hull.volume * (1 + Tolerances.FIT_TIE);
-            var count:int = Math.ceil(90 / _stepZ);
-            for (var i:int = 0; i < count; i++)
-            {
-                _cosines.push(Trigonometry.cosine(i * _stepZ));
-                _sines.push(Trigonometry.sine(i * _stepZ));
-            }
         }
 
         // Goes to the next rotation about y, or about x. Returns false if there is none.

@@ -157,35 +157,6 @@ package starlogo.models
             _data.meshes = labelsOf("meshes", numbers, names);
         }
 
-        /** @private What the model is made of. */
-        engine final function get data():ModelData
-        {
-            return _data;
-        }
-
-        private function get triangleCount():int
-        {
-            return triangles == null ? 0 : triangles.length / 3;
-        }
-
-        private function labelsOf(what:String, numbers:Vector.<int>, names:Vector.<String>):TriangleLabels
-        {
-            if (numbers == null)
-            {
-                return null;
-            }
-            var count:int = triangleCount;
-            refuseIf(numbers.length != count, name, numbers.length + " numbers of " + what + " for " + count + " triangles");
-            var labels:TriangleLabels = new TriangleLabels();
-            labels.names = names == null ? null : names.slice();
-            for (var i:int = 0; i < count; i++)
-            {
-                refuseIf(numbers[i] < -1 || names != null && numbers[i] >= names.length, name, "no name for number " + numbers[i] + " of its " + what);
-                labels.beginRun(numbers[i], i);
-            }
-            return labels;
-        }
-
         /**
          * Moves the vertices to new places. The triangles stay the same ones. For figures whose joints move, call it once a frame, before
          * <code>Collision.update()</code> and <code>AgentQueries.update()</code>.
@@ -236,6 +207,12 @@ package starlogo.models
             }
         }
 
+        /** @private What the model is made of. */
+        engine final function get data():ModelData
+        {
+            return _data;
+        }
+
         /**
          * Tells a listener about each pose from now on.
          *
@@ -267,6 +244,29 @@ package starlogo.models
         {
             var made:ModelData = ModelData.of(name, points, triangles, _data.scaling, _data.transform);
             return areSameNumbers(made.vertices, vertices) && made.frame.equals(source) && String(made.triangles) == String(triangles);
+        }
+
+        private function get triangleCount():int
+        {
+            return triangles == null ? 0 : triangles.length / 3;
+        }
+
+        private function labelsOf(what:String, numbers:Vector.<int>, names:Vector.<String>):TriangleLabels
+        {
+            if (numbers == null)
+            {
+                return null;
+            }
+            var count:int = triangleCount;
+            refuseIf(numbers.length != count, name, numbers.length + " numbers of " + what + " for " + count + " triangles");
+            var labels:TriangleLabels = new TriangleLabels();
+            labels.names = names == null ? null : names.slice();
+            for (var i:int = 0; i < count; i++)
+            {
+                refuseIf(numbers[i] < -1 || names != null && numbers[i] >= names.length, name, "no name for number " + numbers[i] + " of its " + what);
+                labels.beginRun(numbers[i], i);
+            }
+            return labels;
         }
     }
 }

@@ -115,11 +115,11 @@ package starlogo.models
         }
 
         /**
-         * The rotation as a matrix.
+         * The rotation alone.
          *
          * @private
          */
-        internal function rotationMatrix():AffineTransform
+        internal function rotationTransform():AffineTransform
         {
             var turned:Placement = new Placement();
             turned.setRotation(_rotation.z, _rotation.y, _rotation.x);

@@ -96,7 +96,7 @@ package starlogo.models
         private function addTurning():Normalisation
         {
             var transform:ModelTransform = _data.transform;
-            return transform == null || transform.rotation.lengthSquared == 0 ? this : addTransforming(transform.rotationMatrix(), 1);
+            return transform == null || transform.rotation.lengthSquared == 0 ? this : addTransforming(transform.rotationTransform(), 1);
         }
 
         private function addScaling(f:Vector3D):Normalisation

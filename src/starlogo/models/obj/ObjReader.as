@@ -97,13 +97,13 @@ package starlogo.models.obj
 
         private function readVertex():void
         {
-            if (!_lines.readPoint(data.vertices, data.vertices.length))
-            {
-                readUnusualVertex();
-            }
-            else if (_lines.words[_lines.next] != LineReader.END)
+            if (_lines.readPoint(data.vertices, data.vertices.length))
             {
                 _lines.skipLine();
+            }
+            else
+            {
+                readUnusualVertex();
             }
         }
 
@@ -124,33 +124,11 @@ package starlogo.models.obj
 
         private function readFace():void
         {
-            var lines:LineReader = _lines;
-            var all:Array = lines.words;
             var count:int = 0;
-            var word:String = all[lines.next];
-            while (word != LineReader.END)
+            for (var word:String = _lines.nextWord(); word != null; word = _lines.nextWord())
             {
-                var index:int = word == LineReader.CONTINUED || word.charCodeAt(0) == 0x23 ? -1 : cornerOf(word);
-                if (index >= 0)
-                {
-                    _corners[count++] = index;
-                }
-                else if (word == LineReader.CONTINUED)
-                {
-                    lines.line++;
-                }
-                else
-                {
-                    _lines.skipLine();
-                    break;
-                }
-                word = all[++lines.next];
+                _corners[count++] = cornerOf(word);
             }
-            addFace(count);
-        }
-
-        private function addFace(count:int):void
-        {
             if (count == 3)
             {
                 data.triangles.push(_corners[0], _corners[1], _corners[2]);

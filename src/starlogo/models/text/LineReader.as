@@ -4,19 +4,16 @@ package starlogo.models.text
 
     /**
      * Divides text that has one statement per line into words, some lines at a time. A format's reader gets the first word of each
-     * statement, and loops over the other <code>words</code> itself, because this is fast.
+     * statement, and asks for the others.
      *
      * @private
      */
     public final class LineReader
     {
-        // The marks are words made of characters that no text uses.
-
-        /** Marks a line's end.  */
-        public static const END:String = "\uE000";
-
-        /** Marks a line's end after which the next line continues the statement. */
-        public static const CONTINUED:String = "\uE001";
+        // Marks of a line's end, and of a line's end after which the next line continues the statement. They are words made of characters that no
+        // text uses.
+        private static const END:String = "\uE000";
+        private static const CONTINUED:String = "\uE001";
 
         // A line is read in one step, together with its continuation lines.
         private static const MAX_PIECE:int = 1000000;
@@ -25,20 +22,16 @@ package starlogo.models.text
         private static const LINE_FEED:int = 0x0A;
         private static const CHARACTERS_PER_PIECE:int = 30000;
         private static const WORDS_PER_STEP:int = 1000;
-
-        /** The words of the piece that is being read. The first and the last are empty. */
-        public var words:Array = [""];
-
-        /** The index of the next word in <code>words</code>. */
-        public var next:int = 0;
-
-        /** The line number of the next word, from 1. The code that passes a mark must increase it. */
-        public var line:int = 0;
+        private static const HASH:int = 0x23;
 
         private var _name:String;
         private var _text:String;
 
-        // The piece is the text from _start up to _end.
+        // The piece that is being read is the text from _start up to _end. Its words, with marks; the first and the last are empty. The index of
+        // the next word, and its line, from 1.
+        private var _words:Array = [""];
+        private var _next:int = 0;
+        private var _line:int = 0;
         private var _start:int = 0;
         private var _end:int = 0;
         private var _ends:NextOfTwo;
@@ -66,6 +59,12 @@ package starlogo.models.text
             return "expected a vertex, three finite numbers, but found \"" + TextWords.shorten(found) + "\"";
         }
 
+        /** The number of the next word's line, from 1. */
+        public function get line():int
+        {
+            return _line;
+        }
+
         /** The place of the next word, for errors. */
         public function get place():String
         {
@@ -75,40 +74,39 @@ package starlogo.models.text
         /** Whether there is more to read. */
         public function get hasMore():Boolean
         {
-            return next < words.length - 1 || _end < _text.length;
+            return _next < _words.length - 1 || _end < _text.length;
         }
 
         /**
          * Does a step: reads some statements, or none if the next piece of the text must be divided first.
          *
-         * @param read reads a statement, whose first word it gets: <code>function(word:String):void</code>. The second word is
-         * <code>words[next]</code>
+         * @param read reads a statement, whose first word it gets: <code>function(word:String):void</code>
          * @return the share of the text that is read, from 0 to 1
          */
         public function readStatements(read:Function):Number
         {
             var stop:int = 0;
-            if (next == words.length - 1)
+            if (_next == _words.length - 1)
             {
                 readPiece();
             }
             else
             {
-                stop = Math.min(next + WORDS_PER_STEP, words.length - 1);
+                stop = Math.min(_next + WORDS_PER_STEP, _words.length - 1);
             }
-            while (next < stop)
+            while (_next < stop)
             {
-                var word:String = words[next++];
+                var word:String = _words[_next++];
                 if (word == END || word == CONTINUED)
                 {
-                    line++;
+                    _line++;
                 }
                 else
                 {
                     read(word);
                 }
             }
-            return (_start + (_end - _start) * next / words.length) / Math.max(1, _text.length);
+            return (_start + (_end - _start) * _next / _words.length) / Math.max(1, _text.length);
         }
 
         /**
@@ -120,9 +118,9 @@ package starlogo.models.text
          */
         public function readPoint(out:Vector.<Number>, at:int):Boolean
         {
-            var x:Number = Decimal.of(words[next]);
-            var y:Number = Decimal.of(words[int(next + 1)]);
-            var z:Number = Decimal.of(words[int(next + 2)]);
+            var x:Number = Decimal.of(_words[_next]);
+            var y:Number = Decimal.of(_words[int(_next + 1)]);
+            var z:Number = Decimal.of(_words[int(_next + 2)]);
             if (x - x + y - y + z - z != 0)
             {
                 return false;
@@ -130,39 +128,49 @@ package starlogo.models.text
             out[at] = x;
             out[at + 1] = y;
             out[at + 2] = z;
-            next += 3;
+            _next += 3;
             return true;
         }
 
         /** Moves on to the end of the line. */
         public function skipLine():void
         {
-            var word:String = words[next];
+            var word:String = _words[_next];
             while (word != END && word != CONTINUED)
             {
-                word = words[++next];
+                word = _words[++_next];
             }
         }
 
-        /** Returns the words up to the end of the statement or to a comment, without marks. Moves on to that end. */
+        /** Returns the next word of the statement, and moves on. Null if the statement has ended, or a comment begins. */
+        public function nextWord():String
+        {
+            var word:String = _words[_next];
+            while (word == CONTINUED)
+            {
+                _line++;
+                word = _words[++_next];
+            }
+            if (word == END)
+            {
+                return null;
+            }
+            if (word.charCodeAt(0) == HASH)
+            {
+                skipLine();
+                return null;
+            }
+            _next++;
+            return word;
+        }
+
+        /** Returns the words that are left of the statement, and moves on to its end. */
         public function restOfStatement():Array
         {
             var rest:Array = [];
-            for (var word:String = words[next]; word != END; word = words[++next])
+            for (var word:String = nextWord(); word != null; word = nextWord())
             {
-                if (word == CONTINUED)
-                {
-                    line++;
-                }
-                else if (word.charAt(0) == "#")
-                {
-                    skipLine();
-                    break;
-                }
-                else
-                {
-                    rest.push(word);
-                }
+                rest.push(word);
             }
             return rest;
         }
@@ -182,15 +190,15 @@ package starlogo.models.text
             }
             while (isContinued && _end < _text.length);
             _end = Math.min(_end, _text.length);
-            refuseIf(_end - _start > MAX_PIECE, _name, "a line and its continuation lines have more than " + MAX_PIECE + " characters", placeOf(line + 1));
+            refuseIf(_end - _start > MAX_PIECE, _name, "a line and its continuation lines have more than " + MAX_PIECE + " characters", placeOf(_line + 1));
             var text:String = (_start == 0 ? "\n" : "") + _text.substring(_start, _end) + (_end == _text.length ? "\n" : "");
             text = TextWords.replaceAll(text, "\r\n", "\n");
             text = TextWords.replaceAll(text, "\r", "\n");
             text = TextWords.replaceAll(text, "\t", " ");
             text = TextWords.replaceAll(text, "\\\n", " " + CONTINUED + " ");
             text = TextWords.replaceAll(text, "\n", " " + END + " ");
-            words = TextWords.singleSpaced(" " + text + " ").split(" ");
-            next = 1;
+            _words = TextWords.singleSpaced(" " + text + " ").split(" ");
+            _next = 1;
         }
     }
 }

@@ -162,7 +162,7 @@ package starlogo
             return computing(structures, tree, stored).call(function():void
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model
-                    var entry:ModelEntry = _models.entryFor(model.name);
+                    var entry:ModelEntry = _models.entryToWrite(model.name);
                     entry.setTreeBuilder(tree);
                     entry.setStructures(structures == null ? null : structures.structures);
                     entry.setModel(model);
@@ -193,7 +193,7 @@ package starlogo
         /** @inheritDoc */
         public function expect(name:String):void
         {
-            _models.entryFor(name).loadingCount++;
+            _models.entryToWrite(name).loadingCount++;
         }
 
         /** @inheritDoc */
@@ -201,20 +201,20 @@ package starlogo
         {
             if (isLoading(name))
             {
-                _models.of(name).loadingCount--;
+                _models.entryOf(name).loadingCount--;
             }
         }
 
         /** Whether a ModelLoader is loading a model of this name. A model of the same name may already be added. */
         public function isLoading(name:String):Boolean
         {
-            return _models.of(name).loadingCount > 0;
+            return _models.entryOf(name).loadingCount > 0;
         }
 
         /** Whether a model of this name was added. */
         public function hasModel(name:String):Boolean
         {
-            return _models.of(name).model != null;
+            return _models.entryOf(name).model != null;
         }
 
         /**
@@ -230,7 +230,7 @@ package starlogo
             {
                 return false;
             }
-            var entry:ModelEntry = _models.of(name);
+            var entry:ModelEntry = _models.entryOf(name);
             entry.setModel(null);
             entry.setTreeBuilder(null);
             entry.setStructures(null);
@@ -246,7 +246,7 @@ package starlogo
         /** @private The revision of one model. */
         engine function revisionOf(name:String):int
         {
-            return _models.of(name).revision;
+            return _models.entryOf(name).revision;
         }
 
         /**
@@ -259,13 +259,13 @@ package starlogo
          */
         engine function structureOfKind(name:String, kind:int):BoundingStructure
         {
-            return _boundingStructures.ofKind(name, kind, _models.of(name).model.vertices);
+            return _boundingStructures.ofKind(name, kind, _models.entryOf(name).model.vertices);
         }
 
         /** @private The model with a name; null if there is none. */
         engine function modelOf(name:String):Model
         {
-            return _models.of(name).model;
+            return _models.entryOf(name).model;
         }
 
         /** @private The results for a model that its cooked file or a store may have. */

@@ -37,8 +37,8 @@ package starlogo
             var table:ModelTable = _greatLand.boundingStructures.models;
             assertFalse(_greatLand.hasModel("a") || _greatLand.isLoading("a") || _greatLand.boundingStructures.has("a") || _greatLand.hierarchies.has("a"));
             assertFalse(_greatLand.removeModel("a"));
-            assertStrictlyEquals(table.of("a"), table.of("b"));
-            table.entryFor("a").loadingCount++;
+            assertStrictlyEquals(table.entryOf("a"), table.entryOf("b"));
+            table.entryToWrite("a").loadingCount++;
             assertTrue(_greatLand.isLoading("a"));
             assertFalse(_greatLand.isLoading("b"));
         }

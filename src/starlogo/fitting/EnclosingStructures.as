@@ -25,7 +25,7 @@ package starlogo.fitting
          */
         public static function sphere(vertices:Vector.<Number>, x:Number, y:Number, z:Number, leastRadius:Number = 0):Sphere
         {
-            var square:Number = squareTo(vertices, farthest(vertices, x, y, z), x, y, z);
+            var square:Number = squaredDistance(vertices, farthest(vertices, x, y, z), x, y, z);
             return new Sphere(new Vector3D(x, y, z), Math.sqrt(Math.max(square, leastRadius * leastRadius)));
         }
 
@@ -51,7 +51,7 @@ package starlogo.fitting
         }
 
         /** The squared distance from a point to the vertex whose first number has the index i. */
-        public static function squareTo(vertices:Vector.<Number>, i:int, x:Number, y:Number, z:Number):Number
+        public static function squaredDistance(vertices:Vector.<Number>, i:int, x:Number, y:Number, z:Number):Number
         {
             x -= vertices[i];
             y -= vertices[i + 1];

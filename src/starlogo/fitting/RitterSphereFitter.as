@@ -66,10 +66,10 @@ package starlogo.fitting
             var x:Number = (points[a] + points[b]) / 2;
             var y:Number = (points[a + 1] + points[b + 1]) / 2;
             var z:Number = (points[a + 2] + points[b + 2]) / 2;
-            var radius:Number = Math.sqrt(EnclosingStructures.squareTo(points, a, x, y, z));
+            var radius:Number = Math.sqrt(EnclosingStructures.squaredDistance(points, a, x, y, z));
             for (var i:int = 0; i < points.length; i += 3)
             {
-                var distance:Number = Math.sqrt(EnclosingStructures.squareTo(points, i, x, y, z));
+                var distance:Number = Math.sqrt(EnclosingStructures.squaredDistance(points, i, x, y, z));
                 if (distance > radius)
                 {
                     var shift:Number = (distance - radius) / 2 / distance;

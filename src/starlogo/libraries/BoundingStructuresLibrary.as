@@ -125,13 +125,13 @@ package starlogo.libraries
         {
             var builder:StructuresBuilder = newBuilder(name, vertices);
             finish(builder);
-            models.entryFor(name).setStructures(builder.structures);
+            models.entryToWrite(name).setStructures(builder.structures);
         }
 
         /** Whether the library has structures for a shape. */
         public function has(name:String):Boolean
         {
-            return models.of(name).structures != null;
+            return models.entryOf(name).structures != null;
         }
 
         /**
@@ -193,14 +193,14 @@ package starlogo.libraries
         /** Whether a sphere, a box and a capsule were kept for a shape. */
         public function hasAll(name:String):Boolean
         {
-            var shape:ModelStructures = models.of(name).structures;
+            var shape:ModelStructures = models.entryOf(name).structures;
             return shape != null && shape.keepsAll && shape.smallest.indexOf(null) < 0;
         }
 
         /** Whether there is a hull for a shape by now, or a sphere in its place. */
         public function hasHull(name:String):Boolean
         {
-            var shape:ModelStructures = models.of(name).structures;
+            var shape:ModelStructures = models.entryOf(name).structures;
             return shape != null && shape.hull != null;
         }
 
@@ -251,7 +251,7 @@ package starlogo.libraries
 
         private function find(name:String):ModelStructures
         {
-            var shape:ModelStructures = models.of(name).structures;
+            var shape:ModelStructures = models.entryOf(name).structures;
             if (shape == null)
             {
                 throw ModelTable.missing("bounding structure", name, "loadTightestFit");

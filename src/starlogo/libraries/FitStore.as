@@ -121,16 +121,16 @@ package starlogo.libraries
         }
 
         /**
-         * Whether there may be room for the results for a model.
+         * Whether there may be room for the results for a model. False only if there is surely none.
          *
          * @param hasTree whether its hierarchy is one of them
          *
          * @private
          */
-        engine function mayHold(model:Model, hasTree:Boolean):Boolean
+        engine function hasRoomFor(model:Model, hasTree:Boolean):Boolean
         {
             var itemCount:int = (model.triangles == null ? model.vertices.length : model.triangles.length) / 3;
-            return mayTake(hasTree ? itemCount * CookedTree.widthFor(itemCount) : 0);
+            return isSmallEnough(hasTree ? itemCount * CookedTree.widthFor(itemCount) : 0);
         }
 
         /**
@@ -144,7 +144,7 @@ package starlogo.libraries
          */
         engine function keep(geometry:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
         {
-            if (!mayTake(bytes.length))
+            if (!isSmallEnough(bytes.length))
             {
                 return false;
             }
@@ -170,8 +170,8 @@ package starlogo.libraries
             return false;
         }
 
-        // Whether an entry of some bytes may be stored, if others go for it.
-        private function mayTake(length:Number):Boolean
+        // Whether an entry of some bytes may be stored, if others are removed for it.
+        private function isSmallEnough(length:Number):Boolean
         {
             return length <= _capacity && length < _refusedLength;
         }

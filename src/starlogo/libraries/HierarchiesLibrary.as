@@ -100,13 +100,13 @@ package starlogo.libraries
             refuse(name, hasTriangles ? VertexData.triangleProblem(triangles, vertices.length / 3) : null);
             var builder:ModelTreeBuilder = newBuilder(vertices.concat(), hasTriangles ? triangles.concat() : null);
             finish(builder);
-            models.entryFor(name).setTreeBuilder(builder);
+            models.entryToWrite(name).setTreeBuilder(builder);
         }
 
         /** Whether the library has a hierarchy for a shape. */
         public function has(name:String):Boolean
         {
-            return name != null && models.of(name).hasTree;
+            return models.entryOf(name).hasTree;
         }
 
         /**
@@ -132,7 +132,7 @@ package starlogo.libraries
             {
                 throw ModelTable.missing("hierarchy", name, "loadHierarchies");
             }
-            return models.of(name).builtTree();
+            return models.entryOf(name).builtTree();
         }
 
         /**

@@ -22,14 +22,14 @@ package starlogo.libraries
             _unknown = new ModelEntry(this);
         }
 
-        /** The entry of a name, to read. All unknown names share an empty one. */
-        public function of(name:String):ModelEntry
+        /** The entry of a name, to read. All unknown names, and null, share an empty one. */
+        public function entryOf(name:String):ModelEntry
         {
-            return _entries[PREFIX + name] || _unknown;
+            return name == null ? _unknown : _entries[PREFIX + name] || _unknown;
         }
 
-        /** The entry of a name, to write to. An entry is never removed, so its revision only increases. */
-        public function entryFor(name:String):ModelEntry
+        /** The entry of a name, to write to. It is made if there is none. It is never removed, so its revision only increases. */
+        public function entryToWrite(name:String):ModelEntry
         {
             return _entries[PREFIX + name] ||= new ModelEntry(this);
         }

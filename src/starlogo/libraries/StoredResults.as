@@ -65,7 +65,7 @@ package starlogo.libraries
         public function store():void
         {
             var isKept:Boolean = _isStored && (_treeBuilder == null || _treeBuilder.isStored);
-            if (_store != null && !isKept && _store.mayHold(_model, _treeBuilder != null))
+            if (_store != null && !isKept && _store.hasRoomFor(_model, _treeBuilder != null))
             {
                 _store.keep(_geometry, _settings, newFile(_geometry, null));
             }

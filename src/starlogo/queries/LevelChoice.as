@@ -53,7 +53,7 @@ package starlogo.queries
 
         private function replace(name:String, model:Model, builder:ModelTreeBuilder, structures:ModelStructures):void
         {
-            var entry:ModelEntry = _models.entryFor(name);
+            var entry:ModelEntry = _models.entryToWrite(name);
             entry.setModel(model);
             entry.setTreeBuilder(builder);
             entry.setStructures(structures);
@@ -68,19 +68,19 @@ package starlogo.queries
         /** @inheritDoc */
         override engine function revisionOf(name:String):int
         {
-            return _models.of(name).revision;
+            return _models.entryOf(name).revision;
         }
 
         /** @inheritDoc */
         override engine function modelOf(name:String):Model
         {
-            return _models.of(name).model;
+            return _models.entryOf(name).model;
         }
 
         /** @inheritDoc */
         override engine function isLoading(agent:Agent):Boolean
         {
-            var entry:ModelEntry = _models.of(agent.shape);
+            var entry:ModelEntry = _models.entryOf(agent.shape);
             if (entry.model == null && entry.structures == null)
             {
                 throw new ArgumentError(agent + ": there is no model and no structure \"" + agent.shape + "\"; add it to the LevelShapes first");
@@ -91,7 +91,7 @@ package starlogo.queries
         /** @inheritDoc */
         override public function bind(shape:ModelShape, agent:Agent):void
         {
-            var entry:ModelEntry = _models.of(shape.modelName);
+            var entry:ModelEntry = _models.entryOf(shape.modelName);
             if (entry.structures != null)
             {
                 shape.setStructure(entry.structures.tightest);

@@ -73,7 +73,7 @@ package starlogo.fitting.minimal
         {
             for (var i:int = 0; i < others.length; i += 3)
             {
-                if (EnclosingStructures.squareTo(others, i, x, y, z) > squaredRadius * (1 + Tolerances.BALL_SLACK))
+                if (EnclosingStructures.squaredDistance(others, i, x, y, z) > squaredRadius * (1 + Tolerances.BALL_SLACK))
                 {
                     return false;
                 }

@@ -69,7 +69,7 @@ package starlogo.fitting.minimal
             {
                 var i:int = EnclosingStructures.farthest(points, x, y, z);
                 var point:Vector.<Number> = new <Number>[points[i] - _originX, points[i + 1] - _originY, points[i + 2] - _originZ];
-                grows = isLarger(EnclosingStructures.squareTo(point, 0, _ball.x, _ball.y, _ball.z)) && growTo(point);
+                grows = isLarger(EnclosingStructures.squaredDistance(point, 0, _ball.x, _ball.y, _ball.z)) && growTo(point);
             }
         }
 

@@ -4,7 +4,9 @@ package starlogo.models.loading
     import starlogo.models.text.ModelAddress;
 
     /**
-     * The downloads for one model: its file, and the files that belong to it.
+     * The downloads for one model: its file, and the files that belong to it. With a list of cooked files, <code>fetchManifest()</code> and
+     * then <code>fetchCooked()</code> come first. Then <code>fetchFile()</code>; for a glTF file, <code>fetchBuffers()</code> and
+     * <code>giveBuffers()</code>; and <code>release()</code> at the end. The downloads of each must be over before the next call.
      *
      * @private
      */

@@ -105,7 +105,7 @@ package starlogo.queries
 
         private function move(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
-            _planner.readMover(agent, 0, _planned.body);
+            _planner.readBody(agent, 0, _planned.body);
             _planner.plan(agent, dx, dy, dz, filter, _planned);
             collect(1, _end);
             var isMet:Boolean = _hits.endWithFirsts() > 0;
@@ -131,7 +131,7 @@ package starlogo.queries
 
         private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
-            _planner.readMover(agent, 0, _planned.body);
+            _planner.readBody(agent, 0, _planned.body);
             // the agent may go anywhere within the length of its way
             _planner.planWithin(agent, dx, dy, dz, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, filter, _planned);
             _mover.begin(_planned.body, _planned.rows);

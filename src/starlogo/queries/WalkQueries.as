@@ -199,7 +199,7 @@ package starlogo.queries
         private function findNear(walk:Walk, distance:Number):void
         {
             var options:WalkOptions = walk.options;
-            _planner.readMover(walk.agent, walk.turn, walk.planned.body);
+            _planner.readBody(walk.agent, walk.turn, walk.planned.body);
             // the range has the way in it, whatever its direction
             _planner.planWithin(walk.agent, 0, 0, 0, walk.range + distance, walk.pieces * options.stepHeight,
                     walk.pieces * options.snap + options.fall, options.filter, walk.planned);

@@ -43,7 +43,7 @@ package starlogo.queries.motion
          *
          * @throws ArgumentError if the agent is null, has no place, or its model is unknown or lacks data that is needed
          */
-        public function readMover(agent:Agent, turn:Number, out:Body):void
+        public function readBody(agent:Agent, turn:Number, out:Body):void
         {
             _seen.placeOf(agent);
             out.copyFrom(_seen.bodyOf(agent, _body));

@@ -65,7 +65,13 @@ package starlogo.search.table
         // The number of rows read last whose models are still loading.
         engine var loadingCount:int = 0;
 
-        private var _reshaped:ReshapedRows = new ReshapedRows();
+        // The rows that are being read whose bodies have changed, and their new shapes.
+        private var _reshaped:NumberList = new NumberList();
+        private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
+
+        // The rows whose level is coarser because they are far out. They need a finer level when they come back, so every search reads them again
+        // until then.
+        private var _farOut:NumberList = new NumberList();
 
         private var _modelShapes:ModelShapes;
 
@@ -90,26 +96,25 @@ package starlogo.search.table
          */
         public function read(agents:Vector.<Agent>):void
         {
-            var reshaped:ReshapedRows = _reshaped;
             forgetReplaced();
             list.beginRead();
-            var isOther:Boolean = !list.isAccepted || agents.length != list.rows.count || !readChanged(agents, list.rows, reshaped.rows);
+            var isOther:Boolean = !list.isAccepted || agents.length != list.rows.count || !readChanged(agents, list.rows, _reshaped);
             if (isOther)
             {
                 list.propose(agents);
                 makeRows();
-                readChanged(agents, list.proposed, reshaped.rows);
+                readChanged(agents, list.proposed, _reshaped);
             }
-            findShapes(reshaped);
+            findShapes(_reshaped, _newShapes);
             // nothing below throws
             if (isOther)
             {
                 list.accept();
                 followList();
             }
-            loadingCount = takeShapes(reshaped);
+            loadingCount = takeShapes(_reshaped, _newShapes);
             places.acceptRead(list.rows.count);
-            moveExtents(reshaped.rows);
+            moveExtents(_reshaped);
         }
 
         /**
@@ -125,10 +130,10 @@ package starlogo.search.table
             var agent:Agent = list.agents[row];
             if (agent.bodyRevision != _bodyRevisions[row])
             {
-                _reshaped.rows.count = 0;
-                _reshaped.rows.add(row);
-                findShapes(_reshaped);
-                takeShapes(_reshaped);
+                _reshaped.count = 0;
+                _reshaped.add(row);
+                findShapes(_reshaped, _newShapes);
+                takeShapes(_reshaped, _newShapes);
             }
             places.last.read(row, agent);
             places.previous.read(row, agent);
@@ -321,44 +326,44 @@ package starlogo.search.table
 
         private function moveExtents(reshaped:NumberList):void
         {
-            _rowExtents.farOut.count = 0;
-            _rowExtents.moveRows(places.changed, places.last, shapes);
-            _rowExtents.assignLevels(reshaped, shapes);
-            for (var i:int = 0; i < _rowExtents.farOut.count; i++)
+            _farOut.count = 0;
+            _rowExtents.moveRows(places.changed, places.last, shapes, _farOut);
+            _rowExtents.assignLevels(reshaped, shapes, _farOut);
+            for (var i:int = 0; i < _farOut.count; i++)
             {
-                _bodyRevisions[_rowExtents.farOut.numbers[i]] = STALE;
+                _bodyRevisions[_farOut.numbers[i]] = STALE;
             }
         }
 
         // Finds the shapes of rows. All shapes are found before any row changes, because an error must change no row.
-        private function findShapes(reshaped:ReshapedRows):void
+        private function findShapes(reshaped:NumberList, out:Vector.<ModelShape>):void
         {
-            if (reshaped.rows.count > reshaped.shapes.length)
+            if (reshaped.count > out.length)
             {
-                reshaped.shapes.length = reshaped.rows.count;
+                out.length = reshaped.count;
             }
-            for (var i:int = 0; i < reshaped.rows.count; i++)
+            for (var i:int = 0; i < reshaped.count; i++)
             {
-                var row:int = reshaped.rows.numbers[i];
+                var row:int = reshaped.numbers[i];
                 if (needsShape(row))
                 {
-                    reshaped.shapes[i] = _modelShapes.shapeOf(list.agents[row]);
+                    out[i] = _modelShapes.shapeOf(list.agents[row]);
                 }
             }
         }
 
         // Gives rows the shapes that findShapes has found, and reads their bodies. Returns the number of rows whose models are loading. These
         // are read again in every search.
-        private function takeShapes(reshaped:ReshapedRows):int
+        private function takeShapes(reshaped:NumberList, found:Vector.<ModelShape>):int
         {
             var loading:int = 0;
-            for (var i:int = 0; i < reshaped.rows.count; i++)
+            for (var i:int = 0; i < reshaped.count; i++)
             {
-                var row:int = reshaped.rows.numbers[i];
+                var row:int = reshaped.numbers[i];
                 if (needsShape(row))
                 {
-                    setShape(row, reshaped.shapes[i]);
-                    reshaped.shapes[i] = null;
+                    setShape(row, found[i]);
+                    found[i] = null;
                 }
                 if (shapes[row] == null)
                 {

@@ -20,12 +20,6 @@ package starlogo.search.table
         /** By row: the extents of the shape. */
         public var extents:Extents = new Extents();
 
-        /**
-         * The rows whose level is coarser because they are far out. They need a finer level when they come back, so every search computes their
-         * extents until then.
-         */
-        public var farOut:NumberList = new NumberList();
-
         // By row: the way from the agent's place to the middle of its extents.
         private var _offsets:Points = new Points();
 
@@ -68,8 +62,9 @@ package starlogo.search.table
          * Moves the extents of rows to the places of their agents.
          *
          * @param shapes by row: the shape; null while it is loading
+         * @param farOut receives the rows whose level is coarser because they are far out
          */
-        public function moveRows(rows:NumberList, places:Points, shapes:Vector.<ModelShape>):void
+        public function moveRows(rows:NumberList, places:Points, shapes:Vector.<ModelShape>, farOut:NumberList):void
         {
             var numbers:Vector.<int> = rows.numbers;
             var xs:Vector.<Number> = places.x;
@@ -94,21 +89,21 @@ package starlogo.search.table
                 middleZ[row] = atZ;
                 if (atX * atX + atY * atY + atZ * atZ >= maxDistanceSquared)
                 {
-                    assignLevel(row, shapes);
+                    assignLevel(row, shapes, farOut);
                 }
             }
         }
 
-        /** Finds the levels of rows. */
-        public function assignLevels(rows:NumberList, shapes:Vector.<ModelShape>):void
+        /** Finds the levels of rows. The arguments are those of moveRows. */
+        public function assignLevels(rows:NumberList, shapes:Vector.<ModelShape>, farOut:NumberList):void
         {
             for (var i:int = 0; i < rows.count; i++)
             {
-                assignLevel(rows.numbers[i], shapes);
+                assignLevel(rows.numbers[i], shapes, farOut);
             }
         }
 
-        private function assignLevel(row:int, shapes:Vector.<ModelShape>):void
+        private function assignLevel(row:int, shapes:Vector.<ModelShape>, farOut:NumberList):void
         {
             if (_levels != null && shapes[row] != null && _levels.assignLevel(extents, row))
             {

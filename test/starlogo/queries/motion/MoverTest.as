@@ -26,7 +26,7 @@ package starlogo.queries.motion
             seen.update(new <Agent>[agent, agentAt("cube", 0.2, 0, 0)]);
             var planned:PlannedMotion = new PlannedMotion();
             var result:SlideResult = new SlideResult();
-            planner.readMover(agent, 0, planned.body);
+            planner.readBody(agent, 0, planned.body);
             planner.planWithin(agent, 0, 0, -1, 1, 0, 0, null, planned);
             mover.begin(planned.body, planned.rows);
             mover.slide(planned.from, planned.motion, SlideLimits.NONE, result);

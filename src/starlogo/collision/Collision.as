@@ -252,10 +252,7 @@ package starlogo.collision
          */
         public function update(agents:Vector.<Agent>):void
         {
-            if (_updatingSystem != null)
-            {
-                throw new IllegalOperationError("update must not be called from a handler, or from the filter");
-            }
+            requireIdle("update");
             requireGiven("agents", agents);
             var start:Number = getTimer();
             _handlerErrors.length = 0;
@@ -381,12 +378,17 @@ package starlogo.collision
             }
         }
 
-        private function requireSearch(what:String):void
+        private function requireIdle(what:String):void
         {
             if (_updatingSystem != null)
             {
                 throw new IllegalOperationError(what + " must not be called from a handler, or from the filter");
             }
+        }
+
+        private function requireSearch(what:String):void
+        {
+            requireIdle(what);
             if (_system.equivalentCollider == null)
             {
                 throw new IllegalOperationError(what + " needs one of the engine's collision systems, not " + textOf(_collisionSystem, "a Collider"));

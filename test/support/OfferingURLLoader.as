@@ -9,17 +9,22 @@ package support
     public class OfferingURLLoader extends URLLoader
     {
         private var _files:Object;
+        private var _problem:String;
 
-        /** @param files what there is, by address */
-        public function OfferingURLLoader(files:Object)
+        /**
+         * @param files what there is, by address
+         * @param problem the text of the error for all else
+         */
+        public function OfferingURLLoader(files:Object, problem:String = "404")
         {
             _files = files;
+            _problem = problem;
         }
 
         override public function load(request:URLRequest):void
         {
             data = _files[request.url];
-            dispatchEvent(data == undefined ? new IOErrorEvent(IOErrorEvent.IO_ERROR, false, false, "404") : new Event(Event.COMPLETE));
+            dispatchEvent(data == undefined ? new IOErrorEvent(IOErrorEvent.IO_ERROR, false, false, _problem) : new Event(Event.COMPLETE));
         }
 
         override public function close():void

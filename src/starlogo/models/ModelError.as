@@ -3,6 +3,9 @@ package starlogo.models
     /** Thrown if a model can't be loaded. The message says which model, where in the file, and what is wrong. */
     public class ModelError extends Error
     {
+        // Longer names are shortened in the message: they are probably a file's text.
+        private static const LONGEST_NAME:int = 60;
+
         private var _modelName:String;
         private var _place:String;
 
@@ -15,10 +18,16 @@ package starlogo.models
          */
         public function ModelError(modelName:String, place:String, problem:String)
         {
-            super("model \"" + modelName + "\"" + (place == "" ? "" : ", " + place) + ": " + problem);
+            super("model \"" + shortened(modelName) + "\"" + (place == "" ? "" : ", " + place) + ": " + problem);
             name = "ModelError";
             _modelName = modelName;
             _place = place;
+        }
+
+        // The first words of a text that was passed in place of a name, on one line.
+        private static function shortened(name:String):String
+        {
+            return name == null || name.length <= LONGEST_NAME ? name : name.substr(0, LONGEST_NAME).replace(/\s+/g, " ") + "...";
         }
 
         /** The name of the model that failed. */

@@ -163,7 +163,7 @@ package starlogo.models
                     assertEquals("http://host/models/parts/bear.bin,bear.bin,lost.bin", [_loader.fetches[3].addresses, _loader.fetches[4].addresses,
                                 _loader.fetches[5].addresses].join());
                     assertEquals('a 4\nb 4\nmodel "bytes", buffers[0].uri: it is in another file, and the address of this file is not known: load() fetches both\n' +
-                            'model "lost", buffers[0].uri: its file can\'t be fetched: 404', _log.join("\n"));
+                            'model "lost", buffers[0].uri: its file can\'t be fetched: lost.bin (404)', _log.join("\n"));
                 });
         }
 

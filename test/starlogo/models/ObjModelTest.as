@@ -1,6 +1,8 @@
 package starlogo.models
 {
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import org.flexunit.asserts.fail;
     import support.Failures;
     import support.assertThrows;
     import support.create;
@@ -165,6 +167,26 @@ package starlogo.models
             fails("line 5", "no vertex 1000000000", SQUARE + "f 1 2 3 1e9");
             Failures.assertFails("", "no text", create, ObjModel, "a", null);
             Failures.assertFails("", "name", create, ObjModel, "", SQUARE);
+        }
+
+        [Test]
+        public function argumentsInTheWrongOrderGiveAShortMessage():void
+        {
+            var text:String = SQUARE;
+            while (text.length < 5000)
+            {
+                text += SQUARE;
+            }
+            try
+            {
+                create(ObjModel, text, "bear");
+                fail("it is no OBJ text");
+            }
+            catch (error:ModelError)
+            {
+                assertTrue(error.message, /^model "v [^\n]*\.\.\.": no vertices/.test(error.message) && error.message.length < 150);
+                assertEquals(text, error.modelName);
+            }
         }
 
         private static function fails(place:String, words:String, text:String):void

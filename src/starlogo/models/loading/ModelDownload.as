@@ -31,6 +31,7 @@ package starlogo.models.loading
         /** Why the file cannot be fetched; null if there is no problem. */
         public var problem:String = null;
 
+        private var _url:String;
         private var _loader:URLLoader;
 
         /**
@@ -41,6 +42,7 @@ package starlogo.models.loading
          */
         public function ModelDownload(url:String, loader:URLLoader)
         {
+            _url = url;
             _loader = loader;
             _loader.dataFormat = URLLoaderDataFormat.BINARY;
             for each (var type:String in EVENTS)
@@ -89,9 +91,13 @@ package starlogo.models.loading
         private function fail(reason:String):void
         {
             // The player's message without its number and without the words before the address: "Error #2032: Stream Error. URL: bear.obj"
-            // becomes "bear.obj", and without an address nothing is left.
+            // becomes "bear.obj". A message without an address becomes the reason in brackets.
             reason = reason.replace(/^Error #\d+: (Stream Error(\. |$))?(URL: )?/, "");
-            problem = "its file can't be fetched" + (reason == "" ? "" : ": " + reason);
+            if (reason.indexOf(_url) < 0)
+            {
+                reason = _url + (reason == "" ? "" : " (" + reason + ")");
+            }
+            problem = "its file can't be fetched: " + reason;
             end();
         }
 

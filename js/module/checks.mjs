@@ -91,7 +91,7 @@ export class Checks {
 		// options as for the platform's own listeners, not only for Flash's class
 		if (name === "useCapture") return [...optionsOf(member), `if (typeof ${name} !== "boolean") ${refuse('"true, false or options"')}`];
 		if (parameter.isRest || parameter.type === "*" || parameter.type === "Object") return [];
-		if (vector) return this.#vectorCheck(parameter, vector, isNullable, isNamed ? where : `null, ${where}`);
+		if (vector) return this.#vectorCheck(parameter, vector, isNullable, isNamed ? where : `null, ${where}`, mayHaveNull(name, member));
 		const simple = this.#simpleCheck(parameter, member, type);
 		if (simple) {
 			const [helper, test, kind] = simple;
@@ -154,12 +154,12 @@ export class Checks {
 		return MARKED.has(type.qname) ? `$isMarked(${name}, "$is${type.name}")` : `(${name} instanceof ${this.#reference(type.qname)})`;
 	}
 
-	#vectorCheck({ name }, element, isNullable, where) {
+	#vectorCheck({ name }, element, isNullable, where, mayHaveNull) {
 		const unlessNull = isNullable ? `if (${name} != null) ` : "";
 		// The engine checks agents when it first meets them. That is once, as long as a list stays the same.
 		if (name === "out" || element === "Agent") return [`${unlessNull}$checkList(${where}, ${name});`];
 		if (/^(Number|int|uint)$/.test(element)) return [`${name} = $numbers(${where}, ${name}, "${element}", ${isNullable});`];
-		if (element === "String") return [`${unlessNull}$checkList(${where}, ${name}, "a string", (each) => typeof each === "string");`];
+		if (element === "String") return [`${unlessNull}$checkList(${where}, ${name}, "a string", (each) => ${mayHaveNull ? "each === null || " : ""}typeof each === "string");`];
 		if (element === "Vector3D") return [`${unlessNull}$checkList(${where}, ${name}, "a Vector3D", (each) => each instanceof ${this.#reference("flash.geom.Vector3D")});`];
 		const test = this.#typeTest(element, "each");
 		return [`${unlessNull}$checkList(${where}, ${name}${test ? `, "${article(element)}", (each) => ${test}` : ""});`];
@@ -183,6 +183,11 @@ export function mayBeNull(parameter, member, type) {
 	// Flash's own error for a null listener, or a null type of event, has only a number
 	if (type.qname.startsWith("flash.") && (parameter.type === "Function" || parameter.name === "type")) return false;
 	return ANSWERED.has(parameter.type) || /\bnull\b/.test(member.doc);
+}
+
+/** Whether a list of names may have null among them: the documentation says "null for" what has no name. */
+export function mayHaveNull(name, { doc }) {
+	return new RegExp(String.raw`@param ${name}\s+(?:(?!\n\s*@)[\s\S])*\bnull for a`).test(doc);
 }
 
 /** Whether a parameter takes a point or a vector that a member finds. */

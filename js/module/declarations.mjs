@@ -1,6 +1,6 @@
 /** Writes index.d.ts: the TypeScript declarations of the public classes, with their documentation. */
 import { ADDED, PLAIN_BYTES } from "./added.mjs";
-import { isWritten } from "./checks.mjs";
+import { isWritten, mayHaveNull } from "./checks.mjs";
 import { PLATFORM_NAMES } from "./names.mjs";
 
 const PRIMITIVES = { Number: "number", int: "number", uint: "number", Boolean: "boolean", String: "string", void: "void", "*": "unknown", Object: "unknown", Array: "unknown[]", Class: "Function", Error: "Error", RegExp: "RegExp", Function: "(...args: never[]) => unknown" };
@@ -163,7 +163,7 @@ class Writer {
 		const generic = isPicking ? "<A extends Agent>" : "";
 		if (isPicking) this.#agent = "A";
 		const isNull = this.#mayBeNull({ ...member, doc: this.#referredDoc(said) });
-		const result = PLAIN_BYTES.has(`${type.qname}.${member.name}`) ? "Uint8Array" : BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said) ?? this.#type(member.result) + (isNull ? " | null" : "");
+		const result = PLAIN_BYTES.has(`${type.qname}.${member.name}`) ? "Uint8Array" : BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said) ?? this.#resultType(member, said) + (isNull ? " | null" : "");
 		switch (member.kind) {
 			case "constructor":
 				return `${text}\tconstructor(${this.#parameters(member, type)});`;
@@ -184,6 +184,11 @@ class Writer {
 			default:
 				return `${text}\t${visible}${isStatic}${member.kind === "const" ? "readonly " : ""}${member.name}: ${result};`;
 		}
+	}
+
+	// "null for a mesh without a name" makes null an element
+	#resultType({ result }, said) {
+		return result === "Vector.<String>" && /\bnull for a\b/.test(said) ? "(string | null)[]" : this.#type(result);
 	}
 
 	#mayBeNull(member) {
@@ -256,7 +261,7 @@ class Writer {
 		const orNull = value === "null" || /\bnull\b/.test(said) ? " | null" : "";
 		if (BY_NAME.has(name)) return BY_NAME.get(name) + orNull;
 		const element = /^Vector\.<(.*)>$/.exec(type)?.[1];
-		if (element && name !== "out" && !/^(Number|int|uint)$/.test(element)) return `readonly ${this.#type(element)}[]${orNull}`;
+		if (element && name !== "out" && !/^(Number|int|uint)$/.test(element)) return `readonly ${mayHaveNull(name, { doc: said }) ? `(${this.#type(element)} | null)` : this.#type(element)}[]${orNull}`;
 		if (/^Vector\.<(Number|int|uint)>$/.test(type) && name !== "out") return `Numbers${orNull}`;
 		if (type === "ByteArray") return `Bytes${orNull}`;
 		if (type === "WalkOptions") return `Partial<WalkOptions>${orNull}`;

@@ -146,6 +146,14 @@ test("names are strings", () => {
 	assert.deepEqual([agent.shape, agent.breed, agent.collideAs], ["cube", "bears", "tightest"]);
 });
 
+test("a mesh or a material without a name has null in place of one", () => {
+	const model = new Model("square", [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0], [0, 1, 2, 1, 2, 3]);
+	model.setMeshes([0, 1], ["roof", null]);
+	model.setMaterials([1, 0], [null, "brick"]);
+	assert.deepEqual([model.meshNames, model.materialNames], [["roof", null], [null, "brick"]]);
+	refused(() => model.setMeshes([0, 1], ["roof", undefined]), "names[1] must be a string, not undefined");
+});
+
 test("lists are arrays of agents, and a frame that is refused changes nothing", () => {
 	const collision = new Collision(new TightestFitCollider(makeLand()));
 	const [a, b] = [new Agent("cube", "bears"), new Agent("sphere", "balls")];

@@ -137,7 +137,7 @@ package starlogo.models
          * Gives the triangles materials. This changes no collision. Hits tell them from then on.
          *
          * @param numbers the number of each triangle's material, -1 for none; copied. Null removes the materials
-         * @param names the name of each material, by its number; copied. Null if they have no names
+         * @param names the name of each material, by its number, null for a material without a name; copied. Null if they have no names
          * @throws ModelError if there is not one number for each triangle, or if a number is less than -1 or has no name in the names
          */
         public function setMaterials(numbers:Vector.<int> = null, names:Vector.<String> = null):void
@@ -149,7 +149,7 @@ package starlogo.models
          * Says which mesh each triangle belongs to. This changes no collision. Hits tell them from then on.
          *
          * @param numbers the number of each triangle's mesh, -1 for none; copied. Null removes the meshes
-         * @param names the name of each mesh, by its number; copied. Null if they have no names
+         * @param names the name of each mesh, by its number, null for a mesh without a name; copied. Null if they have no names
          * @throws ModelError if there is not one number for each triangle, or if a number is less than -1 or has no name in the names
          */
         public function setMeshes(numbers:Vector.<int> = null, names:Vector.<String> = null):void

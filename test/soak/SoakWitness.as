@@ -2,6 +2,7 @@ package soak
 {
     import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
+    import flash.utils.ByteArray;
     import starlogo.agents.Agent;
     import starlogo.bounding.Box;
     import starlogo.bounding.Sphere;
@@ -177,7 +178,10 @@ package soak
         {
             try
             {
-                _hash.addBytes(_collision.snapshot());
+                var bytes:ByteArray = _collision.snapshot();
+                // without the kind of the collision system, which the game has chosen
+                bytes[4] &= 7;
+                _hash.addBytes(bytes);
             }
             catch (error:IllegalOperationError)
             {

@@ -325,8 +325,8 @@ package starlogo.collision
                 throw new IllegalOperationError("the last frame has refused its list or failed: there is nothing to take a snapshot of");
             }
             var searched:Collider = _lastFrame.collider || _system.equivalentCollider;
-            return _snapshots.write(_touches, searched.search.table, _lastFrame.agents, _lastFrame.collider == _system.equivalentCollider, terrain,
-                    findWorldAgents(), withTraits, withGround);
+            return _snapshots.write(_touches, searched.search.table, _lastFrame.agents, _lastFrame.collider == _system.equivalentCollider,
+                    kindOfSystem(), terrain, findWorldAgents(), withTraits, withGround);
         }
 
         /**
@@ -336,8 +336,8 @@ package starlogo.collision
          * @param bytes the result of <code>snapshot()</code>; not changed
          * @param agents the list <code>lastAgents</code> of that frame. They may be other objects, created since then, or for another
          *     Collision. If the snapshot is without traits, the game has put the agents' traits back
-         * @throws ArgumentError if one is null, if the bytes are no snapshot of these agents, or if <code>update()</code> would refuse the list;
-         *     nothing has changed then
+         * @throws ArgumentError if one is null, if the bytes are no snapshot of these agents or are of another kind of collision system, or if
+         *     <code>update()</code> would refuse the list; nothing has changed then
          * @throws RangeError if a structure is out of the world; nothing has changed then
          * @throws IllegalOperationError as in snapshot
          */
@@ -347,7 +347,7 @@ package starlogo.collision
             requireGiven("bytes", bytes);
             requireGiven("agents", agents);
             var collider:Collider = _system.equivalentCollider;
-            _touches = _snapshots.read(bytes, agents, collider.search, terrain, findWorldAgents());
+            _touches = _snapshots.read(bytes, agents, collider.search, kindOfSystem(), terrain, findWorldAgents());
             collider.takeContactsFromFrame();
             _lastFrame.keep(agents, collider);
             _lastFrame.hasFailed = false;
@@ -393,6 +393,11 @@ package starlogo.collision
             {
                 throw new IllegalOperationError(what + " needs one of the engine's collision systems, not " + textOf(_collisionSystem, "a Collider"));
             }
+        }
+
+        private function kindOfSystem():int
+        {
+            return _system.equivalentCollider.narrowPhase.choice.system;
         }
 
         // The agents of the ground and of the edges, or null, as they are now.

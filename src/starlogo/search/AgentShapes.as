@@ -26,6 +26,12 @@ package starlogo.search
             this.greatLand = greatLand;
         }
 
+        /** @private The collision system that the shapes belong to, a number from 1 on; 0 for a game's own. Snapshots have it. */
+        engine function get system():int
+        {
+            return 0;
+        }
+
         /**
          * @private Gives a narrow phase the tests of pairs that the shapes need, besides those of spheres and those that the collider gives it. A
          * game loads only the code of these tests.

@@ -21,6 +21,12 @@ package starlogo.search
             super(greatLand);
         }
 
+        /** @private */
+        override engine function get system():int
+        {
+            return 1;
+        }
+
         /** @inheritDoc */
         override public function bind(shape:ModelShape, agent:Agent):void
         {

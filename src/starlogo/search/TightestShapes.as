@@ -23,6 +23,12 @@ package starlogo.search
             requireGiven("greatLand", greatLand);
         }
 
+        /** @private */
+        override engine function get system():int
+        {
+            return 2;
+        }
+
         /** @inheritDoc */
         override public function kindOf(agent:Agent):int
         {

@@ -35,6 +35,12 @@ package starlogo.search
             _fits = fits;
         }
 
+        /** @private */
+        override engine function get system():int
+        {
+            return _fits == null ? 3 : 4;
+        }
+
         /** @inheritDoc */
         override public function kindOf(agent:Agent):int
         {

@@ -101,6 +101,28 @@ package starlogo.collision
         }
 
         [Test]
+        public function anotherKindOfSystemIsRefused():void
+        {
+            var systems:Array = ["bins", "BinCollider", "tightest fits", "TightestFitCollider", "hierarchies", "HierarchicalCollider", "combinations", "CombinationCollider"];
+            for (var i:int = 0; i < systems.length; i += 2)
+            {
+                var crowd:Crowd = new Crowd(EachCollider.make(systems[i], _greatLand));
+                crowd.play(1, 3);
+                var bytes:ByteArray = crowd.collision.snapshot();
+                for (var j:int = 0; j < systems.length; j += 2)
+                {
+                    crowd.collision.collisionSystem = EachCollider.make(systems[j], _greatLand);
+                    if (i == j)
+                    {
+                        crowd.collision.restore(bytes, crowd.agents);
+                        continue;
+                    }
+                    assertThrows(ArgumentError, new RegExp("with a " + systems[j + 1] + ".*had a " + systems[i + 1]), crowd.collision.restore, bytes, crowd.agents);
+                }
+            }
+        }
+
+        [Test]
         public function notWhileHandlersRun():void
         {
             var collision:Collision = new Collision(new BinCollider(_greatLand));

@@ -40,6 +40,10 @@ package starlogo.collision.snapshots
         private static const GROUND:int = 2;
         private static const HEIGHTS:int = 4;
 
+        // The kinds of collision systems: AgentShapes.system, in the bits above these.
+        private static const SYSTEM:int = 8;
+        private static const SYSTEMS:Array = ["a collider of the game's own", "a BinCollider", "a TightestFitCollider", "a HierarchicalCollider", "a CombinationCollider"];
+
         private var _register:SnapshotRegister = new SnapshotRegister();
 
         // The agents of the ground and the edges that were exchanged before the last snapshot. In a Collision that has taken none, new agents
@@ -53,14 +57,15 @@ package starlogo.collision.snapshots
          * @param table has the last frame's agents
          * @param agents the last frame's list. It is empty if there was no frame
          * @param keepsMotions whether the agents' next motions begin at their positions in the table
+         * @param system the kind of the collision system, as in AgentShapes
          * @param terrain the ground, or null
          * @param worldAgents the agents of the ground and of the edges, or null
          * @param withTraits whether the agents' traits are written
          * @param withGround whether the ground's heights are written
          * @throws IllegalOperationError if the collision system has searched another list
          */
-        public function write(tracker:TouchTracker, table:AgentTable, agents:Vector.<Agent>, keepsMotions:Boolean, terrain:Terrain,
-                worldAgents:Vector.<Agent>, withTraits:Boolean, withGround:Boolean):ByteArray
+        public function write(tracker:TouchTracker, table:AgentTable, agents:Vector.<Agent>, keepsMotions:Boolean, system:int,
+                terrain:Terrain, worldAgents:Vector.<Agent>, withTraits:Boolean, withGround:Boolean):ByteArray
         {
             if (agents.length > 0 && !table.list.isListed(agents))
             {
@@ -82,7 +87,7 @@ package starlogo.collision.snapshots
             }
             var bytes:ByteArray = newBytes();
             bytes.writeUnsignedInt(MARK);
-            bytes.writeByte(int(withTraits) * TRAITS + int(terrain != null) * GROUND + int(hasHeights) * HEIGHTS);
+            bytes.writeByte(int(withTraits) * TRAITS + int(terrain != null) * GROUND + int(hasHeights) * HEIGHTS + system * SYSTEM);
             bytes.writeInt(agents.length);
             names.write(bytes);
             bytes.writeBytes(rest);
@@ -94,12 +99,14 @@ package starlogo.collision.snapshots
         /**
          * Goes back to a snapshot. The last search is then the one before the snapshot was taken.
          *
+         * @param system the kind of the collision system that will search
          * @param terrain the ground, which gets the heights that are in the snapshot; or null
          * @param worldAgents the agents of the ground and of the edges, or null
          * @return the tracker that knows which pairs touched then
          * @throws ArgumentError as Collision.restore does; nothing has changed then
          */
-        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, terrain:Terrain, worldAgents:Vector.<Agent>):TouchTracker
+        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, system:int, terrain:Terrain,
+                worldAgents:Vector.<Agent>):TouchTracker
         {
             search.table.list.propose(agents);
             var copy:ByteArray = newBytes();
@@ -112,7 +119,7 @@ package starlogo.collision.snapshots
             var parts:SnapshotParts = new SnapshotParts();
             try
             {
-                checkAll(copy, agents, terrain, worldAgents, parts);
+                checkAll(copy, agents, system, terrain, worldAgents, parts);
             }
             catch (error:Error)
             {
@@ -202,10 +209,16 @@ package starlogo.collision.snapshots
         }
 
         // Checks all parts but the traits, finds where they begin, and reads the touching pairs. The last argument receives what it has found.
-        private function checkAll(bytes:ByteArray, agents:Vector.<Agent>, terrain:Terrain, worldAgents:Vector.<Agent>, parts:SnapshotParts):void
+        private function checkAll(bytes:ByteArray, agents:Vector.<Agent>, system:int, terrain:Terrain, worldAgents:Vector.<Agent>,
+                parts:SnapshotParts):void
         {
             var contents:int = parts.contents = bytes.readUnsignedByte();
-            check(contents <= (TRAITS | GROUND | HEIGHTS) && (contents & (GROUND | HEIGHTS)) != HEIGHTS);
+            var writtenBy:int = contents / SYSTEM;
+            check(writtenBy < SYSTEMS.length && (contents & (GROUND | HEIGHTS)) != HEIGHTS);
+            if (writtenBy != system)
+            {
+                throw new ArgumentError("bytes are no snapshot of a Collision with " + SYSTEMS[system] + ": that one had " + SYSTEMS[writtenBy]);
+            }
             var count:uint = bytes.readUnsignedInt();
             check(count <= bytes.bytesAvailable / BYTES_PER_AGENT);
             var countedAt:uint = bytes.position;

@@ -78,7 +78,7 @@ function cleaned(code) {
 
 /** The text without warnings for developers. Its lines have the same numbers, for the map. */
 function forUsers(code) {
-	const switched = code.replace("const $isForUsers = false;", "const $isForUsers = true;").replaceAll(/(function \$warn(?:OfNames)?\(\w+\)) \{(\n[\s\S]*?\n)\}\n/g, (_, head, body) => `${head} {${body.replaceAll(/[^\n]/g, "")}}\n`);
+	const switched = code.replace("const $isForUsers = false;", "const $isForUsers = true;").replaceAll(/(function \$warn(?:Of\w+)?\([\w, ]+\)) \{(\n[\s\S]*?\n)\}\n/g, (_, head, body) => `${head} {${body.replaceAll(/[^\n]/g, "")}}\n`);
 	if (switched === code) throw new Error("there is no switch for warnings");
 	return switched;
 }

@@ -224,7 +224,7 @@ test("the minified module has a map to the readable one, in a folder of its own"
 });
 
 test("while a game is developed, names that do nothing are warned of, once", () => {
-	const program = (module) => `import { Agent, BinCollider, Collision, CombinationCollider, GreatLand, Model } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
+	const program = (module) => `import { Agent, AgentFilter, AgentQueries, BinCollider, Collision, CombinationCollider, GreatLand, Model } from ${JSON.stringify(pathToFileURL(path.join(folder, module)))};
 		const said = [];
 		console.warn = (text) => said.push(text);
 		class Wolf extends Agent { hunger = 3; colour = "grey"; }
@@ -237,6 +237,17 @@ test("while a game is developed, names that do nothing are warned of, once", () 
 		collider.exact = true;
 		const collision = new Collision(collider);
 		for (let i = 0; i < 3; i++) collision.update([agent, wolf, plain]);
+		const flock = new Collision(new BinCollider());
+		flock.onCollision("wolfs", "sheep", function eat(a, b, contact, more) {});
+		flock.onCollision(Collision.ANY_BREED, "team2", (a, b, contact) => 0);
+		const queries = new AgentQueries(flock);
+		const list = ["wolves", "sheep", "sheep", "team1"].map((breed) => new Agent("sphere", breed));
+		for (let i = 0; i < 3; i++) {
+			flock.update([...list]);
+			queries.update(list);
+			for (const breeds of [["sheeps", "birds"], ["sheep"], ["Wolves"]]) queries.near(list[0], 9, AgentFilter.ofBreeds(...breeds));
+			if (i === 1) list.push(new Agent("sphere", "birdes"));
+		}
 		const land = new GreatLand();
 		const side = 80;
 		const vertices = Array.from({ length: side * side }, (_, i) => [i % side, Math.floor(i / side), Math.sin(i)]).flat();
@@ -250,7 +261,7 @@ test("while a game is developed, names that do nothing are warned of, once", () 
 		console.log(JSON.stringify(said));`;
 	const run = (module) => JSON.parse(execFileSync(process.execPath, ["--input-type=module", "--eval", program(module)], { encoding: "utf8" }));
 	const said = run("starlogo-collision.js");
-	const expected = [/exact does nothing on a BinCollider/, /sweep is no property of Agent.*is sweeps meant/, /colour is no property of Wolf.*is color meant/, /Heading is no property of Wolf.*is heading meant/, /sweep is no property of Wolf/, /sweeps is a field of Bird that hides the engine's: set it in the constructor/, /12638 triangles.*set hierarchical/];
+	const expected = [/exact does nothing on a BinCollider/, /sweep is no property of Agent.*is sweeps meant/, /colour is no property of Wolf.*is color meant/, /Heading is no property of Wolf.*is heading meant/, /sweep is no property of Wolf/, /the handler eat has 4 parameters, and gets three/, /no agent is of the breed "wolfs"; is "wolves" meant/, /"sheeps"; is "sheep" meant/, /"Wolves"; is "wolves" meant/, /"birds"; is "birdes" meant/, /sweeps is a field of Bird that hides the engine's: set it in the constructor/, /12638 triangles.*set hierarchical/];
 	assert.equal(said.length, expected.length, said.join("\n"));
 	expected.forEach((pattern, i) => assert.match(said[i], pattern));
 	assert.deepEqual(run("starlogo-collision.min.js"), []);

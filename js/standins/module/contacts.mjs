@@ -1,10 +1,17 @@
 /** The third argument of handlers in JavaScript. There a function need not declare how many arguments it takes. */
+import { $warn } from "./warnings.mjs";
+
+/** Whether a handler may read a third argument. */
+export function mayTakeContact(handler) {
+	if (handler.length > 3) $warn(`the handler ${handler.name || "without a name"} has ${handler.length} parameters, and gets three arguments: the two agents and the contact`);
+	return handler.length >= 3 || mayTakeMore(handler);
+}
 
 /**
  * Whether a handler that declares fewer than three arguments may still read a third: by `(...all)`, a default value or `arguments`, or
  * because it is bound or a mock, whose code is not known. The contacts of such a handler are computed in every frame.
  */
-export function mayTakeMore(handler) {
+function mayTakeMore(handler) {
 	const text = Function.prototype.toString.call(handler);
 	const start = text.indexOf("(");
 	let end = start;

@@ -3,6 +3,7 @@ import { $isForUsers, distanceOf } from "./language.mjs";
 
 const $MOST_LOOKED_AT = 1000;
 const $warned = /* @__PURE__ */ new Set();
+const $checkedBreeds = /* @__PURE__ */ new Map();
 let $lookedAt = 0;
 
 /** Writes a warning to the console, once. */
@@ -24,10 +25,32 @@ export function $warnOfNames(object) {
 		const type = object.constructor.name;
 		if (name === "exact" || name === "maxDepth") $warn(`${name} does nothing on a ${type}: it is for a HierarchicalCollider or a CombinationCollider`);
 		const names = $settableNames(object);
-		const meant = names.find((each) => each === name) ?? names.find((each) => each.toLowerCase() === name.toLowerCase() || $areClose(name, each));
+		const meant = names.find((each) => each === name) ?? names.find((each) => each.toLowerCase() === name.toLowerCase() || $changesBetween(name, each) <= 1);
 		if (meant === name) $warn(`${name} is a field of ${type} that hides the engine's: set it in the constructor`);
 		else if (meant !== undefined) $warn(`${name} is no property of ${type} that the engine reads; is ${meant} meant?`);
 	}
+}
+
+/**
+ * Warns of breeds that handlers or a question's filter name, if no agent has the breed, and agents have one that is called nearly the same. Agents
+ * of the breed may still come. So nothing is refused, and a breed is looked for again when there are new names.
+ */
+export function $warnOfBreeds(names, agents) {
+	if ($isForUsers) return;
+	for (const name of names) {
+		if ($checkedBreeds.get(name) >= Breeds.count) continue;
+		const breeds = [...new Set(agents.map((agent) => agent?.breed))].filter((breed) => typeof breed === "string" && !/^\*/.test(breed));
+		if (breeds.length === 0) continue;
+		$checkedBreeds.set(name, breeds.includes(name) ? Infinity : Breeds.count);
+		const meant = breeds.find((breed) => $areSimilar(name, breed));
+		if (meant !== undefined && !breeds.includes(name)) $warn(`no agent is of the breed ${JSON.stringify(name)}; is ${JSON.stringify(meant)} meant?`);
+	}
+}
+
+/** Whether a breed's name may be another one, misspelled. Names that differ in numbers alone are of different breeds. */
+function $areSimilar(name, breed) {
+	if (name.length < 4 || name.replace(/\d+/g, "") === breed.replace(/\d+/g, "")) return false;
+	return name.toLowerCase() === breed.toLowerCase() || $changesBetween(name, breed) <= (Math.max(name.length, breed.length) < 6 ? 1 : 2);
 }
 
 /** The names of an object's setters. */
@@ -39,9 +62,9 @@ function $settableNames(object) {
 	return names;
 }
 
-/** Whether one letter too many, too few or another makes one name of the other. */
-function $areClose(name, other) {
+/** How many letters are too many, too few or others (Levenshtein, 1966). */
+function $changesBetween(name, other) {
 	let same = 0;
 	while (same < name.length && name[same] === other[same]) same++;
-	return distanceOf(name, other) + 2 * same <= 1;
+	return distanceOf(name, other) + 2 * same;
 }

@@ -262,7 +262,7 @@ package starlogo.collision
             var ground:Agent = terrain == null ? null : terrain.agent;
             var edges:Agent = bounds == null ? null : bounds.agent;
             var predicate:AgentPredicate = filter;
-            _handlers.begin();
+            _handlers.begin(agents);
             var collider:Collider = system.innerCollider;
             _updatingSystem = system;
             try

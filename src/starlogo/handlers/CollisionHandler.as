@@ -36,7 +36,7 @@ package starlogo.handlers
         /** function(collider:Agent, collidee:Agent):void, or with a third argument, the contact. */
         public var handler:Function;
 
-        /** Whether it takes a contact, or may read one as a further argument: see mayTakeMore. */
+        /** Whether it takes a contact, or may read one: see mayTakeContact. */
         public var takesContact:Boolean;
 
         /** Its number among the handlers of a Collision, in the order in which they were added. */
@@ -52,7 +52,7 @@ package starlogo.handlers
             this.order = order;
             breedNumber = BreedInterests.numberOf(breed);
             otherNumber = BreedInterests.numberOf(otherBreed);
-            takesContact = handler.length >= 3 || mayTakeMore(handler);
+            takesContact = mayTakeContact(handler);
         }
 
         /** Whether its calls need a contact. At the end of a touch there is none. */

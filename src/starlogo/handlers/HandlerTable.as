@@ -2,11 +2,13 @@
 // TouchTracker knows since which frame two agents touch (Touch). Read this file first, then HandlerCalls in the room collision, which calls them.
 package starlogo.handlers
 {
+    import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.geometry.HashTable;
     import starlogo.search.BreedInterests;
     import starlogo.search.textOf;
+    import starlogo.search.warnOfBreeds;
 
     use namespace engine;
 
@@ -81,8 +83,12 @@ package starlogo.handlers
             _isOneRemoved = true;
         }
 
-        /** Begins a frame: takes the handlers as they are now. */
-        public function begin():void
+        /**
+         * Begins a frame: takes the handlers as they are now.
+         *
+         * @param agents the frame's agents
+         */
+        public function begin(agents:Vector.<Agent>):void
         {
             if (_isOneRemoved)
             {
@@ -95,6 +101,7 @@ package starlogo.handlers
             for each (var handler:CollisionHandler in _added)
             {
                 interests.addNumbers(handler.breedNumber, handler.otherNumber);
+                warnOfBreeds(new <String>[Breeds.nameOf(handler.breedNumber), Breeds.nameOf(handler.otherNumber)], agents);
                 kinds |= 1 << handler.kind;
                 contactKinds |= handler.needsContact ? 1 << handler.kind : 0;
             }

@@ -1,0 +1,16 @@
+package starlogo.search
+{
+    import starlogo.agents.Agent;
+
+    /**
+     * Warns if a breed that a game names is probably misspelled, because only a breed of a similar name has agents. In ActionScript this does
+     * nothing. The ES module has its own version, for games that are developed.
+     *
+     * @param names the breeds
+     * @param agents the agents that there are; null for a free row
+     * @private
+     */
+    public function warnOfBreeds(names:Vector.<String>, agents:Vector.<Agent>):void
+    {
+    }
+}

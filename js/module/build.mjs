@@ -16,6 +16,7 @@ import { ROOT, moduleRoots, publicSignatures } from "./names.mjs";
 
 const [transpiled, out] = process.argv.slice(2);
 const NAME = "starlogo-collision";
+const SHORT = join(ROOT, "bin/generated/module");
 const DIGITS = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
 
 const types = publicSignatures();
@@ -40,10 +41,14 @@ const readable = `${NAME}.js`;
 const minified = `${NAME}.min.js`;
 writeFileSync(join(out, readable), text);
 const users = forUsers(text);
-const { code: small, map } = minify(users, hiddenNames());
+const hidden = shortNames(users, hiddenNames());
+const { code: small, map } = minify(users, hidden);
 mkdirSync(join(out, "maps"));
 writeFileSync(join(out, "maps", `${minified}.map`), map);
 writeFileSync(join(out, minified), `${small}//# sourceMappingURL=maps/${minified}.map\n`);
+// for the page, which divides it
+mkdirSync(SHORT, { recursive: true });
+writeFileSync(join(SHORT, "short.js"), transformSync(users, { ...hidden, format: "esm", target: "es2022" }).code);
 writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
 writeFileSync(join(out, "package.json"), `${JSON.stringify(manifest(), null, 2)}\n`);
 copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
@@ -103,15 +108,19 @@ function adapterTexts(folder) {
  * keepNames would define the name of each class and so make a dictionary of it: see #classText in translate.mjs.
  */
 function minify(code, hidden) {
-	// $stateOf shows no names with a _, and a game's own subclass hardly has one with _$
-	const mangleCache = Object.fromEntries(byUse(code, hidden.filter((name) => /^[_$]/.test(name))).map((name, i) => [name, `_$${shortName(i)}`]));
-	const mangleProps = new RegExp(`^(?:${hidden.map((name) => name.replaceAll("$", "\\$")).join("|")})$`);
 	// as long as the mark, so that the columns of the map are right
 	const name = "__PURE_MARK__";
 	const source = `../${readable}`;
-	const options = { minifyWhitespace: true, minifyIdentifiers: true, mangleProps, mangleCache, format: "esm", target: "es2022", sourcemap: "external", sourcesContent: false, sourcefile: source };
+	const options = { minifyWhitespace: true, minifyIdentifiers: true, ...hidden, format: "esm", target: "es2022", sourcemap: "external", sourcesContent: false, sourcefile: source };
 	const { code: written, map } = transformSync(code.replaceAll("/* @__PURE__ */", `${name}&&`), options);
 	return { code: written.replaceAll(`${name}&&`, "/* @__PURE__ */"), map };
+}
+
+/** The settings of esbuild that give members short names. */
+function shortNames(code, hidden) {
+	// $stateOf shows no names with a _, and a game's own subclass hardly has one with _$
+	const mangleCache = Object.fromEntries(byUse(code, hidden.filter((name) => /^[_$]/.test(name))).map((name, i) => [name, `_$${shortName(i)}`]));
+	return { mangleCache, mangleProps: new RegExp(`^(?:${hidden.map((name) => name.replaceAll("$", "\\$")).join("|")})$`) };
 }
 
 /** Names in the order of how often a text has them, the most frequent first. */

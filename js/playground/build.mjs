@@ -13,6 +13,8 @@ import { models } from "../../assets/generator/models/index.mjs";
 import { palette } from "../../assets/generator/palette.mjs";
 import { flatten } from "../../assets/generator/scene.mjs";
 import { writeDocs } from "./docs.mjs";
+import { withoutUnused } from "./lean.mjs";
+import { engineInParts, scriptsIn } from "./parts.mjs";
 import { picturesInside, writeSingle } from "./single.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
@@ -22,6 +24,8 @@ const { exports } = JSON.parse(readFileSync(path.join(engine, "package.json"), "
 const module = path.join(engine, exports["."].default);
 const { ColladaModel, Model, ObjModel } = await import(pathToFileURL(module));
 
+/** The page's own scripts are in these folders. */
+const USERS = [here, path.join(here, "../../examples/level"), path.join(engine, "three")];
 const STYLE = 'style:"display: none;"';
 const WARNINGS = /[\w$]+\(\s*"Blockly\.Workspace\.get\w*Variable\w*",\s*"v12",\s*"v13",\s*"[^"]+"\s*\);/g;
 
@@ -40,16 +44,6 @@ const tameBlockly = (isSingle) => ({
 			const tame = text.replaceAll(STYLE, 'display:"none"').replace(WARNINGS, "");
 			return { contents: isSingle ? picturesInside(tame, path.join(npm, "blockly/media")) : tame, loader: "js" };
 		});
-	},
-});
-
-/**
- * Only files of the user need the readers of model files. They are in a second bundle of the engine, which loads with the first such file.
- */
-const formatsApart = (isSingle) => ({
-	name: "formats-apart",
-	setup({ onResolve }) {
-		onResolve({ filter: /^starlogo-collision$/ }, ({ importer }) => ({ path: module, suffix: !isSingle && importer.endsWith("formats.js") ? "?formats" : "" }));
 	},
 });
 
@@ -90,12 +84,13 @@ const UNUSED_SHADERS = ["background", "cube_", "distanceRGBA", "equirect", "line
 	"lights_toon", "logdepthbuf", "metalnessmap", "morph", "normalmap", "roughnessmap", "shadowmap", "shadowmask", "skin", "specularmap_pars", "packing", "bsdfs", "lights_fragment_maps", "tonemapping_pars", "transmission", "dithering", "alphamap"];
 
 /**
- * Parts of three.js's renderer that the page does not use: headsets, shadows, morphs, uniform groups and environment maps. Each is replaced
+ * Parts of three.js's renderer that the page does not use: headsets, shadows, morphs, uniform groups, clipping planes and environment maps. Each is replaced
  * by the members that the renderer still calls.
  */
 const UNUSED_PARTS = {
 	"class WebXRManager": "class WebXRManager extends EventDispatcher { enabled = false; isPresenting = false; getEnvironmentBlendMode() {} setAnimationLoop() {} dispose() {} }",
 	"class PMREMGenerator": "class PMREMGenerator {}",
+	"function WebGLClipping": "function WebGLClipping() { this.uniform = { value: null }; this.numPlanes = this.numIntersection = 0; this.init = () => false; }",
 	"function WebGLShadowMap": "function WebGLShadowMap() { this.enabled = false; this.render = () => {}; }",
 	"function WebGLMorphtargets": "function WebGLMorphtargets() {}",
 	"function WebGLUniformsGroups": "function WebGLUniformsGroups() { this.dispose = () => {}; }",
@@ -111,7 +106,10 @@ const UNUSED_PARTS = {
 const UNUSED_FUNCTIONS = ["renderTransmissionPass", "uploadCubeTexture", "setTexture3D", "setTexture2DArray", "setupRenderTarget", "setupDepthRenderbuffer", "setupDepthTexture", "setupFrameBufferTexture", "setupRenderBufferStorage",
 	"rebindTextures", "updateRenderTargetMipmap", "updateMultisampleRenderTarget", "deallocateRenderTarget", "refreshUniformsPhysical", "refreshUniformsStandard", "refreshUniformsToon", "refreshUniformsPhong", "refreshUniformsMatcap",
 	"refreshUniformsDistance", "refreshUniformsSprites", "refreshUniformsDash", "readRenderTargetPixels", "readRenderTargetPixelsAsync", "copyFramebufferToTexture", "copyTextureToTexture", "initRenderTarget", "compile", "compileAsync",
-	"setRenderTargetTextures", "setRenderTargetFramebuffer", "resetState"];
+	"setRenderTargetTextures", "setRenderTargetFramebuffer", "resetState", "addToRenderList"];
+
+/** Materials that the page does not have, in three.js's table of shaders. */
+const UNUSED_MATERIALS = ["phong", "standard", "toon", "matcap", "dashed", "normal", "sprite", "background", "backgroundCube", "cube", "equirect", "shadow"];
 
 /**
  * Classes of three.js for animations and files, which the page does not use. Bundlers keep them, because members are added after their
@@ -127,43 +125,87 @@ const UNUSED_CLASSES = ["KeyframeTrack", "BooleanKeyframeTrack", "ColorKeyframeT
 const leanThree = {
 	name: "lean-three",
 	setup({ onLoad }) {
-		onLoad({ filter: /three\.module\.js$/ }, ({ path: file }) => {
-			let text = readFileSync(file, "utf8");
-			const [, table] = /^const ShaderChunk = \{([^}]*)\};/m.exec(text) ?? [];
-			const chunks = [...(table ?? "").matchAll(/^\t(\w+): ([\w$]+),?$/gm)];
-			const unused = chunks.filter(([, name]) => UNUSED_SHADERS.some((each) => name.startsWith(each)));
-			for (const [, name, variable] of unused) {
-				const before = text;
-				text = text.replace(new RegExp(`^(const|var) ${variable.replace("$", "\\$")} = ".*";$`, "m"), (_, kind) => `${kind} ${variable} = "";`);
-				if (text === before) throw new Error(`${file} is not as it was: look how ${name} is written`);
-			}
-			if (UNUSED_SHADERS.some((each) => !unused.some(([, name]) => name.startsWith(each)))) throw new Error(`${file} is not as it was: look which shaders there are`);
-			for (const [beginning, short] of Object.entries(UNUSED_PARTS)) {
-				const from = text.indexOf(`\n${beginning}`);
-				const to = text.indexOf("\n}\n", from);
-				if (from < 0 || to < 0) throw new Error(`${file} is not as it was: look for ${beginning}`);
-				text = `${text.slice(0, from)}\n${short}${text.slice(to + 2)}`;
-			}
-			for (const name of UNUSED_FUNCTIONS) {
-				const before = text;
-				text = text.replace(new RegExp(`^(\\t+)(function ${name}|this\\.${name} = (?:async )?function) ?\\([^)]*\\) \\{\\n[^]*?^\\1\\}`, "m"), "$1$2() {}");
-				if (text === before) throw new Error(`${file} is not as it was: look for ${name}`);
-			}
-			return { contents: text, loader: "js" };
-		});
-		onLoad({ filter: /three\.core\.js$/ }, ({ path: file }) => {
-			let text = readFileSync(file, "utf8");
-			for (const name of UNUSED_CLASSES) {
-				const short = text.replace(new RegExp(`^${name}\\.[\\w.]+ = (.*;|[[{]\\n(\\t.*\\n|\\n)*[\\]}];)$`, "gm"), "");
-				if (short === text) throw new Error(`${file} is not as it was: look what is written into ${name}`);
-				text = short;
-			}
-			const silent = text.replace(/^\ttoJSON\([^)]*\) \{\n[^]*?^\t\}\n/gm, "");
-			if (silent.length > text.length - 20000) throw new Error(`${file} is not as it was: look how toJSON is written`);
-			return { contents: silent, loader: "js" };
+		const [renderer, core, controls] = ["build/three.module.js", "build/three.core.js", "examples/jsm/controls/OrbitControls.js"].map((file) => path.join(npm, "three", file));
+		let texts = null;
+		onLoad({ filter: /three\.module\.js$|three\.core\.js$|OrbitControls\.js$/ }, ({ path: file }) => {
+			texts ??= withoutUnused([moduleWithout(renderer), coreWithout(core), readFileSync(controls, "utf8")], usersOfThree());
+			return { contents: texts[[renderer, core, controls].indexOf(file)], loader: "js" };
 		});
 	},
 };
+
+/** A text in which a class or function has become a short one. */
+function replacePart(file, text, beginning, short) {
+	const from = text.indexOf(`\n${beginning}`);
+	const to = text.indexOf("\n}\n", from);
+	if (from < 0 || to < 0) throw new Error(`${file} is not as it was: look for ${beginning}`);
+	return `${text.slice(0, from)}\n${short}${text.slice(to + 2)}`;
+}
+
+/** three.js's renderer without its unused parts. */
+function moduleWithout(file) {
+	let text = readFileSync(file, "utf8");
+	const [, table] = /^const ShaderChunk = \{([^}]*)\};/m.exec(text) ?? [];
+	const chunks = [...(table ?? "").matchAll(/^\t(\w+): ([\w$]+),?$/gm)];
+	const unused = chunks.filter(([, name]) => UNUSED_SHADERS.some((each) => name.startsWith(each)));
+	for (const [, name, variable] of unused) {
+		const before = text;
+		text = text.replace(new RegExp(`^(const|var) ${variable.replace("$", "\\$")} = ".*";$`, "m"), (_, kind) => `${kind} ${variable} = "";`);
+		if (text === before) throw new Error(`${file} is not as it was: look how ${name} is written`);
+	}
+	if (UNUSED_SHADERS.some((each) => !unused.some(([, name]) => name.startsWith(each)))) throw new Error(`${file} is not as it was: look which shaders there are`);
+	for (const [beginning, short] of Object.entries(UNUSED_PARTS)) text = replacePart(file, text, beginning, short);
+	for (const name of UNUSED_FUNCTIONS) {
+		const before = text;
+		text = text.replace(new RegExp(`^(\\t+)(function ${name}|this\\.${name} = (?:async )?function) ?\\([^)]*\\) \\{\\n[^]*?^\\1\\}`, "m"), "$1$2() {}");
+		if (text === before) throw new Error(`${file} is not as it was: look for ${name}`);
+	}
+	for (const name of UNUSED_MATERIALS) {
+		const before = text;
+		text = text.replace(new RegExp(`^\\t${name}: \\{\\n[^]*?^\\t\\},?\\n`, "m"), "");
+		if (text === before) throw new Error(`${file} is not as it was: look for the material ${name}`);
+	}
+	const end = text.indexOf("\nShaderLib.physical = {");
+	return text.slice(0, end) + text.slice(text.indexOf("\n};\n", end) + 4);
+}
+
+/** three.js's other classes without what is written into unused ones, and without what writes scenes into files. */
+function coreWithout(file) {
+	// lights cast no shadows
+	let text = replacePart(file, readFileSync(file, "utf8"), "class DirectionalLightShadow", "class DirectionalLightShadow { dispose() {} }");
+	for (const name of UNUSED_CLASSES) {
+		const short = text.replace(new RegExp(`^${name}\\.[\\w.]+ = (.*;|[[{]\\n(\\t.*\\n|\\n)*[\\]}];)$`, "gm"), "");
+		if (short === text) throw new Error(`${file} is not as it was: look what is written into ${name}`);
+		text = short;
+	}
+	// colours are numbers
+	const nameless = text.replace(/^const _colorKeywords = \{[^}]*\};/m, "const _colorKeywords = {};");
+	if (nameless.length > text.length - 2000) throw new Error(`${file} is not as it was: look for the names of colours`);
+	text = nameless;
+	const silent = text.replace(/^\ttoJSON\([^)]*\) \{\n[^]*?^\t\}\n/gm, "");
+	if (silent.length > text.length - 20000) throw new Error(`${file} is not as it was: look how toJSON is written`);
+	return silent;
+}
+
+/** The text of all that uses three.js. */
+function usersOfThree() {
+	return scriptsIn(USERS).map((each) => readFileSync(each, "utf8")).join("\n");
+}
+
+const parts = engineInParts(path.join(engine, "../generated/module/short.js"), USERS, loadedWith);
+
+/**
+ * What a script is loaded with, where the engine is divided: its view, what its view loads later, files of the user, or "" for every view. The page
+ * does not use all of the adapter and the example.
+ */
+function loadedWith(file) {
+	if (/(three[/\\](binding|terrain)|level[/\\]page)\.js$/.test(file)) return null;
+	if (/formats\.js$/.test(file)) return "files";
+	if (/(asking|questions)\.js$/.test(file)) return path.relative(here, file);
+	if (/inspect[/\\]measure\.js$/.test(file)) return "inspect";
+	if (/sight\.js$/.test(file)) return "compare";
+	return /(play|compare|measure|level)[/\\]\w+\.js$/.exec(file)?.[1] ?? "";
+}
 
 /** The settings of esbuild for the page, as it is served or as a single file. */
 const settings = (isSingle) => ({
@@ -177,15 +219,17 @@ const settings = (isSingle) => ({
 	metafile: true,
 	legalComments: "none",
 	chunkNames: "parts/[name]-[hash]",
-	alias: { ...Object.fromEntries(["en", "de"].map((code) => [`blockly/msg/${code}`, path.join(npm, `blockly/msg/${code}.js`)])), "starlogo-collision/three": path.join(engine, exports["./three"].default) },
+	define: isSingle ? {} : parts.define,
+	alias: { "starlogo-collision": module, ...Object.fromEntries(["en", "de"].map((code) => [`blockly/msg/${code}`, path.join(npm, `blockly/msg/${code}.js`)])), "starlogo-collision/three": path.join(engine, exports["./three"].default) },
 	nodePaths: [npm],
-	plugins: [tameBlockly(isSingle), formatsApart(isSingle), tameRapier, fewMessages, leanThree],
+	plugins: [tameBlockly(isSingle), ...(isSingle ? [] : [parts.plugin]), tameRapier, fewMessages, leanThree],
 	logLevel: "warning",
 });
 
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 const result = await build(settings(false));
+parts.check(Object.keys(result.metafile.outputs));
 for (const file of ["index.html", "open.js", "style.css", "icon.svg"]) cpSync(path.join(here, file), path.join(out, file));
 cpSync(path.join(npm, "blockly/media"), path.join(out, "media"), { recursive: true, filter: (file) => !/\.(mp3|ogg|wav)$/.test(file) });
 mkdirSync(path.join(out, "models"));

@@ -220,7 +220,7 @@ test('no word of the page is anywhere but in its language', { skip: isChromium ?
 	await ready(page, 'inspect');
 	assert.deepEqual(await page.evaluate(unmarked), [], 'Inspect');
 	await page.locator('input[value=questions]').check();
-	await page.waitForFunction(() => /⟦.*⟦.*\d/.test(document.querySelector('.answers .meeting dd').textContent));
+	await page.waitForFunction(() => /⟦.*⟦.*\d/.test(document.querySelector('.answers .meeting dd')?.textContent));
 	assert.deepEqual(await page.evaluate(unmarked), [], 'Inspect, questions');
 	await page.goto(`${site.url}#compare`);
 	await ready(page, 'compare');

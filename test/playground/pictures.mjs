@@ -138,7 +138,7 @@ const VIEWS = {
 	inspect: ['inspect', (page) => page.waitForFunction(() => /\d/.test(document.querySelector('.status').textContent) && !document.querySelector('[aria-busy]'))],
 	'inspect-questions': ['inspect', async (page) => {
 		await page.locator('input[value=questions]').check();
-		await page.waitForFunction(() => /\d/.test(document.querySelector('.answers .meeting dd').textContent));
+		await page.waitForFunction(() => /\d/.test(document.querySelector('.answers .meeting dd')?.textContent));
 	}],
 	'inspect-own': ['inspect', async (page) => {
 		await page.setInputFiles('input[type=file]', OWN);

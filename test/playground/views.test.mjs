@@ -50,7 +50,7 @@ for (const view of VIEWS) {
 				await page.getByLabel('Structures', { exact: true }).focus();
 				await page.keyboard.press('ArrowRight');
 				await page.waitForSelector('.answers:visible');
-				await page.waitForFunction(() => /apart/.test(document.querySelector('.answers .meeting dd').textContent));
+				await page.waitForFunction(() => /apart/.test(document.querySelector('.answers .meeting dd')?.textContent));
 				await reachesAll(page, isChromium);
 				await faultless(page, 'light');
 			});
@@ -259,7 +259,7 @@ test('Inspect: rays, nearest agents, distances and contacts by the pointer', asy
 	const answer = (name) => page.textContent(`.answers .${name} dd`);
 	const numbers = async (name) => (await answer(name)).match(/-?\d+\.\d+/g).map(Number);
 	const near = (found, expected, room) => expected.forEach((each, i) => assert.ok(Math.abs(found[i] - each) <= room, `${found} for ${expected}`));
-	await page.waitForFunction(() => /apart/.test(document.querySelector('.answers .meeting dd').textContent));
+	await page.waitForFunction(() => /apart/.test(document.querySelector('.answers .meeting dd')?.textContent));
 	await page.getByLabel('Seen by').selectOption('tightest fits');
 	// a ball of radius 0.3 beside an edge of the cube
 	const angle = -Math.PI / 6;

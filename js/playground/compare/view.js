@@ -220,7 +220,9 @@ class CompareView {
 		this.sight.update();
 		this.sight.showTested();
 		const { system } = this;
-		this.meeting.textContent = `${titles[system]}: ${this.sight.showMeeting(a, b)}`;
+		const meeting = this.sight.showMeeting(a, b);
+		if (meeting === null) this.sight.load().then(() => this.#update());
+		this.meeting.textContent = `${titles[system]}: ${meeting ?? "…"}`;
 		this.code.textContent = codeOf(this.agents, system, this.systemNamed(system).areColliding(a, b));
 	}
 

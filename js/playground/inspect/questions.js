@@ -1,5 +1,5 @@
 /** Questions about the space around a model, asked with the pointer and answered in the picture. */
-import { Agent, CollisionBlocks, RayHit, Vector3D } from "starlogo-collision";
+import { Agent, AgentQueries, CollisionBlocks, RayHit, Vector3D } from "starlogo-collision";
 import { AGENTS, LINES, VERDICTS } from "../shared/colours.js";
 import { choice, field, h, short, slider, tick } from "../shared/dom.js";
 import { loadModel } from "../shared/models.js";
@@ -99,7 +99,7 @@ export class Questions {
 			agent.size = SIZE;
 			agents.push(agent);
 		}
-		this.sight = new Sight(this.stage, greatLand, new Map([[other.name, other], [model.name, model]]), agents, this.#system);
+		this.sight = new Sight(this.stage, greatLand, new Map([[other.name, other], [model.name, model]]), agents, this.#system, AgentQueries);
 		this.who.replaceChildren(...agents.map((agent, i) => h("option", { value: i }, this.#nameOf(agent))));
 		this.#isKept = false;
 		this.#take(agents[1]);

@@ -9,7 +9,6 @@ import { MODELS } from "../shared/names.js";
 import { orbitByKeys } from "../shared/stage.js";
 import { texts } from "../shared/language.js";
 import { depthOf, measure, nodesAt } from "./measure.js";
-import { Questions } from "./questions.js";
 
 const words = texts.inspect;
 const FIRST = "bear";
@@ -30,6 +29,8 @@ class InspectView {
 	#shown = null;
 	#levelShown = false;
 	#level = 3;
+	/** The questions, which load when they are first wanted. */
+	questions = null;
 
 	constructor(main) {
 		this.worldHost = h("div.world", { tabindex: "0", role: "application", "aria-label": words.world });
@@ -53,14 +54,18 @@ class InspectView {
 			h("section.facts", { "aria-label": words.structures }, modes(words, "structures", (mode) => this.#turnTo(mode)), this.structures));
 		this.stage = new Lab(this.worldHost, { label: words.world, eye: [1.7, -2.3, 1.5], target: [0, 0, 0.5], ground: 4 });
 		orbitByKeys(this.stage, this.worldHost);
-		this.questions = new Questions(this.stage);
-		main.querySelector(".facts").append(this.questions.element);
+		this.facts = main.querySelector(".facts");
 	}
 
 	/** Shows either the structures around the model or the questions. */
-	#turnTo(mode) {
+	async #turnTo(mode) {
 		this.structures.hidden = mode === "questions";
-		this.questions.element.hidden = !this.structures.hidden;
+		if (this.structures.hidden && !this.questions) {
+			const { Questions } = await import("./questions.js");
+			this.questions ??= new Questions(this.stage);
+			this.facts.append(this.questions.element);
+		}
+		if (this.questions) this.questions.element.hidden = !this.structures.hidden;
 		this.#showModel();
 	}
 
@@ -152,14 +157,14 @@ class InspectView {
 	#showModel() {
 		const { model } = this;
 		if (!model) return;
-		this.questions.close();
+		this.questions?.close();
 		const agent = new Agent(model.name);
 		agent.color = this.#files.has(this.#chosen) && model.colours ? OWN_COLOURS : AGENTS.first;
 		this.stage.showAgents([agent], new Map([[model.name, model]]));
 		const height = model.vertices.reduce((most, value, i) => (i % 3 === 2 ? Math.max(most, value) : most), 0);
 		this.stage.frame([0, 0, height / 2], Math.hypot(0.6, height / 2));
 		this.stage.clearLines("structure", "level");
-		if (this.found && this.structures.hidden) this.questions.open(model, this.found.greatLand);
+		if (this.found && this.structures.hidden) this.questions?.open(model, this.found.greatLand);
 		else if (this.found) this.#drawLines();
 	}
 

@@ -1,5 +1,6 @@
 /** Shows and edits the program as blocks, with Blockly. Blockly gets the page's style, and keeps to the page's policy. */
 import * as Blockly from "blockly/core";
+import "./asking.js";
 import "./locale.js";
 import { KeyboardNavigation } from "@blockly/keyboard-navigation";
 import { button, h, isDark, onThemeChange } from "../shared/dom.js";

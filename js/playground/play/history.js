@@ -62,7 +62,7 @@ export class History {
 		world.agents.splice(0, Infinity, ...agents);
 		Object.assign(world.state, state, { variables: { ...state.variables }, totals: new Map(state.totals), events: [...state.events], threads: state.threads.map((thread) => thread.copy()) });
 		world.useSystem(system);
-		world.walker.solidBreeds = state.solid;
+		world.solidBreeds = state.solid;
 		world.collisions.collision.restore(bytes, listed);
 		this.shown = at;
 	}

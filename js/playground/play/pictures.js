@@ -57,6 +57,7 @@ export class Studio {
 	 */
 	async pictureOf(program, own = {}, width = PICTURE[0], height = PICTURE[1]) {
 		try {
+			await import("./asking.js");
 			const { models, greatLand } = await landFor(own);
 			const world = new World(greatLand);
 			world.begin(program);

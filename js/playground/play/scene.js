@@ -1,5 +1,5 @@
 /** Draws a game: its agents, their words, their meetings, the shapes that the engine tests, goal, score and end. */
-import { AgentQueries, CollisionBlocks, Sphere, Vector3D } from "starlogo-collision";
+import { CollisionBlocks, Sphere, Vector3D } from "starlogo-collision";
 import { pairsOf } from "../compare/game.js";
 import { LINES, VERDICTS } from "../shared/colours.js";
 import { button, h, short } from "../shared/dom.js";
@@ -9,7 +9,7 @@ import { Being } from "./being.js";
 import { Hiding, isMoving } from "./hiding.js";
 import { nameOf } from "./panel.js";
 import { breedsThatKeysTurn } from "./program.js";
-import { HALF_WIDTH } from "./world.js";
+import { HALF_WIDTH, World } from "./world.js";
 
 const words = texts.play;
 const STRUCTURES = { color: LINES.tested };
@@ -202,7 +202,7 @@ export class Scene {
 	/** The agents without those that hide the followed agent. */
 	#notHiding(main, world) {
 		const { agents } = world;
-		if (!main || !this.stage.renderer) return agents;
+		if (!main || !this.stage.renderer || !World.engine) return agents;
 		this.hiding ??= new Hiding(this.world.greatLand);
 		const hiding = this.hiding.of(world, main, this.#height(main), this.stage.camera.position);
 		return hiding.size > 0 ? agents.filter((agent) => !hiding.has(agent)) : agents;
@@ -283,7 +283,7 @@ export class Scene {
 	#groundOf(agent) {
 		const { collisions, terrain } = this.world;
 		const distanceIn = (name) => {
-			const queries = new AgentQueries(this.#blocks.systemNamed(name));
+			const queries = new World.engine.AgentQueries(this.#blocks.systemNamed(name));
 			queries.terrain = terrain;
 			return queries.distance(agent, terrain.agent);
 		};

@@ -256,17 +256,28 @@ class PlayView {
 	}
 
 	/** Shows the beginning of a program's game before its blocks are loaded. */
-	preview(program) {
+	async preview(program) {
 		for (const part of [this.controls, this.blocksHost.parentElement]) part.inert = true;
 		this.say(texts.loading);
+		this.keys.show(program);
+		if (this.#isShown(program)) return;
+		await import("./asking.js").catch(() => null);
+		if (!this.editor) this.#isShown(program);
+	}
+
+	/** Shows the beginning of a program's game. It fails if the game needs what is not loaded yet, or if the program is wrong. */
+	#isShown(program) {
+		let isShown = true;
 		try {
-			this.keys.show(program);
 			this.world.begin(program);
 			this.lookAt(program);
 		} catch {
-			// the error is shown when they are loaded
+			// an error is shown when the blocks are loaded
+			isShown = false;
+			this.world.agents.length = 0;
 		}
 		this.draw();
+		return isShown;
 	}
 
 	/** Points the camera at a new program's game: the one that the user has chosen for it, or else the one that suits it. */

@@ -1,5 +1,5 @@
 /** The game that a program plays: agents, keys, time, collisions. Nothing here draws. */
-import { AgentFilter, Collision, CollisionBlocks, ContactBlocks, DetectionBlocks, StructureBlocks, Terrain, TerrainBlocks, TraitBlocks, WalkBlocks, WorldBounds } from "starlogo-collision";
+import { Collision, CollisionBlocks, StructureBlocks, TraitBlocks } from "starlogo-collision";
 import { texts } from "../shared/language.js";
 import { ProgramError, breedOf } from "./actions.js";
 import { Being } from "./being.js";
@@ -44,6 +44,11 @@ export class World {
 	#scripts = [];
 	#areSensesOld = true;
 	#now;
+	/** The blocks that asking.js brings, once a program uses them. */
+	#asking = null;
+
+	/** What asking.js brings; null until it is loaded. */
+	static engine = null;
 
 	/** @param {object} greatLand has every shape that programs name */
 	constructor(greatLand) {
@@ -51,10 +56,6 @@ export class World {
 		this.collisions = new CollisionBlocks(greatLand, this.agents);
 		this.traits = new TraitBlocks(this.agents);
 		this.structures = new StructureBlocks(this.collisions);
-		this.detection = new DetectionBlocks(this.collisions);
-		this.contacts = new ContactBlocks(this.collisions);
-		this.edges = new TerrainBlocks(this.collisions, this.detection);
-		this.walker = new WalkBlocks(this.detection);
 		// A separate system, because a system that has searched gives the contacts of its last search.
 		this.#now = new CollisionBlocks(greatLand, []);
 		this.history = new History(this);
@@ -66,11 +67,22 @@ export class World {
 		this.state = { frame: 0, seed, sweeping: {}, solid: [], messages: [], shown: [], variables: {}, threads: [], score: null, goal: null, limit: null, ground: MEADOW, ended: null, totals: new Map(), events: [], meetings: 0, touching: 0, made: 0, pairs: new Map() };
 		this.agents.length = this.sounds.length = 0;
 		this.collisions.collision.terrain = this.collisions.collision.bounds = null;
-		this.walker.solidBreeds = [];
+		if (this.#asking) this.#asking.walker.solidBreeds = [];
 		this.hasHills = false;
 		this.#pressed.clear();
 		this.#clicked = null;
 		this.#areSensesOld = true;
+	}
+
+	/** The blocks that answer questions, those for contacts, for the ground and the edges, and those that walk. */
+	get asking() {
+		return this.#asking ??= this.#makeAsking();
+	}
+
+	#makeAsking() {
+		const { ContactBlocks, DetectionBlocks, TerrainBlocks, WalkBlocks } = World.engine;
+		const detection = new DetectionBlocks(this.collisions);
+		return { detection, contacts: new ContactBlocks(this.collisions), edges: new TerrainBlocks(this.collisions, detection), walker: new WalkBlocks(detection) };
 	}
 
 	/**
@@ -286,6 +298,26 @@ export class World {
 		this.state.solid = this.walker.solidBreeds;
 	}
 
+	/** Makes these breeds solid, and no others. */
+	set solidBreeds(names) {
+		if (this.#asking || names.length > 0) this.walker.solidBreeds = names;
+	}
+
+	/** The blocks for contacts. */
+	get contacts() {
+		return this.asking.contacts;
+	}
+
+	/** The blocks for the ground and the edges. */
+	get edges() {
+		return this.asking.edges;
+	}
+
+	/** The blocks that walk, and know which breeds are solid. */
+	get walker() {
+		return this.asking.walker;
+	}
+
 	/** Walks, falls and jumps over the ground and solid agents, which are where they were when the frame began. */
 	get walking() {
 		return this.senses && this.walker;
@@ -327,6 +359,7 @@ export class World {
 	advance(agent, steps, breed, how) {
 		const { z } = agent;
 		const angle = (agent.heading * Math.PI) / 180;
+		const { AgentFilter } = World.engine;
 		const filter = breed === Collision.ANY_BREED ? new AgentFilter() : AgentFilter.ofBreeds(breed);
 		if (breed === Collision.ANY_BREED) filter.exceptBreeds = [Collision.TERRAIN];
 		this.senses.queries[how](agent, steps * Math.cos(angle), steps * Math.sin(angle), 0, filter);
@@ -347,12 +380,12 @@ export class World {
 	/** Called when a block about the ground is compiled, so that all frames of its game have it. */
 	needTerrain(hasHills = false) {
 		this.hasHills ||= hasHills;
-		this.collisions.collision.terrain ??= new Terrain(2 * HALF_WIDTH + 1, 2 * HALF_WIDTH + 1, 1, -HALF_WIDTH, -HALF_WIDTH);
+		this.collisions.collision.terrain ??= new World.engine.Terrain(2 * HALF_WIDTH + 1, 2 * HALF_WIDTH + 1, 1, -HALF_WIDTH, -HALF_WIDTH);
 	}
 
 	/** Called when a block about the edges of the world is compiled. Then agents do not come in on the other side by themselves. */
 	needEdges() {
-		this.collisions.collision.bounds ??= new WorldBounds(-HALF_WIDTH, -HALF_WIDTH, -Infinity, HALF_WIDTH, HALF_WIDTH, Infinity);
+		this.collisions.collision.bounds ??= new World.engine.WorldBounds(-HALF_WIDTH, -HALF_WIDTH, -Infinity, HALF_WIDTH, HALF_WIDTH, Infinity);
 	}
 
 	/** The height of the ground below an agent; 0 outside of the field. */
@@ -433,10 +466,10 @@ export class World {
 	/** The queries of the agents. They see the others as they were when the frame began, or when an agent was last created or deleted. */
 	get senses() {
 		if (this.#areSensesOld) {
-			this.detection.update();
+			this.asking.detection.update();
 			this.#areSensesOld = false;
 		}
-		return this.detection;
+		return this.asking.detection;
 	}
 
 	/** The number of the frame that is this many seconds away, at least the next one. */

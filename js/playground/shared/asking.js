@@ -1,0 +1,4 @@
+/** The engine's questions, for what loads them later. */
+import { AgentQueries } from "starlogo-collision";
+
+export { AgentQueries };

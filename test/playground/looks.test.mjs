@@ -440,6 +440,36 @@ test('for teachers: each lesson has a page that is printed on one sheet, the sol
 	assert.deepEqual(said.splice(0), []);
 });
 
+test('on a phone, names of one long word are broken, and buttons show their words and lie on nothing', async () => {
+	const long = 'Donaudampfschifffahrtsgesellschaftskapitänsabenteuer';
+	const { page, said, leave } = await open(site, 'play/paintball', { ...SIZES.phone, locale: 'de' });
+	await page.evaluate(() => globalThis.playground.programs.openNew());
+	await page.locator('[data-tab="program"]').click();
+	const title = page.locator('input.title');
+	await title.fill(long);
+	await title.press('Enter');
+	await page.evaluate(() => globalThis.playground.programs.openNew());
+	const back = page.locator('.status button');
+	const [button, name] = [await back.boundingBox(), await title.boundingBox()];
+	assert.ok(button.y + button.height <= name.y, `the way back ends at ${button.y + button.height}, the name begins at ${name.y}`);
+	assert.ok(await page.evaluate(() => document.querySelector('.controls .status').scrollHeight) <= 44, 'and leaves room for its words');
+	await page.goto(`${site.url}#play/all`);
+	await page.waitForSelector('.gallery .own input');
+	const cut = () => page.evaluate(() => [...document.querySelectorAll('.gallery button, .gallery .cards li, .sheet h2, .class h3, .class .cards li, .class th:first-child')].filter((each) => {
+		const { right, width } = each.getBoundingClientRect();
+		return width > 0 && (right > innerWidth || each.scrollWidth > each.clientWidth + 1);
+	}).map(({ textContent }) => textContent.slice(0, 40)));
+	assert.deepEqual(await cut(), []);
+	await page.goto(`${site.url}#teach/class`);
+	await ready(page, 'teach');
+	const programs = [1, 2].map((number) => ({ name: `${long} ${number}`, program: { blocks: { blocks: [] } } }));
+	await page.setInputFiles('input[type=file]', { name: 'a.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify({ kind: 'starlogo-nova-work', pupil: long, done: [], won: [], programs })) });
+	await page.waitForSelector('[data-drawn="class"]');
+	assert.deepEqual(await cut(), []);
+	assert.deepEqual(said.splice(0), []);
+	await leave();
+});
+
 test('Play\'s world loads 255 KB of scripts at most, Inspect 166 and Compare 221, and one language', async () => {
 	for (const [view, most] of Object.entries({ play: 255, inspect: 166, compare: 221 })) {
 		const context = await site.browser.newContext({ ...SIZES.laptop, locale: 'en-US' });

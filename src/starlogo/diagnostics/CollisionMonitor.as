@@ -197,7 +197,7 @@ package starlogo.diagnostics
         private function refresh(now:int):void
         {
             _headline.text = _times.mean.toFixed(1) + " ms";
-            _rate.text = Math.round(1000 * _frames / Math.max(1, now - _startMs)) + " fps\nmedian " + _times.median.toFixed(1) + ", most "
+            _rate.text = Math.round(1000 * _frames / Math.max(1, now - _startMs)) + " fps\nmedian " + _times.median.toFixed(1) + "\nmost "
                 + _times.most.toFixed(1);
             var did:CollisionStatistics = _collision.statistics;
             _numbers.text = [did.agents, did.candidatePairs, did.sphereSphereTests, did.sphereCapsuleTests, did.sphereBoxTests,
@@ -218,7 +218,7 @@ package starlogo.diagnostics
             addChild(graph);
             addText(8, 11, QUIET, TextFormatAlign.LEFT).text = "collisions";
             _headline = addText(22, 22, TEXT, TextFormatAlign.LEFT);
-            _rate = addText(22, 11, QUIET, TextFormatAlign.RIGHT);
+            _rate = addText(8, 11, QUIET, TextFormatAlign.RIGHT);
             addText(LINES_TOP, 12, QUIET, TextFormatAlign.LEFT).text = LABELS.join("\n");
             _numbers = addText(LINES_TOP, 12, TEXT, TextFormatAlign.RIGHT);
             mouseChildren = false;

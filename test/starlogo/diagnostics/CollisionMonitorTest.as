@@ -65,6 +65,17 @@ package starlogo.diagnostics
         }
 
         [Test]
+        public function theTimesDoNotLieOnOneAnother():void
+        {
+            _collision.statistics.frameMs = 44.4;
+            play(REFRESH_FRAMES);
+            var mean:TextField = fieldWith("44.4 ms");
+            var others:TextField = fieldWith("median");
+            assertTrue(mean.textWidth + " " + others.textWidth, mean.textWidth > 0 && mean.textWidth + others.textWidth < mean.width - 8);
+            assertTrue("above the graph", others.y + others.textHeight < 58);
+        }
+
+        [Test]
         public function refreshesItsNumbersAfterSomeFrames():void
         {
             _collision.update(Scenes.crowd(3, "spheres").agents);
@@ -191,6 +202,20 @@ package starlogo.diagnostics
                 }
             }
             return "no such label";
+        }
+
+        // The text that has a word.
+        private function fieldWith(word:String):TextField
+        {
+            for (var i:int = 0; i < _monitor.numChildren; i++)
+            {
+                var field:TextField = _monitor.getChildAt(i) as TextField;
+                if (field != null && field.text.indexOf(word) >= 0)
+                {
+                    return field;
+                }
+            }
+            return null;
         }
 
         private static function ignore(collider:Agent, collidee:Agent):void

@@ -78,12 +78,12 @@ function chooseOne(pattern, classes, sources, { tests, used, farther, said }) {
 		for (const source of [...sources.keys()].filter((name) => simpleName(name).toLowerCase() === wanted)) {
 			const nearest = nearestTests(source, classes, sources);
 			const areMany = countOf(nearest, classes) > MANY;
-			for (const name of take(`classes that use ${source}`, nearest)) {
+			for (const name of take(`classes that use ${source}, directly or through other files`, nearest)) {
 				used.add(name);
 				if (areMany) farther.add(name);
 			}
 			const beside = testsOfPackage(source, classes, sources).filter((name) => !nearest.includes(name));
-			for (const name of take(`tests beside ${source}, which no test uses itself`, beside)) {
+			for (const name of take(`classes of tests in the package of ${source}`, beside)) {
 				used.add(name);
 				farther.add(name);
 			}

@@ -5,7 +5,8 @@ import { play } from "./kept.mjs";
 
 test("a frame in which few agents have changed makes the calls of a frame that tests all agents, in their order", () => {
 	let calls = 0, partial = 0;
-	for (let seed = 1; seed <= 25; seed++) {
+	// in 64 the ground rises under agents that stand
+	for (const seed of [...Array.from({ length: 25 }, (_, i) => i + 1), 64]) {
 		const game = play(seed);
 		calls += game.calls;
 		partial += game.partial;

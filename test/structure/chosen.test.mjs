@@ -86,7 +86,7 @@ test('what a source uses is followed no farther than it takes, and reasons are g
 	assert.deepEqual([...tests], [['a.HighTest', null], ['c.HelpedTest', null]]);
 	assert.deepEqual([...used], ['a.HighTest', 'c.HelpedTest']);
 	assert.deepEqual([...farther], []);
-	assert.deepEqual(said, ['classes that use a.low: HighTest, HelpedTest']);
+	assert.deepEqual(said, ['classes that use a.low, directly or through other files: HighTest, HelpedTest']);
 	assert.deepEqual([...choose('LowIs', classes, sources).tests], [['a.HighTest', ['lowIsUsed']]]);
 	assert.deepEqual(choose('LowIs', classes, sources).said, ['tests named *lowis*: HighTest (lowIsUsed)']);
 });
@@ -98,7 +98,7 @@ test('where fewer than five tests use a source, those of the files that use it a
 	assert.deepEqual([...chosen(5, 4).tests.keys()], ['c.NearTest']);
 	assert.deepEqual([...chosen(4, 1).tests.keys()], ['c.NearTest', 'c.HighTest']);
 	assert.deepEqual([...chosen(4, 1).farther], ['c.HighTest']);
-	assert.deepEqual(chosen(4, 1).said, ['classes that use a.low: NearTest', 'tests of what uses a.low: HighTest']);
+	assert.deepEqual(chosen(4, 1).said, ['classes that use a.low, directly or through other files: NearTest', 'tests of what uses a.low: HighTest']);
 	assert.deepEqual([...chosen(1, 3).farther], ['c.HighTest', 'c.HigherTest']);
 });
 
@@ -109,7 +109,7 @@ test('the tests of the files of its package that use a source are chosen with th
 	const { tests, farther, said } = choose('low', classes, sources);
 	assert.deepEqual([...tests.keys()], ['c.NearTest', 'a.BesideTest']);
 	assert.deepEqual([...farther], ['a.BesideTest']);
-	assert.deepEqual(said, ['classes that use a.low: NearTest', 'tests of what uses a.low: BesideTest']);
+	assert.deepEqual(said, ['classes that use a.low, directly or through other files: NearTest', 'tests of what uses a.low: BesideTest']);
 });
 
 test('the tests of a function are found, whose name begins with a small letter', () => {
@@ -126,7 +126,7 @@ test('where no test uses a source itself, the tests of its package are chosen to
 	const { tests, farther, said } = choose('Inner', classes, sources);
 	assert.deepEqual([...tests.keys()], ['a.TableTest', 'a.BesideTest']);
 	assert.deepEqual([...farther], ['a.BesideTest']);
-	assert.deepEqual(said, ['classes that use a.Inner: TableTest', 'tests beside a.Inner, which no test uses itself: BesideTest']);
+	assert.deepEqual(said, ['classes that use a.Inner, directly or through other files: TableTest', 'classes of tests in the package of a.Inner: BesideTest']);
 	assert.deepEqual([...choose('Table', classes, sources).tests.keys()], ['a.TableTest']);
 	for (const name of ['KernelsAgreeTest', 'HullPairsTest', 'RoundKernelTest']) assert.ok(found('SphereBoxGap').includes(name), name);
 });

@@ -12,6 +12,8 @@ package starlogo.search
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentFilter;
+    import starlogo.terrain.Terrain;
+    import starlogo.terrain.WorldBounds;
     import support.RandomWorlds;
     import support.landOf;
 
@@ -154,6 +156,45 @@ package starlogo.search
                 before = found;
             }
             assertTrue(changes + " changes", changes > 10);
+        }
+
+        [Test]
+        public function groundThatRisesAndEdgesThatComeNearMeetThoseThatStand():void
+        {
+            var terrain:Terrain = new Terrain(21, 21, 1, -10, -10);
+            var bounds:WorldBounds = new WorldBounds(-20, -20, -20, 20, 20, 20);
+            var collision:Collision = new Collision(new TightestFitCollider(_greatLand));
+            collision.terrain = terrain;
+            collision.bounds = bounds;
+            listen(collision);
+            var met:Object = {};
+            var count:Function = function(a:Agent, b:Agent):void
+            {
+                met[b.breed] = int(met[b.breed]) + 1;
+            };
+            collision.onCollision(Collision.ANY_BREED, Collision.TERRAIN, count);
+            collision.onCollision(Collision.ANY_BREED, Collision.EDGE, count);
+            var agents:Vector.<Agent> = scattered(60, 12);
+            for each (var agent:Agent in agents)
+            {
+                agent.z = 3;
+            }
+            for (var i:int = 0; i < 5; i++)
+            {
+                met = {};
+                agents[i].x += 0.1;
+                collision.update(agents);
+                assertEquals("nothing is near, frame " + i, 0, int(met[Collision.TERRAIN]) + int(met[Collision.EDGE]));
+            }
+            assertTrue("few are tested", collision.statistics.candidatePairs < agents.length);
+            terrain.raiseMound(0, 0, 200, 3.1);
+            collision.update(agents);
+            assertEquals("the ground has risen", 60, int(met[Collision.TERRAIN]));
+            bounds.setTo(-20, -20, -20, 20, 20, 3.1);
+            met = {};
+            collision.update(agents);
+            assertEquals("the ground is where it was", 60, int(met[Collision.TERRAIN]));
+            assertEquals("the edge has come near", 60, int(met[Collision.EDGE]));
         }
 
         // The pairs that a search of all finds.

@@ -13,8 +13,7 @@ import { models } from "../../assets/generator/models/index.mjs";
 import { palette } from "../../assets/generator/palette.mjs";
 import { flatten } from "../../assets/generator/scene.mjs";
 import { writeDocs } from "./docs.mjs";
-import { withoutUnused } from "./lean.mjs";
-import { engineInParts, scriptsIn } from "./parts.mjs";
+import { engineInParts } from "./parts.mjs";
 import { picturesInside, writeSingle } from "./single.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
@@ -125,12 +124,8 @@ const UNUSED_CLASSES = ["KeyframeTrack", "BooleanKeyframeTrack", "ColorKeyframeT
 const leanThree = {
 	name: "lean-three",
 	setup({ onLoad }) {
-		const [renderer, core, controls] = ["build/three.module.js", "build/three.core.js", "examples/jsm/controls/OrbitControls.js"].map((file) => path.join(npm, "three", file));
-		let texts = null;
-		onLoad({ filter: /three\.module\.js$|three\.core\.js$|OrbitControls\.js$/ }, ({ path: file }) => {
-			texts ??= withoutUnused([moduleWithout(renderer), coreWithout(core), readFileSync(controls, "utf8")], usersOfThree());
-			return { contents: texts[[renderer, core, controls].indexOf(file)], loader: "js" };
-		});
+		onLoad({ filter: /three\.module\.js$/ }, ({ path: file }) => ({ contents: moduleWithout(file), loader: "js" }));
+		onLoad({ filter: /three\.core\.js$/ }, ({ path: file }) => ({ contents: coreWithout(file), loader: "js" }));
 	},
 };
 
@@ -185,11 +180,6 @@ function coreWithout(file) {
 	const silent = text.replace(/^\ttoJSON\([^)]*\) \{\n[^]*?^\t\}\n/gm, "");
 	if (silent.length > text.length - 20000) throw new Error(`${file} is not as it was: look how toJSON is written`);
 	return silent;
-}
-
-/** The text of all that uses three.js. */
-function usersOfThree() {
-	return scriptsIn(USERS).map((each) => readFileSync(each, "utf8")).join("\n");
 }
 
 const parts = engineInParts(path.join(engine, "../generated/module/short.js"), USERS, loadedWith);

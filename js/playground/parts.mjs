@@ -15,7 +15,7 @@ const WORD = /(?<![\w$.]|(?<!\.\.)\.)[A-Za-z_$][\w$]*/g;
 const LOST = "$lost";
 
 /** The scripts in some folders. */
-export const scriptsIn = (folders) => folders.flatMap((folder) => readdirSync(folder, { recursive: true }).filter((file) => file.endsWith(".js") && !file.includes("node_modules")).map((file) => path.join(folder, file)));
+const scriptsIn = (folders) => folders.flatMap((folder) => readdirSync(folder, { recursive: true }).filter((file) => file.endsWith(".js") && !file.includes("node_modules")).map((file) => path.join(folder, file)));
 
 const split = (names) => names.split(",").map((name) => name.trim()).filter((name) => name !== "");
 

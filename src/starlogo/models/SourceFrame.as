@@ -140,7 +140,7 @@ package starlogo.models
          *
          * @private
          */
-        internal function addMove(x:Number, y:Number, z:Number, divisor:Number):void
+        engine function addMove(x:Number, y:Number, z:Number, divisor:Number):void
         {
             // a turn's inverse is its transpose; the factors along the new axes are divided out
             for (var row:int = 0; row < 3; row++)
@@ -163,7 +163,7 @@ package starlogo.models
          *
          * @private
          */
-        internal function addTransform(by:AffineTransform, factor:Number):void
+        engine function addTransform(by:AffineTransform, factor:Number):void
         {
             by.transformPoints(_numbers, 0, 3, _numbers, 0);
             _numbers[12] /= factor;

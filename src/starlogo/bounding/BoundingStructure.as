@@ -106,7 +106,7 @@ package starlogo.bounding
          * Rotates the structure about the origin. The result is as precise as the matrix, which has single precision in Flash Player. A
          * box's axes stay perpendicular unit vectors in double precision.
          *
-         * @param rotation must only rotate; a reflection is accepted too, because structures are symmetric
+         * @param rotation must only rotate; a reflection is accepted too
          * @return this structure
          * @throws ArgumentError if the matrix is null, scales, shears, projects or translates
          */
@@ -246,7 +246,7 @@ package starlogo.bounding
         }
 
         /**
-         * The half-spaces whose intersection is this structure, if it is a Hull; null for all others. Each has four numbers: an outward unit
+         * The half-spaces whose intersection is this structure without its radius, if it is a Hull; null for all others. Each has four numbers: an outward unit
          * normal, and how far its plane is from the centre along the normal.
          *
          * @private

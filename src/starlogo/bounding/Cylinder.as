@@ -19,7 +19,7 @@ package starlogo.bounding
          * @param end copied; may equal start
          * @param radius in patches; 0 is allowed
          * @throws ArgumentError if an end is null
-         * @throws RangeError if a coordinate is not finite, or if the radius is negative or not finite
+         * @throws RangeError if a coordinate or the radius is not finite or beyond the limits of structures, or if the radius is negative
          */
         public function Cylinder(start:Vector3D, end:Vector3D, radius:Number)
         {

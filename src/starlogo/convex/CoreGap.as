@@ -26,7 +26,7 @@ package starlogo.convex
         /** The radius around the second core. */
         public var radiusB:Number = 0;
 
-        /** The size of both shapes together. The rounding error of the gap is relative to it. */
+        /** The size of both shapes together. The rounding error of the gap is relative to it. Only a GapFinder sets it; otherwise it is 0. */
         public var size:Number = 0;
 
         /** Turns the vector out of three perpendicular axes. */

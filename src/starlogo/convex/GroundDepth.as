@@ -8,7 +8,7 @@ package starlogo.convex
      */
     public final class GroundDepth
     {
-        /** A lower bound for the length of every way out; 0 if none is known. */
+        /** About the length of the shortest way out, which may be a fifth shorter; 0 if none is known. */
         public var leastDepth:Number = 0;
 
         /** Whether the first shape is known to touch wherever it goes less than the depth along the normal. */

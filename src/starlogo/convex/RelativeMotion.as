@@ -13,7 +13,7 @@ package starlogo.convex
         /** The time of impact of shapes that do not touch. */
         public static const NEVER:Number = Infinity;
 
-        /** The motion of a shape that stands still, at time 0. All its numbers stay 0. */
+        /** The motion of a shape that stands still, at time 0. Nobody changes it, but for its margin, which is 0. */
         public static const NONE:RelativeMotion = new RelativeMotion(0);
 
         /** The vector from the shape's stored place to its place at time 0. */
@@ -57,7 +57,7 @@ package starlogo.convex
             startZ = -z;
         }
 
-        /** Sets the start to the place that another motion has reached at its time. This motion's x, y and z must be 0. */
+        /** Sets the start to the place that another motion has reached at its time. This motion's x, y and z must be 0, and its time finite. */
         public function stopAt(motion:RelativeMotion):void
         {
             var at:Number = motion.time;

@@ -3,7 +3,7 @@ package starlogo.geometry
     /**
      * The engine's tolerances. Each says what it limits, in which unit, and what happens if it is smaller or larger.
      *
-     * <p>All but one are relative, so games of any scale behave in the same way. They come from two rounding errors: 1.1e-16 relative for a
+     * <p>Nearly all are relative, so games of any scale behave in the same way. They come from two rounding errors: 1.1e-16 relative for a
      * Number, and 6e-8 relative for Flash Player's single-precision Matrix3D.</p>
      */
     public final class Tolerances
@@ -153,7 +153,7 @@ package starlogo.geometry
         /**
          * How much larger a hierarchy's nodes are than the nodes of the next level, as a fraction of the model's radius. Smaller than
          * 1e-15: because of rounding, children may touch something that their parents do not touch, so a greater depth may find more
-         * collisions than a smaller depth. Larger: nodes are larger, by 64 times that fraction at the root.
+         * collisions than a smaller depth. Larger: nodes are larger, by 63 times that fraction at the root.
          */
         public static const NESTING:Number = 2e-15;
 

@@ -8,7 +8,7 @@ package starlogo.geometry
     public final class VertexBounds
     {
         /** The largest coordinate that hulls and hierarchies accept. The structures around such vertices are within their limits. */
-        public static const LARGEST_COORDINATE:Number = 1e60;
+        public static const LARGEST_VERTEX:Number = 1e60;
 
         /** The least x. */
         public var minX:Number = Infinity;
@@ -72,9 +72,9 @@ package starlogo.geometry
         /** Throws an ArgumentError if an absolute coordinate is too large. */
         public static function requireWithin(largest:Number):void
         {
-            if (!(largest <= LARGEST_COORDINATE))
+            if (!(largest <= LARGEST_VERTEX))
             {
-                throw new ArgumentError("coordinates must be at most " + LARGEST_COORDINATE + ": " + largest);
+                throw new ArgumentError("coordinates must be at most " + LARGEST_VERTEX + ": " + largest);
             }
         }
 

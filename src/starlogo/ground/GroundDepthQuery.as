@@ -22,7 +22,7 @@ package starlogo.ground
         private static const MOST_EXITS:int = 12;
 
         // A contact is taken at once if the least length of an exit is at least this fraction of its depth.
-        private static const NEEDED:Number = 0.8;
+        private static const LEAST_SHARE_PROVEN:Number = 0.8;
 
         private var _pieces:GroundPieces;
 
@@ -206,7 +206,7 @@ package starlogo.ground
             var x:Number = origin.x + contact.x - depth / 2 * contact.normalX;
             var y:Number = origin.y + contact.y - depth / 2 * contact.normalY;
             var z:Number = origin.z + contact.z - depth / 2 * contact.normalZ;
-            return depth == 0 || _pieces.grid.leastExit(x, y, z, depth) >= NEEDED * depth;
+            return depth == 0 || _pieces.grid.leastExit(x, y, z, depth) >= LEAST_SHARE_PROVEN * depth;
         }
 
         // Whether a triangle is not in front of the plane of the exit that was tried.

@@ -82,7 +82,7 @@ package starlogo.ground
             box.origin.y = placement.y;
             box.origin.z = placement.z;
             _isExact = tree != null && exact && tree.hasTriangles;
-            _depth = _isExact ? int.MAX_VALUE : depth;
+            _depth = _isExact ? BoxTree.NO_LIMIT : depth;
             // The margin is as large as if another agent stood at the place of the touch.
             _margin = 2 * Touching.marginOfPlace(placement.x, placement.y, placement.z);
             if (_isExact)

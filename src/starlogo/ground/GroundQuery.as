@@ -34,7 +34,7 @@ package starlogo.ground
         private var _range:HeightRange = new HeightRange();
 
         /**
-         * Sets the model and the ground.
+         * Sets the model and the ground. Call it before each question, because a question may leave the model where its motion has brought it.
          *
          * @param grid the ground
          * @param tree the model's tree; null if a structure represents it

@@ -10,7 +10,7 @@ package starlogo.ground
         /** The corners, nine numbers; counter-clockwise as seen from outside of the ground. */
         public var corners:Vector.<Number> = new Vector.<Number>(9, true);
 
-        /** A length that no side is longer than. */
+        /** A ball with this radius around the triangle's middle contains it. */
         public var size:Number = 0;
 
         /** The margin that the triangle has because of its size (see Touching). */

@@ -48,7 +48,7 @@ package starlogo.ground
         /** Whether a frame needs the heights, the holes and the pyramid as they are. Then the next change makes new ones. */
         public var isHeld:Boolean = false;
 
-        /** How often the surface has changed. */
+        /** Another number after each change of the surface. */
         public var revision:int = 0;
 
         private var _range:HeightRange = new HeightRange();

@@ -34,8 +34,8 @@ package starlogo.ground
             var distance:Number = direction.x * _core.x + direction.y * _core.y + direction.z * _core.z - _core.projectedRadius - _core.radius
                 - Math.max(direction.x * high.x, direction.x * low.x) - Math.max(direction.y * high.y, direction.y * low.y) - Math.max(direction.z * high.z, direction.z * low.z);
             var motion:RelativeMotion = box.motion;
-            var come:Number = box.latest * (direction.x * motion.x + direction.y * motion.y + direction.z * motion.z);
-            return distance + Math.min(0, come) > box.maxDistance;
+            var travel:Number = box.latest * (direction.x * motion.x + direction.y * motion.y + direction.z * motion.z);
+            return distance + Math.min(0, travel) > box.maxDistance;
         }
 
         // Finds a direction along which the two may be apart. It is between points of both that are near each other.

@@ -25,7 +25,10 @@ package starlogo.hierarchy
      */
     public final class BoxTree
     {
-        /** The largest depth limit. A visit with it ends at the thesis's leaves. A visit with int.MAX_VALUE has no limit and goes on below them. */
+        /** In place of a depth limit: a visit goes on below the thesis's leaves, to nodes without children. */
+        public static const NO_LIMIT:int = int.MAX_VALUE;
+
+        /** The largest depth limit. A visit with it ends at the thesis's leaves. */
         public static const LARGEST_DEPTH:int = int.MAX_VALUE - 1;
 
         // A node with more triangles is divided.
@@ -57,7 +60,7 @@ package starlogo.hierarchy
 
         /**
          * For each node, the largest depth limit for which a visit does not go below it: the node's level; LARGEST_DEPTH for a leaf of the
-         * thesis; int.MAX_VALUE without children.
+         * thesis; NO_LIMIT without children.
          */
         public var stop:Vector.<int> = new Vector.<int>();
 
@@ -122,7 +125,7 @@ package starlogo.hierarchy
             return halfY >= halfZ ? 1 : 2;
         }
 
-        /** Sets an axis-aligned box to the box of a node, and returns it. */
+        /** Sets a box, whose axes are the coordinate axes already, to the box of a node, and returns it. */
         public function writeBox(node:int, box:Box):Box
         {
             var at:int = 6 * node;
@@ -154,7 +157,7 @@ package starlogo.hierarchy
         /** The number of vertices of a node's items. Each vertex is counted once. */
         public function countVertices(node:int):int
         {
-            return countUpTo(node, int.MAX_VALUE);
+            return countUpTo(node, NO_LIMIT);
         }
 
         /** Whether a node's items have more vertices than a number. It looks only at as many items as that takes. */
@@ -383,7 +386,7 @@ package starlogo.hierarchy
             left.push(0);
             first.push(from);
             end.push(to);
-            stop.push(int.MAX_VALUE);
+            stop.push(NO_LIMIT);
             _splits.push(level << 2);
         }
     }

@@ -23,8 +23,8 @@ package starlogo.hierarchy
         public var tolerance:Number = 0;
 
         /**
-         * The second model's motion from its pose, from time 0 to time 1, in the first model's space. Its start is 0. The model stands still
-         * before <code>relateMotion()</code>.
+         * The second model's motion from its pose, from time 0 to time 1, in the first model's space. Its start is 0. It is the motion of the
+         * last <code>relateMotion()</code>; <code>relate()</code> leaves it. Its time says where a contact is searched for.
          */
         public var motion:RelativeMotion = new RelativeMotion(0);
 

@@ -104,7 +104,7 @@ package starlogo.libraries
         private function takeFrom(file:CookedFile):void
         {
             var size:Number = VertexBounds.of(_model.vertices).largest;
-            if (size > VertexBounds.LARGEST_COORDINATE)
+            if (size > VertexBounds.LARGEST_VERTEX)
             {
                 // no fitter accepts such a model, so the record is wrong
                 return;

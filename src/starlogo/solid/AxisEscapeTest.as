@@ -27,7 +27,7 @@ package starlogo.solid
             {
                 _boxes.setAxis(i >> 1, (i & 1) == 0 ? -1 : 1);
                 least = Infinity;
-                _boxes.find(tree, int.MAX_VALUE, this);
+                _boxes.find(tree, BoxTree.NO_LIMIT, this);
                 if (least > 0)
                 {
                     return true;

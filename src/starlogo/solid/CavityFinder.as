@@ -22,7 +22,7 @@ package starlogo.solid
         // How much larger a shell has to be to have the other one inside, as a fraction.
         private static const LARGER:Number = 1e-9;
 
-        private var _windings:WindingCounter;
+        private var _windingCounter:WindingCounter;
         private var _balances:Vector.<int>;
 
         // For each shell: its outermost points; 0, or one more than the index of a corner; six times the volume; and 1 or -1 for its orientation,
@@ -40,39 +40,39 @@ package starlogo.solid
         private var _mostWindings:int;
 
         /**
-         * @param windings of the surface, which has the shells; receives the cavities
+         * @param windingCounter of the surface, which has the shells; receives the cavities
          * @param balances for each shell, the number of its triangles that are not reversed, minus the number of those that are
          */
-        public function CavityFinder(windings:WindingCounter, balances:Vector.<int>)
+        public function CavityFinder(windingCounter:WindingCounter, balances:Vector.<int>)
         {
             var shells:int = balances.length;
-            _windings = windings;
-            _mostWindings = WINDINGS_PER_TRIANGLE * windings.surface.signedShells.length;
+            _windingCounter = windingCounter;
+            _mostWindings = WINDINGS_PER_TRIANGLE * windingCounter.surface.signedShells.length;
             _balances = balances;
             if (shells > 1)
             {
-                _extremes = new PartExtremes(windings.mesh.corners, shells);
+                _extremes = new PartExtremes(windingCounter.mesh.corners, shells);
                 _corners = new Vector.<int>(shells, true);
                 _volumes = new Vector.<Number>(shells, true);
                 _orientations = new Vector.<int>(shells, true);
                 _around = new Vector.<Vector.<int>>(shells, true);
-                slices(windings.surface.signedShells.length, 40 * TRIANGLES_PER_STEP, measure).call(orient);
+                slices(windingCounter.surface.signedShells.length, 40 * TRIANGLES_PER_STEP, measure).call(orient);
             }
         }
 
         private function isSolid(shell:int):Boolean
         {
-            return shell >= 0 && _windings.surface.shellStates[shell] == SurfaceTopology.SOLID;
+            return shell >= 0 && _windingCounter.surface.shellStates[shell] == SurfaceTopology.SOLID;
         }
 
         private function shellOf(triangle:int):int
         {
-            return Math.abs(_windings.sideOf(triangle)) - 1;
+            return Math.abs(_windingCounter.sideOf(triangle)) - 1;
         }
 
         private function measure(first:int, end:int):void
         {
-            var corners:Vector.<Number> = _windings.mesh.corners;
+            var corners:Vector.<Number> = _windingCounter.mesh.corners;
             for (var i:int = first; i < end; i++)
             {
                 var shell:int = shellOf(i);
@@ -88,7 +88,7 @@ package starlogo.solid
                     var from:int = _corners[shell] - 1;
                     var volume:Number = _face.doubleArea * (_face.x * (corners[9 * i] - corners[from])
                             + _face.y * (corners[9 * i + 1] - corners[from + 1]) + _face.z * (corners[9 * i + 2] - corners[from + 2]));
-                    _volumes[shell] += _windings.sideOf(i) > 0 ? volume : -volume;
+                    _volumes[shell] += _windingCounter.sideOf(i) > 0 ? volume : -volume;
                 }
             }
         }
@@ -105,7 +105,7 @@ package starlogo.solid
             }
             if (isFound[0] && isFound[2])
             {
-                slices(_windings.surface.signedShells.length, TRIANGLES_PER_STEP, testSome).call(decide);
+                slices(_windingCounter.surface.signedShells.length, TRIANGLES_PER_STEP, testSome).call(decide);
             }
         }
 
@@ -114,7 +114,7 @@ package starlogo.solid
         {
             for (var i:int = first; i < end; i++)
             {
-                _face.setTriangle(_windings.mesh.corners, 9 * i);
+                _face.setTriangle(_windingCounter.mesh.corners, 9 * i);
                 if (_face.isFlat)
                 {
                     continue;
@@ -131,10 +131,10 @@ package starlogo.solid
         // Counts the windings around a point of _face that is a little inside of its shell.
         private function countAround(shell:int, triangle:int, corner:int):void
         {
-            var corners:Vector.<Number> = _windings.mesh.corners;
+            var corners:Vector.<Number> = _windingCounter.mesh.corners;
             var at:int = 9 * triangle;
             var inwards:Number = INWARDS * _extremes.extentAt(_extremes.pointsAt[shell]);
-            inwards = _windings.sideOf(triangle) > 0 == _volumes[shell] > 0 ? -inwards : inwards;
+            inwards = _windingCounter.sideOf(triangle) > 0 == _volumes[shell] > 0 ? -inwards : inwards;
             var share:Number = corner == 3 ? 1 / 3 : 0.01;
             var point:Vector.<Number> = new <Number>[inwards * _face.x, inwards * _face.y, inwards * _face.z];
             for (var axis:int = 0; axis < 3; axis++)
@@ -142,8 +142,8 @@ package starlogo.solid
                 point[axis] += share * (corners[at + axis] + corners[at + 3 + axis] + corners[at + 6 + axis])
                     + (corner == 3 ? 0 : 0.97 * corners[at + 3 * corner + axis]);
             }
-            _windings.count(point[0], point[1], point[2]);
-            _windingCount += _windings.crossedCount;
+            _windingCounter.count(point[0], point[1], point[2]);
+            _windingCount += _windingCounter.crossedCount;
         }
 
         // Returns the shells that wind around the last point; none if all of them have the orientation of this shell.
@@ -151,18 +151,18 @@ package starlogo.solid
         {
             var around:Vector.<int> = new Vector.<int>();
             var hasOpposite:Boolean = false;
-            var from:Vector.<int> = before == null ? _windings.crossed : before;
-            var count:int = before == null ? _windings.crossedCount : before.length;
+            var from:Vector.<int> = before == null ? _windingCounter.crossed : before;
+            var count:int = before == null ? _windingCounter.crossedCount : before.length;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = from[i];
-                if (_windings.windings[other] != 0 && (before != null || isLarger(other, shell)))
+                if (_windingCounter.windings[other] != 0 && (before != null || isLarger(other, shell)))
                 {
                     around.push(other);
                     hasOpposite ||= _orientations[other] == -_orientations[shell];
                 }
                 // so that it is not counted again
-                _windings.windings[other] = 0;
+                _windingCounter.windings[other] = 0;
             }
             around.length = hasOpposite ? around.length : 0;
             return around;
@@ -203,7 +203,7 @@ package starlogo.solid
                 }
                 if (isSolid(innermost) && _orientations[innermost] == -_orientations[shell])
                 {
-                    _windings.surface.shellStates[shell] = innermost;
+                    _windingCounter.surface.shellStates[shell] = innermost;
                 }
             }
         }

@@ -156,7 +156,7 @@ package starlogo.solid
                     innerPoint.x = x + box[0];
                     innerPoint.y = y + box[1];
                     innerPoint.z = z + box[2];
-                    if (outer.windings.isInside(innerPoint))
+                    if (outer.windingCounter.isInside(innerPoint))
                     {
                         return true;
                     }

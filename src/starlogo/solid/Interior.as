@@ -7,7 +7,7 @@ package starlogo.solid
         public static const POINTS_PER_PART:int = 6;
 
         /** Says whether a point is inside. */
-        public var windings:WindingCounter;
+        public var windingCounter:WindingCounter;
 
         /** Whether a shell of the surface is closed, so that it has an inside. */
         public var isClosed:Boolean;
@@ -22,13 +22,13 @@ package starlogo.solid
         public var leastPartExtent:Number = Infinity;
 
         /**
-         * @param windings counts the windings of a complete surface
+         * @param windingCounter counts the windings of a complete surface
          * @param extremes the outermost points of its parts
          */
-        public function Interior(windings:WindingCounter, extremes:PartExtremes)
+        public function Interior(windingCounter:WindingCounter, extremes:PartExtremes)
         {
-            this.windings = windings;
-            isClosed = windings.surface.isClosed;
+            this.windingCounter = windingCounter;
+            isClosed = windingCounter.surface.isClosed;
             partPoints = extremes.points;
             for (var at:int = 0; at < partPoints.length; at += 3 * POINTS_PER_PART)
             {

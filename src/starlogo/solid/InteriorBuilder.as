@@ -65,7 +65,7 @@ package starlogo.solid
 
         private function conclude():void
         {
-            _model.interior = new Interior(_surfaceBuilder.windings, _extremes);
+            _model.interior = new Interior(_surfaceBuilder.windingCounter, _extremes);
             _model.surface = _surfaceBuilder.surface;
         }
     }

@@ -5,6 +5,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxSearch;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodeRayTest;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
@@ -23,7 +24,7 @@ package starlogo.solid
      */
     public final class ModelRayQuery
     {
-        /** The number of the triangle that the last ray meets, as the model counts them; or -1. */
+        /** The number of the triangle that the last ray of <code>find()</code> meets, as the model counts them; or -1. */
         public var triangle:int = -1;
 
         private var _nodes:NodeRayTest = new NodeRayTest();
@@ -55,7 +56,7 @@ package starlogo.solid
             {
                 return findTriangle(model, ray);
             }
-            return _nodes.findHit(model.tree, exact ? int.MAX_VALUE : depth, ray);
+            return _nodes.findHit(model.tree, exact ? BoxTree.NO_LIMIT : depth, ray);
         }
 
         /**
@@ -74,7 +75,7 @@ package starlogo.solid
             }
             if (!exact || !model.hasTriangles)
             {
-                _nodes.findAll(model.tree, exact ? int.MAX_VALUE : depth, ray, Tolerances.ROUNDING * model.tree.radiusAboutOrigin, out);
+                _nodes.findAll(model.tree, exact ? BoxTree.NO_LIMIT : depth, ray, Tolerances.ROUNDING * model.tree.radiusAboutOrigin, out);
                 return false;
             }
             var first:int = out.count;
@@ -114,7 +115,7 @@ package starlogo.solid
             var mesh:TriangleMesh = model.prepareMesh();
             _triangles.begin(ray, mesh.corners, model.tree.radiusAboutOrigin, all);
             _boxes.setRay(ray);
-            _boxes.find(mesh.tree, int.MAX_VALUE, _triangles);
+            _boxes.find(mesh.tree, BoxTree.NO_LIMIT, _triangles);
         }
 
         // Sets the normal of a ray to that of a triangle, against the ray. A triangle without area has no normal; then it is the opposite of the

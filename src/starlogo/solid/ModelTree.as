@@ -82,7 +82,7 @@ package starlogo.solid
             {
                 isOutside = ESCAPE.hasOpenSide(middle, tree);
             }
-            return !isOutside && prepareInterior().isClosed && interior.windings.isInside(middle);
+            return !isOutside && prepareInterior().isClosed && interior.windingCounter.isInside(middle);
         }
 
         /**

@@ -24,7 +24,7 @@ package starlogo.solid
         public var surface:SurfaceTopology;
 
         /** Counts the windings of the surface. Null before the last step. */
-        public var windings:WindingCounter = null;
+        public var windingCounter:WindingCounter = null;
 
         private var _mesh:TriangleMesh;
         private var _tree:BoxTree;
@@ -106,10 +106,10 @@ package starlogo.solid
 
         private function beginWindings():void
         {
-            windings = new WindingCounter(_mesh, surface);
+            windingCounter = new WindingCounter(_mesh, surface);
             if (surface.widestSeam > 0)
             {
-                windings.placesAt = new Vector.<int>(_count, true);
+                windingCounter.placesAt = new Vector.<int>(_count, true);
                 sliced(weld);
             }
             if (_shells != null)
@@ -126,7 +126,7 @@ package starlogo.solid
         // Writes all triangles after the moved ones, and keeps those that are elsewhere than their corners.
         private function weld(first:int, end:int):void
         {
-            var places:Vector.<Number> = windings.places;
+            var places:Vector.<Number> = windingCounter.places;
             for (var i:int = first; i < end; i++)
             {
                 _mesh.writeCorners(i, i + 1, _welding.welded, places, _placeCount);
@@ -135,14 +135,14 @@ package starlogo.solid
                 {
                     same++;
                 }
-                windings.placesAt[i] = same < 9 ? _placeCount : -1;
+                windingCounter.placesAt[i] = same < 9 ? _placeCount : -1;
                 _placeCount += same < 9 ? 9 : 0;
             }
         }
 
         private function newCavities():Steps
         {
-            return new CavityFinder(windings, _shells.balances);
+            return new CavityFinder(windingCounter, _shells.balances);
         }
 
         private function measure(first:int, end:int):void
@@ -150,7 +150,7 @@ package starlogo.solid
             for (var i:int = first; i < end; i++)
             {
                 var part:int = surface.parts[_tree.order[i]];
-                var side:int = windings.sideOf(i);
+                var side:int = windingCounter.sideOf(i);
                 if (side != 0)
                 {
                     _partOf[int(Math.abs(side) - 1)] = part;
@@ -169,13 +169,13 @@ package starlogo.solid
                 var at:int = _extremes.pointsAt[part];
                 for (var i:int = at; i < at + 3 * Interior.POINTS_PER_PART; i += 3)
                 {
-                    windings.count(points[i], points[i + 1], points[i + 2]);
-                    _windingCount += windings.crossedCount;
-                    for (var k:int = 0; k < windings.crossedCount; k++)
+                    windingCounter.count(points[i], points[i + 1], points[i + 2]);
+                    _windingCount += windingCounter.crossedCount;
+                    for (var k:int = 0; k < windingCounter.crossedCount; k++)
                     {
-                        if (windings.isAround(windings.crossed[k]))
+                        if (windingCounter.isAround(windingCounter.crossed[k]))
                         {
-                            _joined.join(_partOf[windings.crossed[k]], part);
+                            _joined.join(_partOf[windingCounter.crossed[k]], part);
                         }
                     }
                 }

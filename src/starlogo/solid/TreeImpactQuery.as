@@ -102,7 +102,7 @@ package starlogo.solid
 
         /**
          * Finds the contact of two models that overlap. It is the contact of the first two triangles that touch, or of the first two nodes
-         * that are leaves or at their depth limit. If one model is inside of the other, the structures around both have the contact.
+         * that are leaves or at their depth limit. If one model is inside of the other, it is the contact of the boxes of their roots.
          *
          * @param motion of the first model, relative to the second; its time is the time of impact
          * @param out receives the contact, in the world

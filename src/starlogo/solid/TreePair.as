@@ -3,6 +3,7 @@ package starlogo.solid
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.hierarchy.BoxTree;
 
     use namespace engine;
 
@@ -46,8 +47,8 @@ package starlogo.solid
             this.structureB = structureB;
             this.placementB = placementB;
             isExact = exact && a.hasTriangles && (b == null || b.hasTriangles);
-            this.depthA = isExact ? int.MAX_VALUE : depthA;
-            this.depthB = isExact ? int.MAX_VALUE : depthB;
+            this.depthA = isExact ? BoxTree.NO_LIMIT : depthA;
+            this.depthB = isExact ? BoxTree.NO_LIMIT : depthB;
         }
 
         /** Copies another pair. */

@@ -4,6 +4,7 @@ package starlogo.solid
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
     import starlogo.hierarchy.BoxSearch;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
@@ -53,7 +54,7 @@ package starlogo.solid
             _triangle = -1;
             least = out.distance = Infinity;
             _boxes.setExtents(_extents, 0);
-            _boxes.findNear(model.tree, int.MAX_VALUE, this);
+            _boxes.findNear(model.tree, BoxTree.NO_LIMIT, this);
             out.swap();
             return _triangle;
         }

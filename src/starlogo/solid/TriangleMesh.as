@@ -23,7 +23,7 @@ package starlogo.solid
         /**
          * The triangles' planes: x, y, z of the unit normal, and the distance from the origin along the normal. The distance is NaN if the
          * corners' distances differ by more than <code>flatness</code>. For a triangle without area the normal is 0 and the distance NaN. Null
-         * before <code>preparePlanes()</code>, because rays need none.
+         * until somebody needs them, because rays need none.
          */
         public var planes:Vector.<Number> = null;
 

@@ -47,8 +47,7 @@ package starlogo.solid
             var count:int = _triangles.move(treeB, b);
             _motion.latest = bounds.least < 1 ? bounds.least : 1;
             bounds.current = RelativeMotion.NEVER;
-            // Higher indices come first, as in the traversal. So if several triangles touch at the same time, the result does not depend on
-            // where leaves end.
+            // Higher indices come first, as in the traversal.
             for (var k:int = count - 1; k >= 0 && bounds.current > 0; k--)
             {
                 if (touchesEarlier(k, treeA.first[a], treeA.end[a], bounds))
@@ -60,7 +59,7 @@ package starlogo.solid
         }
 
         // Whether a triangle of the second model touches one of a range of the first model until the motion's latest time, and earlier than those
-        // of the leaves before. If so, keeps the time as the current one of the bounds, and as the latest one.
+        // of this pair of leaves before. If so, keeps the time as the current one of the bounds, and as the latest one.
         private function touchesEarlier(triangle:int, first:int, end:int, bounds:NodePairBounds):Boolean
         {
             var tolerance:Number = _triangles.outerTolerance;

@@ -8,6 +8,7 @@ package starlogo.solid
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxSearch;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
@@ -48,7 +49,7 @@ package starlogo.solid
 
         // Whether a triangle is touched, and the index of the first number of the one that is touched first.
         private var _isFound:Boolean = false;
-        private var _first:int = 0;
+        private var _firstCornerAt:int = 0;
 
         /** @param counts counts the nodes that are visited and the triangles that are tested */
         public function TriangleStructureTest(counts:TreeCounts)
@@ -69,7 +70,7 @@ package starlogo.solid
             begin(model, structure, pose, RelativeMotion.NONE);
             _isMoving = false;
             least = 0;
-            _boxes.find(_mesh.tree, int.MAX_VALUE, this);
+            _boxes.find(_mesh.tree, BoxTree.NO_LIMIT, this);
             return _isFound;
         }
 
@@ -83,7 +84,7 @@ package starlogo.solid
             prepareMotion();
             _isMoving = true;
             least = _motion.latest;
-            _boxes.find(_mesh.tree, int.MAX_VALUE, this);
+            _boxes.find(_mesh.tree, BoxTree.NO_LIMIT, this);
             var time:Number = least > 0 ? least : 0;
             _motion.time = _isFound ? time : RelativeMotion.NEVER;
         }
@@ -167,7 +168,7 @@ package starlogo.solid
                     continue;
                 }
                 _isFound = true;
-                _first = 9 * i;
+                _firstCornerAt = 9 * i;
                 if (!(least > 0))
                 {
                     // no triangle can be touched earlier
@@ -197,7 +198,7 @@ package starlogo.solid
          */
         public function findContact(out:ContactPoint):void
         {
-            _pair.setTriangle(_mesh.corners, _first);
+            _pair.setTriangle(_mesh.corners, _firstCornerAt);
             _sweep.time = _motion.time;
             _pair.findContact(_sweep, out);
             out.setNormal(-out.normalX, -out.normalY, -out.normalZ);

@@ -4,6 +4,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxSearch;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.LeafTest;
 
     use namespace engine;
@@ -113,7 +114,7 @@ package starlogo.solid
             var margin:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.tree.radiusAboutOrigin;
             _boxes.setPlace(x, y, z, margin);
             _boxes.setAxis(_axis, _isBackward ? -1 : 1);
-            _boxes.find(mesh.tree, int.MAX_VALUE, this);
+            _boxes.find(mesh.tree, BoxTree.NO_LIMIT, this);
             for (var i:int = 0; i < crossedCount; i++)
             {
                 var state:int = surface.shellStates[crossed[i]];

@@ -283,7 +283,7 @@ package starlogo.solid
             {
                 point.setTo(box[0] + box[3] * _random.between(-1, 1), box[1] + box[4] * _random.between(-1, 1), box[2] + box[5] * _random.between(-1, 1));
             }
-            while (!hierarchy.prepareInterior().windings.isInside(point));
+            while (!hierarchy.prepareInterior().windingCounter.isInside(point));
             return point;
         }
 

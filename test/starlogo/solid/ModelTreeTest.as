@@ -79,7 +79,7 @@ package starlogo.solid
                 var z:Number = random.between(-0.2, 1.2);
                 var expected:Boolean = SolidAngles.windingAround(model, x, y, z) > 0.5;
                 inside += expected ? 1 : 0;
-                assertEquals(expected, hierarchy.prepareInterior().windings.isInside(new Vector3D(x, y, z)));
+                assertEquals(expected, hierarchy.prepareInterior().windingCounter.isInside(new Vector3D(x, y, z)));
             }
             assertTrue("inside: " + inside, inside > 50 && inside < 250);
         }
@@ -159,7 +159,7 @@ package starlogo.solid
                 }
                 var expected:Boolean = Math.abs(SolidAngles.windingAround(model, x, y, z)) > 0.5;
                 inside += expected ? 1 : 0;
-                assertEquals(model.name + ", point " + i, expected, hierarchy.prepareInterior().windings.isInside(new Vector3D(x, y, z)));
+                assertEquals(model.name + ", point " + i, expected, hierarchy.prepareInterior().windingCounter.isInside(new Vector3D(x, y, z)));
             }
             assertTrue("inside: " + inside, inside > 10 && inside < 390);
         }
@@ -205,7 +205,7 @@ package starlogo.solid
                 var z:Number = model.vertices[near + 2] + spread * random.normal();
                 var expected:Boolean = Math.abs(SolidAngles.windingAround(model, x, y, z)) > 0.5;
                 inside += expected ? 1 : 0;
-                assertEquals("point " + i, expected, hierarchy.prepareInterior().windings.isInside(new Vector3D(x, y, z)));
+                assertEquals("point " + i, expected, hierarchy.prepareInterior().windingCounter.isInside(new Vector3D(x, y, z)));
             }
             assertTrue("inside: " + inside, inside > 20 && inside < 130);
         }

@@ -18,7 +18,7 @@ package starlogo.solid
                 return "none";
             }
             var interior:Interior = hierarchy.prepareInterior();
-            var windings:WindingCounter = interior.windings;
+            var windings:WindingCounter = interior.windingCounter;
             var surface:SurfaceTopology = windings.surface;
             var mesh:TriangleMesh = windings.mesh;
             return [interior.isClosed, surface.signedShells, surface.shellStates, surface.widestSeam, windings.places, windings.placesAt, interior.leastPartExtent, interior.partPoints, mesh.corners,

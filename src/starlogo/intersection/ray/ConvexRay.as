@@ -24,7 +24,7 @@ package starlogo.intersection.ray
         private var _contact:ContactPoint = new ContactPoint();
 
         /**
-         * Narrows a ray.
+         * Narrows a ray. Its factor of touching does not count.
          *
          * @param ray in the space of the structure; its part is narrowed, and its normal is set if it enters the structure
          * @param structure convex

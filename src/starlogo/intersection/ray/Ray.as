@@ -81,7 +81,7 @@ package starlogo.intersection.ray
             directionZ = placement.r02 * toX + placement.r12 * toY + placement.r22 * toZ;
         }
 
-        /** Copies the line and the part of another ray, without the normal and the triangle. */
+        /** Copies the line and the part of another ray, without the normal, the triangle and the factor of touching. */
         public function copyFrom(other:Ray):void
         {
             x = other.x;

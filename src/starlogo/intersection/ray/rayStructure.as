@@ -30,7 +30,7 @@ package starlogo.intersection.ray
             case BoundingStructure.BOX:
                 return rayBox(ray, Box(structure));
             case BoundingStructure.HULL:
-                // the class itself would bring the search for hulls into every game with rays
+                // "is Hull" would bring the search for hulls into every game with rays
                 if (structure.halfSpaces != null)
                 {
                     return rayHull(ray, Hull(structure));

@@ -58,7 +58,7 @@ package starlogo.search.pairs
             var tree:ModelTree = body.shape.hierarchy;
             var at:Placement = body.placement;
             _corners = tree != null && limits.exact && tree.hasTriangles ? tree.prepareCorners() : null;
-            _depth = _corners != null ? int.MAX_VALUE : tree == null ? 0 : limits.depthOf(body);
+            _depth = _corners != null ? BoxTree.NO_LIMIT : tree == null ? 0 : limits.depthOf(body);
             _direction.x = at.r00 * direction.x + at.r10 * direction.y + at.r20 * direction.z;
             _direction.y = at.r01 * direction.x + at.r11 * direction.y + at.r21 * direction.z;
             _direction.z = at.r02 * direction.x + at.r12 * direction.y + at.r22 * direction.z;

@@ -21,7 +21,7 @@ package starlogo.search.penetration
         private static const MOST_PUSHES:int = 80;
 
         // No other way is tried if the least length of a way out is at least this fraction of the push.
-        private static const NEEDED:Number = 0.85;
+        private static const LEAST_SHARE_TAKEN:Number = 0.85;
 
         // The factor by which the search distance for other ways grows.
         private static const FARTHER:Number = 3;
@@ -68,7 +68,7 @@ package starlogo.search.penetration
         {
             var maxDistance:Number = Math.max(DirectionSearch.IMPROVED_DEPTH * _pair.extent, Math.min(first.depth, _pair.extent));
             _pushOut.begin(first);
-            if (_pushOut.find(Math.max(first.ground.leastDepth / NEEDED, PushOut.ROOM * _pair.extent), out))
+            if (_pushOut.find(Math.max(first.ground.leastDepth / LEAST_SHARE_TAKEN, PushOut.ROOM * _pair.extent), out))
             {
                 return;
             }
@@ -76,7 +76,7 @@ package starlogo.search.penetration
             _pair.findOuterContact(_below);
             _liftLength = _below.depth + _pair.tolerance;
             _lift.setTo(0, 0, 1);
-            while (!findPushOrLift(out, maxDistance) && maxDistance / NEEDED <= _liftLength)
+            while (!findPushOrLift(out, maxDistance) && maxDistance / LEAST_SHARE_TAKEN <= _liftLength)
             {
                 maxDistance *= FARTHER;
             }
@@ -98,7 +98,7 @@ package starlogo.search.penetration
             {
                 addExits(maxDistance);
                 tryLift();
-                var result:int = _pushOut.tryNext(Math.min(maxDistance / NEEDED, _liftLength), out);
+                var result:int = _pushOut.tryNext(Math.min(maxDistance / LEAST_SHARE_TAKEN, _liftLength), out);
                 if (result == PushOut.TOO_LONG)
                 {
                     tryLift();

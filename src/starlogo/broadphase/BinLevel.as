@@ -13,7 +13,7 @@ package starlogo.broadphase
 
         private static const SLACK:Number = 1 / (1 << 18);
 
-        // In place of a mask.
+        // The mask of a level without cells. No level with cells has it, because that has 32 cells at least.
         private static const NO_CELLS:int = 0;
 
         // The index among all levels. Extents that fit the level store it.

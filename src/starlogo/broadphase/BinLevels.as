@@ -70,8 +70,8 @@ package starlogo.broadphase
         }
 
         /**
-         * The square of the distance up to which all levels can be used. Rows farther out must be fitted again. Levels without members count too,
-         * because rows outside the search have levels, and a search of motions uses other levels.
+         * The square of the distance up to which all levels can be used. Rows farther out must be assigned a level again. Levels without
+         * members count too, because rows outside the search have levels, and a search of motions uses other levels.
          */
         public function get maxDistanceSquared():Number
         {

@@ -301,7 +301,7 @@ package starlogo.broadphase
             }
         }
 
-        // The pairs of members of one level with members of a coarser level. A member meets at most three cells in each of three rows.
+        // The pairs of members of one level with members of a coarser level. A member meets at most three cells in each of three lines of cells.
         private function collideLevels(level:BinLevel, coarser:BinLevel, sink:PairSink):void
         {
             var rows:Vector.<int> = _rows;

@@ -100,8 +100,8 @@ package starlogo.broadphase
             return _cells[row] != NONE;
         }
 
-        /** Moves a row to the cell of its extents, and makes it a member. */
-        public function move(row:int):void
+        /** Puts a row into the cell of its extents, and makes it a member if it is none. */
+        public function place(row:int):void
         {
             var level:BinLevel = _levels.byIndex[_extents.level[row]];
             if (!level.hasCells)

@@ -94,7 +94,7 @@ package starlogo.handlers
             _firstKept = added.length;
         }
 
-        // Takes the removed handlers out of the list that the frame does not know.
+        // Takes removed handlers out of the list, except for those that the frame knows.
         private function dropRemoved(knownCount:int):void
         {
             added = added.filter(function(one:CollisionHandler, index:int, all:Vector.<CollisionHandler>):Boolean

@@ -65,7 +65,7 @@ package starlogo.queries
             var source:QuerySource = collisionOrSystem as QuerySource;
             if (source != null && !source.isForAllQuestions)
             {
-                throw new ArgumentError("the shapes of a level are for AgentRays and AgentWalks: an AgentQueries needs a Collision or a collision system");
+                throw new ArgumentError("the shapes of a level are for AgentPlaces, AgentRays and AgentWalks: an AgentQueries needs a Collision or a collision system");
             }
             _seen = new SeenAgents(collisionOrSystem);
             // questions may be about any structure

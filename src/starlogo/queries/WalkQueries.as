@@ -121,8 +121,8 @@ package starlogo.queries
             return footing;
         }
 
-        // Begins a walk: finds what the options mean for the agent and the rows near the walk, and lets a platform carry the agent. Returns what the
-        // agent stands on.
+        // Begins a walk: finds what the options mean for the agent and the rows near the walk, and lets a platform carry the agent. Returns the
+        // agent's link, which has what the agent stood on, or null.
         private function begin(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Walk):PlatformLink
         {
             var size:Number = _seen.placeOf(agent).size;

@@ -43,7 +43,8 @@ package starlogo.search
         public var depth:int = 0;
 
         /**
-         * Whether the leaves of its tree are tested instead of triangles. They find every touch that triangles find, in a tenth of the time.
+         * Whether no triangles decide in tests of two trees, or of a tree and a structure, of which it is one. Then both are tested to their
+         * leaves only. Leaves find every touch that triangles find, in a tenth of the time. Tests with the ground do not read this.
          */
         engine var stopsAtLeaves:Boolean = false;
 

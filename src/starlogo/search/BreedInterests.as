@@ -11,8 +11,8 @@ package starlogo.search
      * The pairs of breeds whose collisions a collision system should find. It skips all other pairs of breeds. The order within a pair does not
      * matter.
      *
-     * <p>A breed has the same number in all objects. All breeds that no pair names share one number, so that the search can look up a pair
-     * in a small table.</p>
+     * <p>A breed that a pair names has the same number in all objects. If a pair has ANY_BREED, all breeds that no pair names share one number.
+     * Otherwise they have none.</p>
      */
     public final class BreedInterests
     {
@@ -33,7 +33,7 @@ package starlogo.search
         private var _agentBreeds:int = 0;
         private var _agentPairs:int = 0;
 
-        /** How often <code>add()</code> was called, also for a pair that was there. */
+        /** How often a pair was added, also if it was there. */
         internal var revision:int = 0;
 
         /**

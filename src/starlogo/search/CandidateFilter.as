@@ -120,8 +120,8 @@ package starlogo.search
             _out.addPairs(worldAgent, others, count);
         }
 
-        // Keeps the rows that touch a row on their motions, and writes the times. There is no level for the ground and the edges, whose extents say
-        // nothing.
+        // Keeps the rows that touch a row on their motions, and writes the times behind the pairs that there are. So _out.addPairs() has to add
+        // just these rows next. There is no level for the ground and the edges, whose extents say nothing.
         private function keepTouchingMotions(row:int, others:Vector.<int>, count:int, level:BinLevel):int
         {
             var at:int = _out.count;

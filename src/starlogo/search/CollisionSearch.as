@@ -135,7 +135,7 @@ package starlogo.search
             var extents:Extents = table.extents;
             if (_conditions.isSwept)
             {
-                _motions.find(table, _bins.levels, table.list.rows);
+                _motions.findMotions(table, _bins.levels, table.list.rows);
                 extents = _motions.extents;
             }
             _candidates.begin(_conditions, out);

@@ -66,7 +66,10 @@ package starlogo.search
             basis = NONE;
         }
 
-        /** Adds the pairs of a row. In each of them the agent that is first in the list comes first. */
+        /**
+         * Adds the pairs of a row. In each of them the agent that is first in the list comes first. If an agent sweeps, the caller has written their
+         * times before, from the index <code>count</code> on (CandidateFilter).
+         */
         internal function addPairs(row:int, others:Vector.<int>, othersCount:int):void
         {
             var to:int = 2 * count;

@@ -42,8 +42,8 @@ package starlogo.search
         // The members of the last search.
         private var _cells:CellLists;
 
-        // The conditions of the last search; and whether this one is like it, and few rows have changed. The agents of the ground and of the
-        // edges then, and the revisions of their surfaces.
+        // The conditions of the last search, with which find() compares those of this one; and whether this one is like it, and few rows have
+        // changed. The agents of the ground and of the edges at the last search, and the revisions of their surfaces.
         private var _conditions:SearchConditions = new SearchConditions();
         private var _isWorthKeeping:Boolean = false;
         private var _worldAgents:Vector.<WorldAgent> = new <WorldAgent>[null, null];
@@ -119,7 +119,7 @@ package starlogo.search
                 return false;
             }
             _searchNumber++;
-            listChanged();
+            listChanged(conditions);
             _isWorthKeeping = areFew(_changed.count, conditions);
             if (!_isWorthKeeping)
             {
@@ -127,9 +127,9 @@ package starlogo.search
             }
             if (conditions.isSwept)
             {
-                _motions.find(_table, _levels, _changed);
+                _motions.findMotions(_table, _levels, _changed);
             }
-            placeChanged();
+            placeChanged(conditions);
             if (!_cells.areCellsValid())
             {
                 return false;
@@ -192,7 +192,7 @@ package starlogo.search
         }
 
         // Lists the rows that have changed.
-        private function listChanged():void
+        private function listChanged(conditions:SearchConditions):void
         {
             var length:int = _table.list.agents.length;
             _changed.count = 0;
@@ -203,13 +203,13 @@ package starlogo.search
             _cells.makeRows(length);
             mark(_table.places.changed);
             mark(_table.list.leftOrReordered);
-            if (_conditions.isSwept)
+            if (conditions.isSwept)
             {
                 mark(_table.places.previouslyChanged);
             }
-            if (_conditions.takePart != null)
+            if (conditions.takePart != null)
             {
-                markFiltered();
+                markFiltered(conditions);
             }
         }
 
@@ -231,13 +231,13 @@ package starlogo.search
         }
 
         // Marks the rows that begin or cease to take part. The other rows have their breeds of the last search.
-        private function markFiltered():void
+        private function markFiltered(conditions:SearchConditions):void
         {
             var rows:NumberList = _table.list.rows;
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.numbers[i];
-                if (_conditions.isMember(_table, row) != _cells.has(row))
+                if (conditions.isMember(_table, row) != _cells.has(row))
                 {
                     markRow(row);
                 }
@@ -245,14 +245,14 @@ package starlogo.search
         }
 
         // Puts the changed rows to their cells.
-        private function placeChanged():void
+        private function placeChanged(conditions:SearchConditions):void
         {
             for (var i:int = 0; i < _changed.count; i++)
             {
                 var row:int = _changed.numbers[i];
-                if (_table.list.agents[row] != null && _conditions.isMember(_table, row))
+                if (_table.list.agents[row] != null && conditions.isMember(_table, row))
                 {
-                    _cells.move(row);
+                    _cells.place(row);
                 }
                 else
                 {

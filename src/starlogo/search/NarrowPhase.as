@@ -17,7 +17,8 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Tests two bodies by their forms: whether they touch, when they touch, and how. Each collider has one such object, with its settings.
+     * Tests two bodies by their forms: whether they touch, when they touch, and how. Each collider and each LevelShapes has one such object,
+     * with its settings.
      *
      * @private
      */
@@ -86,7 +87,7 @@ package starlogo.search
             return structureTests.keepTouching(table, slack, row, others, count);
         }
 
-        /** Whether two bodies touch. */
+        /** Whether two bodies touch. They may come in either order, the ground and the edges of the world too. */
         public function areTouching(a:Body, b:Body):Boolean
         {
             var last:int = a.form > b.form ? a.form : b.form;
@@ -109,6 +110,8 @@ package starlogo.search
         /**
          * Finds the contact of two bodies where they are, which separates them.
          *
+         * @param a is not the ground or the edges of the world
+         * @param b may be the ground or the edges of the world: see PairTests
          * @param motion becomes none, at the time 1
          * @param out receives the contact. Its normal points from the second body to the first
          */
@@ -181,7 +184,7 @@ package starlogo.search
             return distance <= maxDistance && distance >= -maxDistance;
         }
 
-        /** The tests for two bodies, by their forms. The ground or the edges of the world are the second of the two. */
+        /** The tests for two bodies, by their forms. The order of the two: see PairTests. */
         public function testsOf(a:Body, b:Body):PairTests
         {
             var last:int = a.form > b.form ? a.form : b.form;

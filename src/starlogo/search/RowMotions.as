@@ -57,7 +57,7 @@ package starlogo.search
          *
          * @param rows the rows; those without an agent are left out
          */
-        public function find(table:AgentTable, levels:BinLevels, rows:NumberList):void
+        public function findMotions(table:AgentTable, levels:BinLevels, rows:NumberList):void
         {
             if (table.list.agents.length > _isSwept.length)
             {

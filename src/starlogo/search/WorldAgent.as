@@ -25,7 +25,8 @@ package starlogo.search
         /** Adds the tests of pairs with it to a narrow phase: <code>function(narrowPhase:NarrowPhase):void</code>; null if there are none. */
         public var addTests:Function;
 
-        private static var sCreated:int = 0;
+        // The number of agents without a counted id: those of edges, and the copies that HeldWorld keeps.
+        private static var sUncounted:int = 0;
 
         private var _edgesRevision:int = 0;
 
@@ -41,11 +42,11 @@ package starlogo.search
             this.addTests = addTests;
         }
 
-        /** @private It does not count as an agent of the game. */
+        /** @private An id that is not counted: the edges', and held copies' (HeldWorld). A Terrain gives its agent a counted one. */
         override engine function newId():int
         {
-            sCreated++;
-            return -sCreated;
+            sUncounted++;
+            return -sUncounted;
         }
 
         /** Sets the edges that it stands for. */

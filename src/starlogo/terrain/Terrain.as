@@ -63,6 +63,7 @@ package starlogo.terrain
             grid = new HeightGrid(columns, rows, cellWidth, x, y);
             _agent = new WorldAgent(Breeds.TERRAIN, GroundPairTests.addTo);
             _agent.grid = grid;
+            // only the edges' agents have negative ids: see Agent.id
             _agent.idNumber = Agent.takeId();
             _agent.moveTo(x, y, 0);
         }

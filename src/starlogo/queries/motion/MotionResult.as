@@ -28,7 +28,7 @@ package starlogo.queries.motion
         /** Where the core of the body touches that row, if the fraction is not 0. */
         public var corePlace:Vector3D = new Vector3D();
 
-        /** Whether it began deep in another row. */
+        /** Whether it began deep in a row. */
         public var isDeep:Boolean = false;
 
         /** Whether it began with a lift out of a row. */

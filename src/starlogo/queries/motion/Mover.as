@@ -24,7 +24,7 @@ package starlogo.queries.motion
         private static const STEPS_INTO_TOUCH:int = 64;
 
         // If the next row is met within this many slops, this is the same corner.
-        private static const NEXT:Number = 4;
+        private static const SAME_CORNER:Number = 4;
 
         // If a motion leads this many slops deeper into what it was lifted out of, the body has left the surface. Otherwise its core would meet it.
         private static const SLOPS_TO_LEAVE:Number = 2;
@@ -69,7 +69,7 @@ package starlogo.queries.motion
         }
 
         /**
-         * Takes the body and the rows for the next motions.
+         * Takes the body and the rows for the next motions. The next motion sets the slop and the core.
          *
          * @param body the body that moves. It stays where it is
          * @param rows the rows that may be in its way
@@ -88,7 +88,7 @@ package starlogo.queries.motion
             _body.read(body, _rows);
         }
 
-        /** Takes the body and a single row for the next motions. */
+        /** Takes the body and a single row for the next motions. See <code>begin()</code>. */
         public function beginAgainst(body:Body, row:int):void
         {
             _rows.count = 0;
@@ -214,7 +214,7 @@ package starlogo.queries.motion
                     _rest.advance(place, 1);
                     break;
                 }
-                if (!isSoon(_impact))
+                if (!isSameCorner(_impact))
                 {
                     _rest.beginCorner();
                 }
@@ -243,14 +243,21 @@ package starlogo.queries.motion
             return _sweep.meets(row, from, motion);
         }
 
-        /** Finds the contact of the deepest overlap of the body at a place. Returns the sum of the depths of all overlaps. */
+        /**
+         * Finds the contact of the deepest overlap of the body at a place. Call it after a motion: the slop and the core are that motion's,
+         * also if <code>begin()</code> was called since.
+         *
+         * @param out receives the contact
+         * @return the sum of the depths of all overlaps
+         */
         public function findDeepest(place:Vector3D, out:ContactPoint):Number
         {
             return _recovery.findDeepest(_rows, place, out);
         }
 
         /**
-         * After a motion: lifts the body off what it only touches, if there is room.
+         * Lifts the body off what it only touches, if there is room. Call it after a motion, not after <code>meets()</code>: the slop, the core and
+         * the rows that count are that motion's. A row that a plane has taken the place of does not count, nor a one-way row that the body passed.
          *
          * @param place the place of the body, which changes
          * @param clearRow a row that it is known not to touch there, or -1
@@ -324,11 +331,17 @@ package starlogo.queries.motion
             return isLeft;
         }
 
-        // Finds the contact with a row that the core overlaps. Returns whether its plane has to take the place of the row.
+        // Finds the contact with a row that the core overlaps. It may narrow the core for this motion. Returns whether the contact's plane has to
+        // take the place of the row.
         private function findDeep(row:int, place:Vector3D, isOfAll:Boolean, out:ContactPoint):Boolean
         {
             var isShallow:Boolean = _body.findContact(row, place, isOfAll, out);
-            return (isOfAll || !isShallow) && !_body.narrow(row, place) && _body.overlaps(row, place);
+            if (isShallow && !isOfAll)
+            {
+                return false;
+            }
+            var isFree:Boolean = _body.narrow(row, place);
+            return !isFree && _body.overlaps(row, place);
         }
 
         // Finds the touch of the motion whose core meets the impact.
@@ -376,7 +389,7 @@ package starlogo.queries.motion
         {
             for (var i:int = _rest.count - 2; i >= _rest.corner; i--)
             {
-                if (_rest.project(i) && !(_sweep.findFirst(_obstacles, place, _rest.motion, _tried) && isSoon(_tried)))
+                if (_rest.project(i) && !(_sweep.findFirst(_obstacles, place, _rest.motion, _tried) && isSameCorner(_tried)))
                 {
                     _rest.remove(i);
                 }
@@ -384,9 +397,9 @@ package starlogo.queries.motion
         }
 
         // Whether what is met first is met in the same corner.
-        private function isSoon(impact:Impact):Boolean
+        private function isSameCorner(impact:Impact):Boolean
         {
-            return impact.time * _rest.length < NEXT * _body.slop;
+            return impact.time * _rest.length < SAME_CORNER * _body.slop;
         }
 
         // Finds what the rest of the motion meets first. One-way rows that it passes do not count from then on.

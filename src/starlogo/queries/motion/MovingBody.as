@@ -47,7 +47,10 @@ package starlogo.queries.motion
         // A one-way row stops the body with surfaces whose normal has at least this z: no steeper than 45 degrees, and a little for rounding.
         private static const UPWARDS:Number = Math.SQRT1_2 - 1e-9;
 
-        /** The slop: how much smaller than the body the core is at its nearest faces, in patches. <code>narrow()</code> makes the core smaller still. */
+        /**
+         * The slop of the motion, in patches. The core's nearest faces are that far behind the body's own, or less far if the body is slim, or
+         * its least half-extent is less than two slops. <code>narrow()</code> makes the core smaller still, but not the slop larger.
+         */
         public var slop:Number = 0;
 
         /** How far before a touch a slide ends, in patches. It is less than the slop, so the body can enter a place as wide as itself. */
@@ -82,7 +85,8 @@ package starlogo.queries.motion
         private var _largest:Number = 0;
         private var _cell:Number = 0;
 
-        // How much smaller the core is on each side, in patches. It is more than a slop after <code>narrow()</code>.
+        // How much of its least half-extent the core should lose, in patches: a slop, or more after <code>narrow()</code>. A slim or small body
+        // loses less.
         private var _inset:Number = 0;
 
         /** @param seen has the rows, and decides which of them touch */
@@ -133,14 +137,14 @@ package starlogo.queries.motion
             isFlat = shrink * _source.leastHalf < FLAT * slop;
         }
 
-        /** The whole body at a place. */
+        /** The whole body at a place. It is valid until the next call. */
         public function wholeAt(place:Vector3D):Body
         {
             _whole.moveTo(place);
             return _whole;
         }
 
-        /** The core at a place. */
+        /** The core at a place. It is valid until the next call. */
         public function coreAt(place:Vector3D):Body
         {
             if (place.x != _coreAt.x || place.y != _coreAt.y || place.z != _coreAt.z)

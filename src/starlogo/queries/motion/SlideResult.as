@@ -22,7 +22,7 @@ package starlogo.queries.motion
         /** The most level contact that it has met: the one with the greatest z of its normal. */
         public var floor:ContactPoint = new ContactPoint();
 
-        /** The other row of that contact; -1 if it has met nothing. */
+        /** The other row of that contact; -1 if it has met nothing, or only what showed no contact (Impact.isNormalFallback). */
         public var floorRow:int = -1;
 
         /** A row that the body is known not to touch at the end; -1 if none is. */

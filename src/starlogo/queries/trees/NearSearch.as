@@ -3,8 +3,9 @@ package starlogo.queries.trees
     import starlogo.broadphase.Points;
 
     /**
-     * Finds or counts the rows of a tree of places that are near a place. To find rows, it goes down the tree, at each node to the nearer child
-     * first. If a filter's <code>accepts</code> decides, it visits the nearest of all nodes first.
+     * Finds or counts the rows of a tree of places that are near a place. To find rows, it begins at the leaf of the agent that asks, and goes on
+     * with the nodes beside the path from there to the root. If the agent is not in the tree, it begins at the root. From each node it goes
+     * down to the nearer child first. If a filter's <code>accepts</code> decides, it visits the nearest of all nodes first.
      *
      * <p>It compares squared distances, always computed as (x x + y y) + z z. In this order rounding never makes the distance to a box larger
      * than the distance to a place in the box.</p>

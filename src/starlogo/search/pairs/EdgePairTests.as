@@ -11,6 +11,7 @@ package starlogo.search.pairs
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
+    import starlogo.search.TreeLimits;
     import starlogo.search.WorldAgent;
 
     use namespace engine;
@@ -29,7 +30,7 @@ package starlogo.search.pairs
      */
     public final class EdgePairTests extends PairTests
     {
-        private var _narrowPhase:NarrowPhase;
+        private var _limits:TreeLimits;
 
         // By edge: the direction out of the world, the edge's place in this direction, and how far the body is beyond it (less than 0 if the body is
         // before it). _deepest is the edge that the body of the last contact is furthest beyond.
@@ -49,16 +50,16 @@ package starlogo.search.pairs
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
         private var _shortest:ShortestExit = new ShortestExit();
 
-        /** @param narrowPhase knows how deep trees are visited */
-        public function EdgePairTests(narrowPhase:NarrowPhase)
+        /** @param limits how far trees are tested */
+        public function EdgePairTests(limits:TreeLimits)
         {
-            _narrowPhase = narrowPhase;
+            _limits = limits;
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
         public static function addTo(narrowPhase:NarrowPhase):void
         {
-            narrowPhase.edgeTests ||= new EdgePairTests(narrowPhase);
+            narrowPhase.edgeTests ||= new EdgePairTests(narrowPhase.treeLimits);
         }
 
         /** @inheritDoc */
@@ -110,7 +111,7 @@ package starlogo.search.pairs
                 _penetration[edge] -= left * along(edge, motion.x, motion.y, motion.z);
                 _deepest = _penetration[edge] > _penetration[_deepest] ? edge : _deepest;
             }
-            _supportSearch.findPoint(a, _narrowPhase.treeLimits, _outwards[_deepest], _largestHalf, _farthest);
+            _supportSearch.findPoint(a, _limits, _outwards[_deepest], _largestHalf, _farthest);
             out.x = _farthest.x - left * motion.x;
             out.y = _farthest.y - left * motion.y;
             out.z = _farthest.z - left * motion.z;
@@ -167,7 +168,7 @@ package starlogo.search.pairs
                 _penetration[edge] = beyond;
                 if (body.form == ModelShape.TREE && (isForAll || beyond >= -_tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -_tolerance))
                 {
-                    _supportSearch.find(body, _narrowPhase.treeLimits, _outwards[edge], _farthest);
+                    _supportSearch.find(body, _limits, _outwards[edge], _farthest);
                     _penetration[edge] = _farthest.support - _places[edge];
                 }
             }

@@ -28,7 +28,7 @@ package starlogo.search.pairs
      */
     public final class GroundPairTests extends PairTests
     {
-        private var _narrowPhase:NarrowPhase;
+        private var _limits:TreeLimits;
 
         // The columns of one body.
         private var _extents:Extents = new Extents();
@@ -42,18 +42,18 @@ package starlogo.search.pairs
         private var _query:GroundQuery = new GroundQuery();
         private var _rays:GroundRayQuery = new GroundRayQuery();
 
-        /** @param narrowPhase knows how deep trees are visited */
-        public function GroundPairTests(narrowPhase:NarrowPhase)
+        /** @param limits how far trees are tested */
+        public function GroundPairTests(limits:TreeLimits)
         {
-            _narrowPhase = narrowPhase;
-            _separation = new PenetrationSearch(this, narrowPhase.treeLimits, this);
+            _limits = limits;
+            _separation = new PenetrationSearch(this, limits, this);
             _extents.grow(1);
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
         public static function addTo(narrowPhase:NarrowPhase):void
         {
-            narrowPhase.groundTests ||= new GroundPairTests(narrowPhase);
+            narrowPhase.groundTests ||= new GroundPairTests(narrowPhase.treeLimits);
         }
 
         /** @inheritDoc */
@@ -169,7 +169,7 @@ package starlogo.search.pairs
         {
             var plane:Number = exit.normalX * exit.x + exit.normalY * exit.y + exit.normalZ * exit.z + exit.depth / 2;
             _inwards.setTo(-exit.normalX, -exit.normalY, -exit.normalZ);
-            _supportSearch.find(a, _narrowPhase.treeLimits, _inwards, _farthest);
+            _supportSearch.find(a, _limits, _inwards, _farthest);
             exit.depth = plane + _farthest.support;
         }
 
@@ -188,10 +188,9 @@ package starlogo.search.pairs
         private function queryOf(a:Body, b:Body):GroundQuery
         {
             var shape:ModelShape = a.shape;
-            var limits:TreeLimits = _narrowPhase.treeLimits;
             var query:GroundQuery = _query;
-            var depth:int = shape.hierarchy == null ? 1 : limits.depthOf(a);
-            query.setTo(gridOf(b), shape.hierarchy, shape.structure, a.placement, depth, limits.exact);
+            var depth:int = shape.hierarchy == null ? 1 : _limits.depthOf(a);
+            query.setTo(gridOf(b), shape.hierarchy, shape.structure, a.placement, depth, _limits.exact);
             return query;
         }
     }

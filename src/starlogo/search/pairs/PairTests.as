@@ -9,8 +9,10 @@ package starlogo.search.pairs
     import starlogo.search.table.AgentTable;
 
     /**
-     * Tests two bodies: whether they touch, when they touch, and how. NarrowPhase has an object of a subclass for each kind of pairs. The ground or
-     * the edges of the world are always the second of two bodies.
+     * Tests two bodies: whether they touch, when they touch, and how. NarrowPhase has an object of a subclass for each kind of pairs.
+     *
+     * <p>The order of a pair: the ground or the edges of the world are the second body in all these methods. Other bodies may come in either
+     * order, except in <code>findClosest()</code>.</p>
      *
      * @private
      */

@@ -29,7 +29,10 @@ package starlogo.search.penetration
         /** The second body. */
         public var second:Body = null;
 
-        /** The larger of the two extents. */
+        /**
+         * The extent that tolerances are fractions of: the larger of the two. Of the ground a small share of a cell counts. If both are points,
+         * it is the gap across which they still touch.
+         */
         public var extent:Number = 0;
 
         /** How far a depth may be off (Tolerances.SEPARATION), in patches. */

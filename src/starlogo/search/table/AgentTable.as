@@ -49,7 +49,8 @@ package starlogo.search.table
         engine var extents:Extents;
         private var _rowExtents:RowExtents;
 
-        // By row: the agent's bodyRevision at which its body was read, or STALE.
+        // By row: the agent's bodyRevision at which its body was read. It is STALE if the row has no agent or a new one, if the model was replaced,
+        // while the model is loading, and while the level is coarser because the row is far out.
         private var _bodyRevisions:Vector.<int> = new Vector.<int>();
 
         // By row: the agent's shapeRevision at which its shape was read.
@@ -145,12 +146,13 @@ package starlogo.search.table
         {
             if (list.agents[row] !== agent)
             {
+                var shape:ModelShape = agent == null ? null : ModelShapes.newShapeOfWorldAgent(WorldAgent(agent));
                 list.agents[row] = agent;
                 shapes[row] = null;
                 if (agent != null)
                 {
                     breeds[row] = agent.breedNumber;
-                    setShape(row, ModelShapes.newShapeOfWorldAgent(WorldAgent(agent)));
+                    setShape(row, shape);
                     readBody(row);
                     places.last.read(row, agent);
                     places.previous.read(row, agent);
@@ -321,7 +323,7 @@ package starlogo.search.table
                 _rowExtents.moveRow(row, last);
             }
             last.revisions[row] = hasMotion ? seen : RowPlaces.NOT_SEEN;
-            setStale(row);
+            unplace(row);
         }
 
         private function moveExtents(reshaped:NumberList):void
@@ -420,11 +422,11 @@ package starlogo.search.table
                 boxes[row] = Box(body.worldStructure());
             }
             _bodyRevisions[row] = agent.bodyRevision;
-            setStale(row);
+            unplace(row);
         }
 
         // Lets a row's body be placed again.
-        private function setStale(row:int):void
+        private function unplace(row:int):void
         {
             placedRevisions[row] = STALE;
             if (_bodies[row] != null)

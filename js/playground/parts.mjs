@@ -8,7 +8,7 @@ import path from "node:path";
 const NAME = "starlogo-collision";
 const IMPORT = new RegExp(`^import \\{([^}]*)\\} from "${NAME}";`, "gm");
 const DECLARATION = /^(?:const|let|class|(?:async )?function\*?) ([\w$]+)/gm;
-const STRING = /"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'/g;
+const COMMENT_OR_STRING = /\/\*[^]*?\*\/|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'/g;
 // not a member's name
 const WORD = /(?<![\w$.]|(?<!\.\.)\.)[A-Za-z_$][\w$]*/g;
 /** Stands for a name that a part uses and does not import. */
@@ -74,7 +74,7 @@ class Engine {
 		this.names = found.map(([, name]) => name);
 		this.#indices = new Map(this.names.map((name, i) => [name, i]));
 		this.#texts = found.map(({ index }, i) => text.slice(index, found[i + 1]?.index ?? end));
-		this.#uses = this.#texts.map((each) => [...new Set(each.replace(STRING, '""').match(WORD))].map((word) => this.#indices.get(word)).filter((index) => index !== undefined));
+		this.#uses = this.#texts.map((each) => [...new Set(each.replace(COMMENT_OR_STRING, '""').match(WORD))].map((word) => this.#indices.get(word)).filter((index) => index !== undefined));
 		this.#together = this.#withVariables();
 		this.#users = this.#texts.map(() => new Set());
 		this.#exports = new Map(split(text.slice(end).replace(/^\nexport \{|\};\s*$/g, "")).map((each) => each.split(" as ")).map(([declared, name]) => [name ?? declared, declared]));

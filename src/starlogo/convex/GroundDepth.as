@@ -32,18 +32,33 @@ package starlogo.convex
             isSure = hasTriangle = false;
         }
 
+        /**
+         * Sets the triangle.
+         *
+         * @param corners nine numbers, relative to the origin; they are copied
+         * @param x the origin's x in the world; y and z likewise
+         */
+        public function setTriangle(corners:Vector.<Number>, x:Number, y:Number, z:Number):void
+        {
+            hasTriangle = true;
+            this.x = x;
+            this.y = y;
+            this.z = z;
+            for (var i:int = 0; i < 9; i++)
+            {
+                this.corners[i] = corners[i];
+            }
+        }
+
         /** Becomes the same as another record. */
         public function copyFrom(other:GroundDepth):void
         {
             leastDepth = other.leastDepth;
             isSure = other.isSure;
             hasTriangle = other.hasTriangle;
-            x = other.x;
-            y = other.y;
-            z = other.z;
-            for (var i:int = 0; i < 9; i++)
+            if (hasTriangle)
             {
-                corners[i] = other.corners[i];
+                setTriangle(other.corners, other.x, other.y, other.z);
             }
         }
     }

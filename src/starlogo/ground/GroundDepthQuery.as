@@ -184,14 +184,7 @@ package starlogo.ground
             var origin:Placement = _pieces.box.origin;
             var ground:GroundDepth = out.ground;
             out.copyFrom(_tried);
-            ground.hasTriangle = true;
-            ground.x = origin.x;
-            ground.y = origin.y;
-            ground.z = origin.z;
-            for (var i:int = 0; i < 9; i++)
-            {
-                ground.corners[i] = _pieces.triangle.corners[i];
-            }
+            ground.setTriangle(_pieces.triangle.corners, origin.x, origin.y, origin.z);
         }
 
         // Whether each exit from the ground is at least about as long as a contact is deep, because the piece's deepest point has to get out.

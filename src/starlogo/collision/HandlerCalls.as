@@ -58,26 +58,23 @@ package starlogo.collision
             _chosen = null;
             _areTouchesComplete = true;
             _contacts.begin(system);
-            var added:NumberList = tracker.areKept(pairs) ? pairs.added : null;
+            var compared:NumberList = tracker.pairsToCompare(pairs);
             if (table.contactKinds != 0)
             {
                 // before the touches, because a game's own contactOf may throw. Then no touch has changed
-                findContacts((table.contactKinds & EACH_FRAME) == 0 ? added : null);
+                findContacts((table.contactKinds & EACH_FRAME) == 0 ? compared : null);
             }
             var tracksTouches:Boolean = tracker.count > 0 || (table.kinds & ~EACH_FRAME) != 0;
             if (tracksTouches)
             {
-                tracker.begin(pairs);
-                renewTouches(added);
-                tracker.collectEnded();
-                callAll(tracker.ended, tracker.endedCount, errors);
-                tracker.forgetEnded();
-                _chosen = (table.kinds & EACH_FRAME) == 0 ? added : null;
+                tracker.begin(pairs, table);
+                callAll(true, tracker.endedCount, errors);
+                _chosen = (table.kinds & EACH_FRAME) == 0 ? compared : null;
             }
-            callAll(null, _chosen == null ? pairs.count : _chosen.count, errors);
-            if (tracksTouches && _areTouchesComplete)
+            callAll(false, _chosen == null ? pairs.count : _chosen.count, errors);
+            if (tracksTouches)
             {
-                tracker.complete(pairs);
+                tracker.end(pairs, _areTouchesComplete);
             }
             _contacts.end();
             _list.end();
@@ -90,35 +87,16 @@ package starlogo.collision
             for (var i:int = 0; i < end; i++)
             {
                 var pair:int = some == null ? i : some.numbers[i];
-                if (handlersOf(pair).takesContacts)
+                if (_table.handlersOfPair(pairs, pair).takesContacts)
                 {
                     _contacts.find(pair, pairs.firstOf(pair), pairs.secondOf(pair));
                 }
             }
         }
 
-        // Finds which pairs touched before. Null stands for all pairs.
-        private function renewTouches(some:NumberList):void
-        {
-            var end:int = some == null ? pairs.count : some.count;
-            for (var i:int = 0; i < end; i++)
-            {
-                var pair:int = some == null ? i : some.numbers[i];
-                if (handlersOf(pair).tracksTouches)
-                {
-                    _tracker.renew(pair, pairs.firstOf(pair), pairs.secondOf(pair));
-                }
-            }
-        }
-
-        private function handlersOf(pair:int):PairHandlers
-        {
-            return _table.handlersOf(pairs.firstOf(pair).breedNumber, pairs.secondOf(pair).breedNumber);
-        }
-
-        // Makes the calls for ended touches, or, if these are null, for the pairs. The try is here and not around each call, because a method with a
+        // Makes the calls for ended touches, or for the pairs. The try is here and not around each call, because a method with a
         // try makes an object for each of its calls in Adobe's VM, and takes longer than most handlers.
-        private function callAll(ended:Vector.<Touch>, end:int, errors:Vector.<Error>):void
+        private function callAll(areEnded:Boolean, end:int, errors:Vector.<Error>):void
         {
             _step = _next = 0;
             while (_step < end)
@@ -126,7 +104,7 @@ package starlogo.collision
                 var calls:int = count;
                 try
                 {
-                    callFromStep(ended, end);
+                    callFromStep(areEnded, end);
                 }
                 catch (error:*)
                 {
@@ -145,13 +123,13 @@ package starlogo.collision
             }
         }
 
-        private function callFromStep(ended:Vector.<Touch>, end:int):void
+        private function callFromStep(areEnded:Boolean, end:int):void
         {
             for (; _step < end; _step++)
             {
-                if (ended != null)
+                if (areEnded)
                 {
-                    endTouch(ended[_step]);
+                    endTouch(_tracker.endedAt(_step));
                 }
                 else
                 {

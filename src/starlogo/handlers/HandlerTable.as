@@ -7,6 +7,7 @@ package starlogo.handlers
     import starlogo.engine;
     import starlogo.geometry.HashTable;
     import starlogo.search.BreedInterests;
+    import starlogo.search.FoundPairs;
     import starlogo.search.textOf;
     import starlogo.search.warnOfBreeds;
 
@@ -121,6 +122,12 @@ package starlogo.handlers
             var index:int = _indices.valueOf(breed, otherBreed);
             var found:PairHandlers = index < 0 ? pairOf(breed, otherBreed) : _pairs[index];
             return found.revision == _revision ? found : refresh(found);
+        }
+
+        /** Returns the handlers of the breeds that the agents of a found pair have now. */
+        public function handlersOfPair(pairs:FoundPairs, pair:int):PairHandlers
+        {
+            return handlersOf(pairs.firstOf(pair).breedNumber, pairs.secondOf(pair).breedNumber);
         }
 
         // Finds the handlers of a pair, as they were when the frame began.

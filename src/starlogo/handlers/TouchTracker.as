@@ -4,15 +4,16 @@ package starlogo.handlers
     import starlogo.engine;
     import starlogo.geometry.HashTable;
     import starlogo.search.FoundPairs;
-    import starlogo.search.KeySort;
+    import starlogo.search.KeyedList;
     import starlogo.search.NumberList;
 
     use namespace engine;
 
     /**
-     * Keeps the touches of a Collision from frame to frame: the touch of each pair. If the pairs of a frame are those of the last frame with few
-     * changes, only the touches of dropped and added pairs are compared. Objects of ended touches are used again, so a frame allocates nothing
-     * unless more agents touch than before. The memory is in proportion to the largest number of pairs that there were.
+     * Keeps the touches of a Collision from frame to frame: the touch of each pair. A frame calls <code>begin()</code> before its handlers, and
+     * <code>end()</code> after them. If its pairs are those of the last frame with few changes, only the touches of dropped and added pairs are
+     * compared. Objects of ended touches are used again, so a frame allocates nothing unless there are more touches than before. The memory is in
+     * proportion to the largest number of pairs that there were.
      *
      * @private
      */
@@ -26,12 +27,6 @@ package starlogo.handlers
 
         /** By pair: its touch, or null. The list may be longer. */
         public var touches:Vector.<Touch> = new Vector.<Touch>();
-
-        /** The touches that ended in this frame, in the order in which they began. */
-        public var ended:Vector.<Touch> = new Vector.<Touch>();
-
-        /** The number of entries of <code>ended</code> that count. The others are left over from earlier frames. */
-        public var endedCount:int = 0;
 
         // The number of pairs.
         private var _pairCount:int = 0;
@@ -55,89 +50,70 @@ package starlogo.handlers
         // The number of touches that ever began.
         private var _begun:Number = 0;
 
-        private var _sort:KeySort = new KeySort();
-        private var _order:Vector.<int> = new Vector.<int>();
-        private var _keys:Vector.<Number> = new Vector.<Number>();
+        // The indices of the touches that ended in this frame, in the order in which they began.
+        private var _ended:KeyedList = new KeyedList();
 
-        /** Whether the touches of all pairs but the added ones go on. Otherwise no pair has a touch when the frame begins. */
-        public function areKept(pairs:FoundPairs):Boolean
+        /** The pairs whose touches may be others than in the last frame: the added ones if all others go on. Null stands for all pairs. */
+        public function pairsToCompare(pairs:FoundPairs):NumberList
         {
-            return pairs.basis == _pairsRevision;
+            return pairs.basis == _pairsRevision ? pairs.added : null;
         }
 
-        /** Begins a frame. The touches of dropped pairs, or of all, end unless they are renewed. */
-        public function begin(pairs:FoundPairs):void
+        /**
+         * Begins a frame. The touches of pairs that touched before go on, and have their places in <code>touches</code>. The others end.
+         *
+         * @param table the handlers. A pair without handlers for starts or ends has no touch
+         */
+        public function begin(pairs:FoundPairs, table:HandlerTable):void
         {
-            var hasKept:Boolean = areKept(pairs);
+            var compared:NumberList = pairsToCompare(pairs);
             frame++;
             _pairsRevision = 0;
-            if (hasKept)
+            // they are still there if the last frame has failed
+            forgetEnded();
+            if (compared == null)
+            {
+                openAll(pairs);
+            }
+            else
             {
                 drop(pairs);
                 makeRoom(pairs);
             }
-            else
+            _pairCount = pairs.count;
+            var end:int = compared == null ? pairs.count : compared.count;
+            for (var i:int = 0; i < end; i++)
             {
-                var spare:Vector.<Touch> = _open;
-                _open = touches;
-                _openCount = _pairCount;
-                touches = spare;
-                for (var i:int = 0; i < pairs.count; i++)
+                var pair:int = compared == null ? i : compared.numbers[i];
+                if (table.handlersOfPair(pairs, pair).tracksTouches)
                 {
-                    spare[i] = null;
+                    renew(pair, pairs.firstOf(pair), pairs.secondOf(pair));
                 }
             }
-            _pairCount = pairs.count;
+            endOpen();
+        }
+
+        /** The number of touches that ended in this frame. */
+        public function get endedCount():int
+        {
+            return _ended.count;
+        }
+
+        /** One of the touches that ended in this frame. They are in the order in which they began. */
+        public function endedAt(index:int):Touch
+        {
+            return _all[_ended.numbers[index]];
         }
 
         /**
-         * Continues the touch of two agents, if there is one. It does not go on if the breeds have changed, or if handlers were called for the first
-         * agent only.
+         * Ends a frame.
+         *
+         * @param areComplete whether each pair with handlers for starts or ends has got its touch, both ways
          */
-        public function renew(pair:int, a:Agent, b:Agent):void
+        public function end(pairs:FoundPairs, areComplete:Boolean):void
         {
-            var index:int = indexOf(a, b);
-            if (index < 0)
-            {
-                return;
-            }
-            var touch:Touch = _all[index];
-            if (touch.isBothWays && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber)
-            {
-                touch.seenIn = frame;
-                touches[pair] = touch;
-            }
-        }
-
-        /** Ends the touches that were not renewed. */
-        public function collectEnded():void
-        {
-            endedCount = 0;
-            for (var i:int = 0; i < _openCount; i++)
-            {
-                var touch:Touch = _open[i];
-                if (touch != null && touch.seenIn != frame)
-                {
-                    // a pair that is listed twice has one touch
-                    touch.seenIn = frame;
-                    _indices.remove(Math.min(touch.first.idNumber, touch.second.idNumber), Math.max(touch.first.idNumber, touch.second.idNumber));
-                    count--;
-                    _open[endedCount] = touch;
-                    endedCount++;
-                }
-            }
-            sort(_open, endedCount, ended);
-        }
-
-        /** Forgets the ended touches. */
-        public function forgetEnded():void
-        {
-            for (var i:int = 0; i < endedCount; i++)
-            {
-                ended[i].first = ended[i].second = null;
-                _free.add(ended[i].index);
-            }
-            endedCount = 0;
+            forgetEnded();
+            _pairsRevision = areComplete ? pairs.revision : 0;
         }
 
         /**
@@ -166,25 +142,23 @@ package starlogo.handlers
             return touch;
         }
 
-        /** Ends a frame in which each pair with handlers for starts or ends has got its touch, both ways. */
-        public function complete(pairs:FoundPairs):void
-        {
-            _pairsRevision = pairs.revision;
-        }
-
-        /** Returns all touches, in the order in which they began. */
+        /** Returns all touches, in the order in which they began. Call it between two frames. */
         public function inOrder():Vector.<Touch>
         {
-            var found:Vector.<Touch> = new Vector.<Touch>();
+            var order:KeyedList = new KeyedList();
             for (var i:int = 0; i < _all.length; i++)
             {
                 if (_all[i].first != null)
                 {
-                    found.push(_all[i]);
+                    order.add(i, _all[i].order);
                 }
             }
+            order.sortFirst(order.count);
             var ordered:Vector.<Touch> = new Vector.<Touch>();
-            sort(found, found.length, ordered);
+            for (i = 0; i < order.count; i++)
+            {
+                ordered.push(_all[order.numbers[i]]);
+            }
             return ordered;
         }
 
@@ -205,6 +179,19 @@ package starlogo.handlers
             touch.order = _begun;
             _begun++;
             return touch;
+        }
+
+        // Opens all touches. No pair has one yet.
+        private function openAll(pairs:FoundPairs):void
+        {
+            var spare:Vector.<Touch> = _open;
+            _open = touches;
+            _openCount = _pairCount;
+            touches = spare;
+            for (var i:int = 0; i < pairs.count; i++)
+            {
+                spare[i] = null;
+            }
         }
 
         // Opens the touches of dropped pairs. The touches after them move up.
@@ -246,19 +233,50 @@ package starlogo.handlers
             }
         }
 
-        // Writes touches in the order in which they began.
-        private function sort(from:Vector.<Touch>, length:int, out:Vector.<Touch>):void
+        // Lets the touch of two agents go on, if there is one. It does not if the breeds have changed, or if handlers were called for the first
+        // agent only.
+        private function renew(pair:int, a:Agent, b:Agent):void
         {
-            for (var i:int = 0; i < length; i++)
+            var index:int = indexOf(a, b);
+            if (index < 0)
             {
-                _order[i] = i;
-                _keys[i] = from[i].order;
+                return;
             }
-            _sort.sort(_order, _keys, length);
-            for (i = 0; i < length; i++)
+            var touch:Touch = _all[index];
+            if (touch.isBothWays && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber)
             {
-                out[i] = from[_order[i]];
+                touch.seenIn = frame;
+                touches[pair] = touch;
             }
+        }
+
+        // Ends the open touches that were not renewed.
+        private function endOpen():void
+        {
+            for (var i:int = 0; i < _openCount; i++)
+            {
+                var touch:Touch = _open[i];
+                if (touch != null && touch.seenIn != frame)
+                {
+                    // a pair that is listed twice has one touch
+                    touch.seenIn = frame;
+                    _indices.remove(Math.min(touch.first.idNumber, touch.second.idNumber), Math.max(touch.first.idNumber, touch.second.idNumber));
+                    count--;
+                    _ended.add(touch.index, touch.order);
+                }
+            }
+            _ended.sortFirst(_ended.count);
+        }
+
+        private function forgetEnded():void
+        {
+            for (var i:int = 0; i < _ended.count; i++)
+            {
+                var touch:Touch = _all[_ended.numbers[i]];
+                touch.first = touch.second = null;
+                _free.add(touch.index);
+            }
+            _ended.count = 0;
         }
 
         // The index of the touch of two agents, in either order; -1 if there is none.

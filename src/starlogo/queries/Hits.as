@@ -4,7 +4,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
     import starlogo.queries.trees.Collector;
-    import starlogo.search.KeySort;
+    import starlogo.search.KeyedList;
 
     use namespace engine;
 
@@ -21,21 +21,19 @@ package starlogo.queries
         private var _type:Class;
         private var _spare:Array = [];
 
-        // By hit: its row and the row's rank, its distance or time, its triangle or -1, and its contact. The hits of a row stand side by side.
-        private var _count:int = 0;
-        private var _rows:Vector.<int> = new Vector.<int>();
+        // The hits: the row of each, with the distance or time as its key. The hits of a row stand side by side.
+        private var _hits:KeyedList = new KeyedList();
+
+        // By hit: the rank of its row, its triangle or -1, and its contact.
         private var _ranks:Vector.<int> = new Vector.<int>();
-        private var _keys:Vector.<Number> = new Vector.<Number>();
         private var _triangles:Vector.<int> = new Vector.<int>();
         private var _contacts:Vector.<ContactPoint> = new Vector.<ContactPoint>();
 
         // By row: its first hit.
         private var _firsts:Vector.<int> = new Vector.<int>();
 
-        // The hits of the answer in their order, and their keys.
-        private var _order:Vector.<int> = new Vector.<int>();
-        private var _orderKeys:Vector.<Number> = new Vector.<Number>();
-        private var _sort:KeySort = new KeySort();
+        // The hits of the answer, in their order.
+        private var _answer:KeyedList = new KeyedList();
 
         /**
          * @param seen has the rows
@@ -52,7 +50,7 @@ package starlogo.queries
         /** Begins without hits. */
         public function begin():void
         {
-            _count = 0;
+            _hits.count = 0;
         }
 
         /**
@@ -64,12 +62,12 @@ package starlogo.queries
          */
         public function add(row:int, key:Number, triangle:int):ContactPoint
         {
-            var index:int = _count;
+            var index:int = _hits.count;
             if (_firsts.length <= row)
             {
                 _firsts.length = row + 1;
             }
-            if (index == 0 || _rows[int(index - 1)] != row)
+            if (index == 0 || _hits.numbers[int(index - 1)] != row)
             {
                 _firsts[row] = index;
             }
@@ -77,11 +75,9 @@ package starlogo.queries
             {
                 _contacts.push(new ContactPoint());
             }
-            _rows[index] = row;
+            _hits.add(row, key);
             _ranks[index] = _seen.table.list.ranks[row];
-            _keys[index] = key;
             _triangles[index] = triangle;
-            _count++;
             return _contacts[index];
         }
 
@@ -98,55 +94,59 @@ package starlogo.queries
         /** The distance or time of the first hit of a row that has one. */
         public function firstKeyOf(row:int):Number
         {
-            return _keys[_firsts[row]];
+            return _hits.keys[_firsts[row]];
         }
 
         /** Ends the search. The answer has the first hit of each row. Returns how many they are. */
         public function endWithFirsts():int
         {
-            var count:int = _found.endSorted();
-            for (var i:int = 0; i < count; i++)
+            var rows:int = _found.endSorted();
+            _answer.count = 0;
+            for (var i:int = 0; i < rows; i++)
             {
-                _order[i] = _firsts[_found.rows[i]];
+                addToAnswer(_firsts[_found.rowAt(i)]);
             }
-            return count;
+            return rows;
         }
 
         /** Ends the search. The answer has all hits of each row, sorted by their keys. Returns how many they are. */
         public function endWithAll():int
         {
             var rows:int = _found.end();
-            var count:int = 0;
+            _answer.count = 0;
             for (var i:int = 0; i < rows; i++)
             {
-                var row:int = _found.rows[i];
-                for (var hit:int = _firsts[row]; hit < _count && _rows[hit] == row; hit++)
+                var row:int = _found.rowAt(i);
+                for (var hit:int = _firsts[row]; hit < _hits.count && _hits.numbers[hit] == row; hit++)
                 {
-                    _order[count] = hit;
-                    _orderKeys[count] = _keys[hit];
-                    count++;
+                    addToAnswer(hit);
                 }
             }
-            _sort.sort(_order, _orderKeys, count, _ranks);
-            return count;
+            _answer.sortFirst(_answer.count, _ranks);
+            return _answer.count;
+        }
+
+        private function addToAnswer(hit:int):void
+        {
+            _answer.add(hit, _hits.keys[hit]);
         }
 
         /** The row of a hit of the answer. */
         public function rowOf(index:int):int
         {
-            return _rows[_order[index]];
+            return _hits.numbers[_answer.numbers[index]];
         }
 
         /** The distance or time of a hit of the answer. */
         public function keyOf(index:int):Number
         {
-            return _keys[_order[index]];
+            return _answer.keys[index];
         }
 
         /** The contact of a hit of the answer. */
         public function contactOf(index:int):ContactPoint
         {
-            return _contacts[_order[index]];
+            return _contacts[_answer.numbers[index]];
         }
 
         /** Writes the agent, the point, the normal and the triangle of a hit of the answer. */
@@ -156,7 +156,7 @@ package starlogo.queries
             hit.agent = _seen.table.list.agents[rowOf(index)];
             hit.point.setTo(from.x, from.y, from.z);
             hit.normal.setTo(from.normalX, from.normalY, from.normalZ);
-            hit.triangle = _triangles[_order[index]];
+            hit.triangle = _triangles[_answer.numbers[index]];
         }
 
         /**

@@ -17,9 +17,7 @@ package starlogo.search
         private static const RANKS:Number = 1 << 26;
 
         // The numbers of the pairs in their new order, and their keys.
-        private var _order:Vector.<int> = new Vector.<int>();
-        private var _keys:Vector.<Number> = new Vector.<Number>();
-        private var _sort:KeySort = new KeySort();
+        private var _order:KeyedList = new KeyedList();
 
         // By rank: where the next pair goes that has it first, or second.
         private var _firsts:Vector.<int> = new Vector.<int>();
@@ -88,12 +86,12 @@ package starlogo.search
         {
             var rows:Vector.<int> = pairs.rows;
             var ranks:Vector.<int> = pairs.ranks;
+            _order.count = 0;
             for (var i:int = 0; i < pairs.count; i++)
             {
-                _order[i] = i;
-                _keys[i] = ranks[rows[2 * i]] * RANKS + ranks[rows[2 * i + 1]];
+                _order.add(i, ranks[rows[2 * i]] * RANKS + ranks[rows[2 * i + 1]]);
             }
-            _sort.sort(_order, _keys, pairs.count);
+            _order.sortFirst(pairs.count);
             arrange(pairs, haveTimes);
         }
 
@@ -160,15 +158,15 @@ package starlogo.search
         // Sorts by the times. Equal times keep their order. Returns how many come before the end.
         private function sortByTimes(pairs:FoundPairs):int
         {
+            _order.count = 0;
             for (var i:int = 0; i < pairs.count; i++)
             {
-                _order[i] = i;
-                _keys[i] = pairs.times[i];
+                _order.add(i, pairs.times[i]);
             }
-            _sort.sort(_order, _keys, pairs.count);
+            _order.sortFirst(pairs.count);
             arrange(pairs, true);
             var early:int = 0;
-            while (early < pairs.count && _keys[early] < 1)
+            while (early < pairs.count && _order.keys[early] < 1)
             {
                 early++;
             }
@@ -182,7 +180,7 @@ package starlogo.search
             var from:Vector.<int> = pairs.rows;
             for (var i:int = 0; i < pairs.count; i++)
             {
-                var pair:int = _order[i];
+                var pair:int = _order.numbers[i];
                 _spare[int(2 * i)] = from[int(2 * pair)];
                 _spare[int(2 * i + 1)] = from[int(2 * pair + 1)];
                 if (haveTimes)

@@ -2,7 +2,6 @@ package starlogo.handlers
 {
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
@@ -19,14 +18,21 @@ package starlogo.handlers
         private var _tracker:TouchTracker = new TouchTracker();
         private var _found:FoundPairs = new FoundPairs();
         private var _agents:Array = [];
+        private var _handlers:HandlerTable = new HandlerTable();
 
         [Before]
         public function makeAgents():void
         {
+            _found.agents = new Vector.<Agent>();
             for (var i:int = 0; i < 40; i++)
             {
                 _agents.push(new Agent("cube", i % 3 == 0 ? "sheep" : "wolves"));
+                _found.agents.push(_agents[i]);
             }
+            _handlers.add(CollisionHandler.START, "*", "*", function(a:Agent, b:Agent):void
+                {
+                });
+            _handlers.begin(_found.agents);
         }
 
         [Test]
@@ -40,33 +46,20 @@ package starlogo.handlers
                 // crowds that come and go
                 var wanted:int = frame % 60 < 30 ? 200 : 3;
                 var seen:Object = {};
-                _found.count = wanted;
-                assertFalse("all pairs are others", _tracker.areKept(_found));
-                _tracker.begin(_found);
-                assertEquals(frame, _tracker.frame);
+                _found.count = 0;
                 for (var i:int = 0; i < wanted; i++)
                 {
                     var a:Agent = random.pick(_agents);
                     var b:Agent = random.pick(_agents);
-                    var name:String = nameOf(a, b);
-                    if (a == b)
+                    if (a != b)
                     {
-                        continue;
+                        addPair(a, b);
+                        seen[nameOf(a, b)] = true;
                     }
-                    _tracker.renew(i, a, b);
-                    var known:Touch = _tracker.touches[i];
-                    assertEquals(name, pairs.indexOf(name) >= 0, known != null);
-                    if (known == null)
-                    {
-                        known = _tracker.touchOrStart(i, a, b, a.breedNumber, b.breedNumber, true);
-                        assertStrictlyEquals("either way round it is the same", known, _tracker.touchOrStart(i, b, a, b.breedNumber, a.breedNumber, true));
-                        assertStrictlyEquals(known, _tracker.touches[i]);
-                        assertEquals(frame, known.beganIn);
-                        pairs.push(name);
-                    }
-                    seen[name] = true;
                 }
-                most = Math.max(most, pairs.length);
+                assertNull("all pairs are others", _tracker.pairsToCompare(_found));
+                _tracker.begin(_found, _handlers);
+                assertEquals(frame, _tracker.frame);
                 var left:Array = pairs.filter(function(each:String, ...rest):Boolean
                     {
                         return seen.hasOwnProperty(each);
@@ -75,10 +68,30 @@ package starlogo.handlers
                     {
                         return !seen.hasOwnProperty(each);
                     });
-                _tracker.collectEnded();
-                assertEquals(ended.join(), namesOf(_tracker.ended, _tracker.endedCount));
-                _tracker.forgetEnded();
-                assertEquals(left.join(), namesOf(_tracker.inOrder(), _tracker.count));
+                assertEquals(ended.join(), endedNames());
+                for (i = 0; i < _found.count; i++)
+                {
+                    a = _found.firstOf(i);
+                    b = _found.secondOf(i);
+                    var name:String = nameOf(a, b);
+                    var known:Touch = _tracker.touches[i];
+                    assertEquals(name, pairs.indexOf(name) >= 0, known != null);
+                    if (known == null)
+                    {
+                        known = _tracker.touchOrStart(i, a, b, a.breedNumber, b.breedNumber, true);
+                        assertStrictlyEquals("either way round it is the same", known, _tracker.touchOrStart(i, b, a, b.breedNumber, a.breedNumber, true));
+                        assertStrictlyEquals(known, _tracker.touches[i]);
+                        assertEquals(frame, known.beganIn);
+                        if (left.indexOf(name) < 0)
+                        {
+                            left.push(name);
+                        }
+                    }
+                }
+                _tracker.end(_found, false);
+                most = Math.max(most, left.length);
+                assertEquals(left.join(), namesOf(_tracker.inOrder()));
+                assertEquals(left.length, _tracker.count);
                 pairs = left;
             }
             assertTrue("there were many", most > 150);
@@ -144,20 +157,18 @@ package starlogo.handlers
                 }
                 _found.added.count = found.length;
                 _found.count = pairs.length;
-                assertEquals("pairs were kept", frame > 1, _tracker.areKept(_found));
-                _tracker.begin(_found);
-                for (i = 0; i < found.length; i++)
+                _found.count = 0;
+                for (i = 0; i < pairs.length; i++)
                 {
-                    assertNull(_tracker.touches[places[i]]);
-                    _tracker.renew(places[i], agentOf(found[i], 0), agentOf(found[i], 1));
+                    addPair(agentOf(pairs[i], 0), agentOf(pairs[i], 1));
                 }
-                _tracker.collectEnded();
+                assertEquals("pairs were kept", frame > 1, _tracker.pairsToCompare(_found) != null);
+                _tracker.begin(_found, _handlers);
                 var ended:Array = begun.filter(function(each:String, ...rest):Boolean
                     {
                         return pairs.indexOf(each) < 0;
                     });
-                assertEquals(ended.join(), namesOf(_tracker.ended, _tracker.endedCount));
-                _tracker.forgetEnded();
+                assertEquals(ended.join(), endedNames());
                 begun = begun.filter(function(each:String, ...rest):Boolean
                     {
                         return pairs.indexOf(each) >= 0;
@@ -174,15 +185,17 @@ package starlogo.handlers
                     }
                     assertEquals(pairs[i], nameOf(_tracker.touches[i].first, _tracker.touches[i].second));
                 }
-                assertEquals(begun.join(), namesOf(_tracker.inOrder(), _tracker.count));
-                _tracker.complete(_found);
+                _tracker.end(_found, true);
+                assertEquals(begun.join(), namesOf(_tracker.inOrder()));
+                assertEquals(begun.length, _tracker.count);
                 numbers = pairs.concat();
             }
             assertTrue("some remained", begun.length > 5);
             _found.basis = _found.revision;
-            _tracker.begin(_found);
-            _found.basis = _found.revision;
-            assertFalse("the frame before was not completed", _tracker.begin(_found));
+            _found.dropped.count = _found.added.count = 0;
+            _tracker.begin(_found, _handlers);
+            _tracker.end(_found, false);
+            assertNull("the frame before was not complete", _tracker.pairsToCompare(_found));
         }
 
         [Test]
@@ -190,25 +203,47 @@ package starlogo.handlers
         {
             var a:Agent = _agents[0];
             var b:Agent = _agents[1];
+            addPair(b, a);
+            assertNull(next());
             _tracker.touchOrStart(0, a, b, a.breedNumber, b.breedNumber);
-            assertNull("handlers of one way only", renewed(a, b));
-            _tracker.collectEnded();
-            var touch:Touch = _tracker.touchOrStart(0, a, b, a.breedNumber, b.breedNumber, true);
-            assertStrictlyEquals(touch, renewed(b, a));
+            assertNull("handlers of one way only", next());
+            var touch:Touch = startBothWays(a, b);
+            assertStrictlyEquals(touch, next());
             b.breed = "sheep";
-            assertNull(renewed(a, b));
-            b.breed = "wolves";
+            assertNull(next());
+            startBothWays(a, b);
             a.breed = "wolves";
-            assertNull(renewed(a, b));
+            assertNull(next());
         }
 
-        // The touch that goes on in a next frame.
-        private function renewed(a:Agent, b:Agent):Touch
+        private function startBothWays(a:Agent, b:Agent):Touch
         {
-            _found.count = 1;
-            _tracker.begin(_found);
-            _tracker.renew(0, a, b);
+            return _tracker.touchOrStart(0, a, b, a.breedNumber, b.breedNumber, true);
+        }
+
+        // The touch of the first pair that goes on in the next frame.
+        private function next():Touch
+        {
+            _tracker.end(_found, false);
+            _tracker.begin(_found, _handlers);
             return _tracker.touches[0];
+        }
+
+        private function addPair(a:Agent, b:Agent):void
+        {
+            _found.rows[2 * _found.count] = _found.agents.indexOf(a);
+            _found.rows[2 * _found.count + 1] = _found.agents.indexOf(b);
+            _found.count++;
+        }
+
+        private function endedNames():String
+        {
+            var ended:Vector.<Touch> = new Vector.<Touch>();
+            for (var i:int = 0; i < _tracker.endedCount; i++)
+            {
+                ended.push(_tracker.endedAt(i));
+            }
+            return namesOf(ended);
         }
 
         private function agentOf(name:String, which:int):Agent
@@ -222,10 +257,10 @@ package starlogo.handlers
             return Math.min(a.id, b.id) + " " + Math.max(a.id, b.id);
         }
 
-        private static function namesOf(touches:Vector.<Touch>, count:int):String
+        private static function namesOf(touches:Vector.<Touch>):String
         {
             var names:Array = [];
-            for (var i:int = 0; i < count; i++)
+            for (var i:int = 0; i < touches.length; i++)
             {
                 names.push(nameOf(touches[i].first, touches[i].second));
             }

@@ -137,7 +137,7 @@ package starlogo.queries.motion
             var count:int = _found.endSorted();
             for (var i:int = 0; i < count; i++)
             {
-                out.add(_found.rows[i]);
+                out.add(_found.rowAt(i));
             }
         }
     }

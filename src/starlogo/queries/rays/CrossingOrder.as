@@ -1,7 +1,7 @@
 package starlogo.queries.rays
 {
     import starlogo.intersection.ray.RayCrossings;
-    import starlogo.search.KeySort;
+    import starlogo.search.KeyedList;
 
     /**
      * Puts the crossings of a ray with one shape into the order of the ray, and leaves out those that are no surface of their own.
@@ -11,15 +11,11 @@ package starlogo.queries.rays
      */
     public final class CrossingOrder
     {
-        /** The number of crossings that are left. */
-        public var count:int = 0;
+        /** The indices of the crossings that are left. */
+        public var left:KeyedList = new KeyedList();
 
-        /** The indices of these crossings. */
-        public var indices:Vector.<int> = new Vector.<int>();
-
-        private var _keys:Vector.<Number> = new Vector.<Number>();
+        // By crossing that is left: the side from which the ray comes.
         private var _sides:Vector.<int> = new Vector.<int>();
-        private var _sort:KeySort = new KeySort();
 
         /**
          * Sorts crossings.
@@ -29,18 +25,16 @@ package starlogo.queries.rays
          */
         public function arrange(crossings:RayCrossings, areTriangles:Boolean):void
         {
+            left.count = 0;
             for (var i:int = 0; i < crossings.count; i++)
             {
-                indices[i] = i;
-                _keys[i] = crossings.places[i];
-                if (!areTriangles && crossings.sides[i] == RayCrossings.ENTERS)
-                {
-                    // nodes that touch up to rounding overlap
-                    _keys[i] -= crossings.slacks[i];
-                }
+                // nodes that touch up to rounding overlap
+                var isEntry:Boolean = !areTriangles && crossings.sides[i] == RayCrossings.ENTERS;
+                left.add(i, isEntry ? crossings.places[i] - crossings.slacks[i] : crossings.places[i]);
             }
-            _sort.sort(indices, _keys, crossings.count);
-            count = 0;
+            left.sortFirst(left.count);
+            // each crossing is read before a place at or before its own is written
+            left.count = 0;
             if (areTriangles)
             {
                 keepTriangles(crossings);
@@ -58,7 +52,7 @@ package starlogo.queries.rays
             var start:Number = NaN;
             for (var i:int = 0; i < crossings.count; i++)
             {
-                var index:int = indices[i];
+                var index:int = left.numbers[i];
                 var isKept:Boolean = true;
                 switch (crossings.sides[index])
                 {
@@ -88,7 +82,7 @@ package starlogo.queries.rays
             var mostSlack:Number = 0;
             for (var i:int = 0; i < crossings.count; i++)
             {
-                var index:int = indices[i];
+                var index:int = left.numbers[i];
                 var side:int = crossings.sides[index];
                 if (side == RayCrossings.EDGE_ON)
                 {
@@ -101,7 +95,7 @@ package starlogo.queries.rays
                 }
                 if (!joinKept(crossings, index, side, mostSlack))
                 {
-                    _sides[count] = side;
+                    _sides[left.count] = side;
                     mostSlack = Math.max(mostSlack, crossings.slacks[index]);
                     keep(index);
                 }
@@ -114,9 +108,9 @@ package starlogo.queries.rays
         {
             var place:Number = crossings.places[index];
             var slack:Number = crossings.slacks[index];
-            for (var k:int = count - 1; k >= 0; k--)
+            for (var k:int = left.count - 1; k >= 0; k--)
             {
-                var other:int = indices[k];
+                var other:int = left.numbers[k];
                 var gap:Number = place - crossings.places[other];
                 if (gap > slack + mostSlack)
                 {
@@ -143,21 +137,21 @@ package starlogo.queries.rays
         private function replaceKept(crossings:RayCrossings, kept:int, index:int):void
         {
             var side:int = _sides[kept];
-            while (kept + 1 < count && crossings.places[indices[kept + 1]] < crossings.places[index])
+            while (kept + 1 < left.count && crossings.places[left.numbers[kept + 1]] < crossings.places[index])
             {
-                indices[kept] = indices[kept + 1];
+                left.numbers[kept] = left.numbers[kept + 1];
                 _sides[kept] = _sides[kept + 1];
                 kept++;
             }
-            indices[kept] = index;
+            left.numbers[kept] = index;
             _sides[kept] = side;
         }
 
         // The crossings that are kept take the first places of the list.
         private function keep(index:int):void
         {
-            indices[count] = index;
-            count++;
+            left.numbers[left.count] = index;
+            left.count++;
         }
     }
 }

@@ -66,9 +66,9 @@ package starlogo.queries.rays
                 areTriangles = line.isFinite && cross(body, line, crossings);
             }
             _order.arrange(crossings, areTriangles);
-            for (var i:int = 0; i < _order.count; i++)
+            for (var i:int = 0; i < _order.left.count; i++)
             {
-                var crossing:int = _order.indices[i];
+                var crossing:int = _order.left.numbers[i];
                 var place:Number = crossings.places[crossing];
                 ray.triangle = crossings.triangles[crossing];
                 line.normalX = crossings.normals[3 * crossing];

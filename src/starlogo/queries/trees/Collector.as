@@ -4,7 +4,7 @@ package starlogo.queries.trees
     import starlogo.engine;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
-    import starlogo.search.KeySort;
+    import starlogo.search.KeyedList;
 
     use namespace engine;
 
@@ -28,15 +28,6 @@ package starlogo.queries.trees
         /** The rows that count. */
         public var filter:RowFilter;
 
-        /** The rows that were found, unsorted. If <code>accepts</code> decides, the rows that it has admitted come first. */
-        public var rows:Vector.<int> = new Vector.<int>();
-
-        /** The key of each row. */
-        public var keys:Vector.<Number> = new Vector.<Number>();
-
-        /** The number of rows that were found. */
-        public var count:int = 0;
-
         /** The largest key that still counts. It is less than 0 if no more rows are wanted. */
         public var limit:Number = Infinity;
 
@@ -44,13 +35,15 @@ package starlogo.queries.trees
         public var wanted:int = ALL;
 
         private var _seen:SeenAgents;
-        private var _sort:KeySort = new KeySort();
+
+        // The rows that were found, unsorted, and their keys. If accepts decides, the rows that it has admitted come first.
+        private var _rows:KeyedList = new KeyedList();
 
         // When this number of rows is found, the rows that are not wanted are dropped. If 1 row is wanted, it is 1: each row that is found replaces
         // the last one.
         private var _dropAt:int = ALL;
 
-        // The number of rows that accepts has admitted. They come first, in order.
+        // The number of rows that accepts has admitted, in order.
         private var _admitted:int = 0;
 
         private var _isAsking:Boolean = false;
@@ -80,7 +73,7 @@ package starlogo.queries.trees
             {
                 _dropAt = ALL;
             }
-            count = _admitted = 0;
+            _rows.count = _admitted = 0;
         }
 
         /** Whether a filter's <code>accepts</code> is being called. Then this must not begin another search. */
@@ -92,7 +85,7 @@ package starlogo.queries.trees
         /** Whether the search can end, because one row is wanted, which may be any, and is found. */
         public function get canEnd():Boolean
         {
-            return _dropAt == 1 && count > 0;
+            return _dropAt == 1 && _rows.count > 0;
         }
 
         /** Asks a filter about one row, as a search of its own. Returns whether the row counts. */
@@ -136,10 +129,12 @@ package starlogo.queries.trees
             {
                 return replace(row, key);
             }
-            rows[count] = row;
-            keys[count] = key;
-            count++;
-            if (count == _dropAt)
+            // _rows.add() written out: it would be one call more for each row
+            var at:int = _rows.count;
+            _rows.numbers[at] = row;
+            _rows.keys[at] = key;
+            _rows.count = at + 1;
+            if (_rows.count == _dropAt)
             {
                 sort();
             }
@@ -149,13 +144,13 @@ package starlogo.queries.trees
         // Takes a row in place of the last one if it comes before it.
         private function replace(row:int, key:Number):Boolean
         {
-            if (count > 0 && (key > keys[0] || (key == keys[0] && _seen.table.list.ranks[row] > _seen.table.list.ranks[rows[0]])))
+            var ranks:Vector.<int> = _seen.table.list.ranks;
+            if (_rows.count > 0 && (key > _rows.keys[0] || (key == _rows.keys[0] && ranks[row] > ranks[_rows.numbers[0]])))
             {
                 return false;
             }
-            rows[0] = row;
-            keys[0] = key;
-            count = 1;
+            _rows.count = 0;
+            _rows.add(row, key);
             limit = key;
             return true;
         }
@@ -163,11 +158,11 @@ package starlogo.queries.trees
         // Sorts the rows, and keeps those that are wanted.
         private function sort():void
         {
-            _sort.sort(rows, keys, count, _seen.table.list.ranks);
-            if (count > wanted)
+            _rows.sortFirst(_rows.count, _seen.table.list.ranks);
+            if (_rows.count > wanted)
             {
-                count = wanted;
-                limit = keys[int(wanted - 1)];
+                _rows.count = wanted;
+                limit = _rows.keys[int(wanted - 1)];
             }
         }
 
@@ -177,12 +172,12 @@ package starlogo.queries.trees
          */
         public function ask(beyond:Number):void
         {
-            var end:int = beyond < Infinity ? bringForward(beyond) : count;
+            var end:int = beyond < Infinity ? bringForward(beyond) : _rows.count;
             if (end == _admitted)
             {
                 return;
             }
-            _sort.sort(rows, keys, end, _seen.table.list.ranks);
+            _rows.sortFirst(end, _seen.table.list.ranks);
             var decide:Function = filter.accepts;
             _seen.lock();
             _isAsking = true;
@@ -207,12 +202,12 @@ package starlogo.queries.trees
                 limit = -1;
             }
             var kept:int = _admitted;
-            for (i = end; i < count; i++)
+            for (i = end; i < _rows.count; i++)
             {
                 move(i, kept);
                 kept++;
             }
-            count = kept;
+            _rows.count = kept;
         }
 
         /** Ends the search. Returns how many rows are in the answer. */
@@ -222,13 +217,19 @@ package starlogo.queries.trees
             {
                 ask(Infinity);
             }
-            return count;
+            return _rows.count;
+        }
+
+        /** A row of the answer. */
+        public function rowAt(index:int):int
+        {
+            return _rows.numbers[index];
         }
 
         /** The agent of a row of the answer. */
         public function agentAt(index:int):Agent
         {
-            return _seen.table.list.agents[rows[index]];
+            return _seen.table.list.agents[rowAt(index)];
         }
 
         /** Ends the search. Returns the agent of the first row of the answer, or null. */
@@ -273,15 +274,15 @@ package starlogo.queries.trees
         private function bringForward(beyond:Number):int
         {
             var end:int = _admitted;
-            for (var i:int = end; i < count; i++)
+            for (var i:int = end; i < _rows.count; i++)
             {
-                var key:Number = keys[i];
+                var key:Number = _rows.keys[i];
                 if (key < beyond)
                 {
-                    var row:int = rows[i];
+                    var row:int = _rows.numbers[i];
                     move(end, i);
-                    rows[end] = row;
-                    keys[end] = key;
+                    _rows.numbers[end] = row;
+                    _rows.keys[end] = key;
                     end++;
                 }
             }
@@ -290,8 +291,8 @@ package starlogo.queries.trees
 
         private function move(from:int, to:int):void
         {
-            rows[to] = rows[from];
-            keys[to] = keys[from];
+            _rows.numbers[to] = _rows.numbers[from];
+            _rows.keys[to] = _rows.keys[from];
         }
     }
 }

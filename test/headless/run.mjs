@@ -183,14 +183,26 @@ function stalled(frames, since, seconds) {
 		: `, but ${frames} frames: it waits for an event, or does not call Host.exit`;
 }
 
-/** Plays all parts, one after the other. Resolves with the first exit status that is not 0. */
+/** Plays all parts, one after the other, whatever happens to one. Resolves with the last exit status that is not 0. */
 async function runParts(options) {
 	let status = 0;
 	for (let part = 1; part <= options.parts; part++) {
 		const parameters = options.parts > 1 ? { ...options.parameters, part: `${part}/${options.parts}` } : options.parameters;
-		status = status || await run({ ...options, parameters });
+		status = await runPart({ ...options, parameters }) || status;
 	}
 	return status;
+}
+
+async function runPart(options) {
+	try {
+		return await run(options);
+	} catch (error) {
+		if (error.status !== FAILED) {
+			throw error;
+		}
+		console.error(`headless: ${options.parameters.part ? `part ${options.parameters.part}: ` : ''}${error.message}`);
+		return error.status;
+	}
 }
 
 async function save(folder, file, text) {

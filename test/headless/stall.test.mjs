@@ -26,8 +26,9 @@ function swf(name, ...tags) {
 	return file;
 }
 
-function run(file, seconds) {
-	const { status, stderr } = spawnSync(process.execPath, [path.join(root, 'test/headless/run.mjs'), file, '--stall', String(seconds)], { encoding: 'utf8' });
+function run(file, seconds, ...others) {
+	const run = [path.join(root, 'test/headless/run.mjs'), file, '--stall', String(seconds), ...others];
+	const { status, stderr } = spawnSync(process.execPath, run, { encoding: 'utf8' });
 	return { status, stderr };
 }
 
@@ -39,4 +40,10 @@ test('a SWF that waits is told from one whose call does not end', { skip }, () =
 	const looping = run(swf('looping.swf', LOOP), 15);
 	assert.equal(looping.status, 70);
 	assert.match(looping.stderr, /stalled: 15 s without a sign of life, and no frame in the last \d+ s: one call takes longer, or has no end/);
+});
+
+test('a part that fails does not stop the others', { skip }, () => {
+	const { status, stderr } = run(swf('parts.swf', LOOP), 3, '--parts', '2');
+	assert.equal(status, 70);
+	assert.match(stderr, /part 1\/2: the SWF stalled.*\n.*part 2\/2: the SWF stalled/);
 });

@@ -13,9 +13,6 @@ package starlogo.models.collada
     {
         private static const CORNERS_PER_STEP:int = 1500;
         private static const SIZES_PER_STEP:int = 5000;
-
-        // A list of corners counts as so many corners more in a step.
-        private static const CORNERS_PER_LIST:int = 10;
         private static const MAX_OFFSET:int = 255;
         private static const NAMES:Array = ["triangles", "polylist", "polygons", "tristrips", "trifans"];
 
@@ -130,7 +127,6 @@ package starlogo.models.collada
         private function readingPolylist(indices:Array, sizes:Array):Steps
         {
             var sum:Number = 0;
-            var polygon:int = 0;
             var next:int = 0;
             _document.checkCount(_element, sizes.length, "numbers in <vcount>");
             return new StepSequence().slices(sizes.length, SIZES_PER_STEP, function(first:int, end:int):void
@@ -138,19 +134,15 @@ package starlogo.models.collada
                     sum += sumOfSizes(sizes, first, end, indices.length);
                     _document.refuseIf(end == sizes.length && sum != cornersIn(indices), "its <vcount> adds up to " + sum +
                             " corners, but <p> has " + cornersIn(indices), _element);
-                }).repeat(_triangulator.cuttingBetween(function():Boolean
+                }).add(_triangulator.addingEach(sizes.length, function(index:int):int
                     {
-                        var end:int = next + CORNERS_PER_STEP * _stride;
-                        while (polygon < sizes.length && next <= end && !_triangulator.isCutting)
+                        var count:int = Number(sizes[index]);
+                        if (count > 2)
                         {
-                            var count:int = Number(sizes[polygon++]);
-                            if (count > 2)
-                            {
-                                _triangulator.addPolygon(cornersAt(indices, next, count));
-                            }
-                            next += count * _stride;
+                            _triangulator.addPolygon(cornersAt(indices, next, count));
                         }
-                        return polygon < sizes.length;
+                        next += count * _stride;
+                        return count;
                     }));
         }
 
@@ -174,16 +166,10 @@ package starlogo.models.collada
         // Each list of corners is read at once. @param read <code>function(list:ColladaElement):int</code>, returns the number of corners
         private function addLists(lists:Vector.<ColladaElement>, what:String, read:Function):void
         {
-            var next:int = 0;
             _document.checkCount(_element, lists.length, what);
-            repeat(_triangulator.cuttingBetween(function():Boolean
+            add(_triangulator.addingEach(lists.length, function(index:int):int
                     {
-                        var count:int = 0;
-                        while (count < CORNERS_PER_STEP && next < lists.length && !_triangulator.isCutting)
-                        {
-                            count += CORNERS_PER_LIST + read(lists[next++]);
-                        }
-                        return next < lists.length;
+                        return read(lists[index]);
                     }));
         }
 

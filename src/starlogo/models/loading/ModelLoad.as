@@ -12,6 +12,7 @@ package starlogo.models.loading
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfReader;
     import starlogo.models.refuseIf;
+    import starlogo.models.text.ModelAddress;
     import starlogo.models.text.ModelText;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -44,8 +45,16 @@ package starlogo.models.loading
         private var _upAxis:Object;
         private var _scaling:String;
         private var _receiver:ModelReceiver;
-        private var _downloads:ModelDownloads;
+        private var _newLoader:Function;
         private var _usesTransforms:Boolean = false;
+
+        // The file's address; null if it is not known. The list of cooked files while the load waits for it.
+        private var _url:String = null;
+        private var _manifest:ModelManifest = null;
+
+        // The file, or its cooked file; null before it is fetched. The files that belong to it: its transform file, or the buffers of a glTF file.
+        private var _file:ModelDownload = null;
+        private var _others:Vector.<ModelDownload> = new Vector.<ModelDownload>();
         private var _reader:ModelReader = null;
         private var _source:ModelSource = null;
 
@@ -62,13 +71,13 @@ package starlogo.models.loading
             _upAxis = upAxis;
             _scaling = scaling;
             _receiver = receiver;
-            _downloads = new ModelDownloads(newLoader);
+            _newLoader = newLoader;
         }
 
         /** Whether the load can go on: no download is running. */
         public function get isReady():Boolean
         {
-            return _downloads.areDone;
+            return !downloads.some(isUnderWay) && (_manifest == null || !_manifest.isUnderWay);
         }
 
         /** The share of the load that is done, from 0 to 1. */
@@ -82,7 +91,7 @@ package starlogo.models.loading
             {
                 return FETCHED + (READ - FETCHED) * _reader.progress;
             }
-            return _source != null ? READ * _source.progress : (_downloads.file == null ? 0 : FETCHED * _downloads.file.progress);
+            return _source != null ? READ * _source.progress : (_file == null ? 0 : FETCHED * _file.progress);
         }
 
         /**
@@ -94,15 +103,16 @@ package starlogo.models.loading
          */
         public function fetch(url:String, usesTransforms:Boolean, manifest:ModelManifest):void
         {
-            _downloads.url = url || "";
+            _url = url || "";
             _usesTransforms = usesTransforms && !(_upAxis is ModelTransform);
-            if (manifest == null || !_downloads.hasFolder)
+            if (manifest == null || !ModelAddress.hasFolder(_url))
             {
                 fetchFile();
                 return;
             }
-            _downloads.fetchManifest(manifest);
-            call(_downloads.fetchCooked).repeat(readCooked).call(takeCooked);
+            _manifest = manifest;
+            manifest.fetch(_newLoader);
+            call(fetchCooked).repeat(readCooked).call(takeCooked);
         }
 
         /** Sets the file to read, as bytes or as text. The other is null. */
@@ -131,19 +141,39 @@ package starlogo.models.loading
         /** Stops fetching. */
         public function cancel():void
         {
-            _downloads.cancel();
+            for each (var each:ModelDownload in downloads)
+            {
+                each.cancel();
+            }
+        }
+
+        private function get downloads():Vector.<ModelDownload>
+        {
+            return _file == null ? _others : _others.concat(new <ModelDownload>[_file]);
+        }
+
+        private static function isUnderWay(download:ModelDownload, index:int, all:Vector.<ModelDownload>):Boolean
+        {
+            return download.isUnderWay;
+        }
+
+        private function fetchCooked():void
+        {
+            var address:String = _manifest.addressFor(_url);
+            _manifest = null;
+            _file = newDownload(address);
         }
 
         // A cooked file that is missing, damaged or made for other arguments is no error. The model's own file is fetched instead.
         private function readCooked():Boolean
         {
-            if (_downloads.file == null)
+            if (_file == null)
             {
                 return false;
             }
             try
             {
-                _reader ||= new CookedReader(name, _downloads.file.bytes, CookedFile.settingsOfLoad(_upAxis, _scaling, _usesTransforms));
+                _reader ||= new CookedReader(name, _file.bytes, CookedFile.settingsOfLoad(_upAxis, _scaling, _usesTransforms));
                 return _reader.step();
             }
             catch (error:ModelError)
@@ -166,29 +196,40 @@ package starlogo.models.loading
 
         private function fetchFile():void
         {
-            _downloads.fetchFile(_usesTransforms);
+            _file = newDownload(_url == "" ? null : _url);
+            var transform:ModelDownload = _usesTransforms && ModelAddress.hasFolder(_url) ? newDownload(ModelAddress.besideOf(_url, ".slb")) : null;
+            if (transform != null)
+            {
+                _others.push(transform);
+            }
             call(readFetched);
+        }
+
+        // Starts to fetch a file. Null without an address.
+        private function newDownload(address:String):ModelDownload
+        {
+            return address == null ? null : new ModelDownload(address, _newLoader());
         }
 
         private function readFetched():void
         {
-            var problem:String = _downloads.file == null ? "there is no address to fetch its file from" : _downloads.file.problem;
+            var problem:String = _file == null ? "there is no address to fetch its file from" : _file.problem;
             refuseIf(problem != null, name, problem);
             // without a transform file, or with one that says nothing, the caller's axis stays
-            var bytes:ByteArray = _downloads.transform == null ? null : _downloads.transform.bytes;
+            var bytes:ByteArray = _others.length == 0 ? null : _others[0].bytes;
             if (bytes != null)
             {
                 bytes.position = 0;
                 var transform:ModelTransform = ModelTransform.fromText(bytes.readUTFBytes(bytes.length));
                 _upAxis = transform.isIdentity ? _upAxis : transform;
             }
-            setFile(_downloads.file.bytes, null);
+            setFile(_file.bytes, null);
         }
 
         // Reads the text, or bytes in a binary form. A glTF file is opened first, because it may name other files.
         private function read(bytes:ByteArray, text:String):void
         {
-            var format:String = ModelFormat.of(bytes, text, _downloads.url);
+            var format:String = ModelFormat.of(bytes, text, _url);
             if (format != ModelFormat.GLTF)
             {
                 readWith(ModelFormat.newReader(format, name, bytes, text, _upAxis, _scaling));
@@ -197,17 +238,33 @@ package starlogo.models.loading
             var gltf:GltfFile = new GltfFile(name, bytes, text);
             add(gltf).call(function():void
                 {
-                    _downloads.fetchBuffers(gltf);
+                    fetchBuffers(gltf);
                 }).call(function():void
                 {
-                    _downloads.giveBuffers(gltf);
+                    for (var i:int = 0; i < gltf.otherFiles.length; i++)
+                    {
+                        gltf.setBuffer(gltf.otherFiles[i], _others[i].bytes, _others[i].problem);
+                    }
                     readWith(new GltfReader(name, gltf, _upAxis as ModelTransform, _scaling));
                 });
         }
 
+        private function fetchBuffers(gltf:GltfFile):void
+        {
+            _others.length = 0;
+            for each (var uri:String in gltf.otherFiles)
+            {
+                if (!ModelAddress.hasFolder(_url))
+                {
+                    gltf.setBuffer(uri, null, "it is in another file, and the address of this file is not known: load() fetches both");
+                }
+                _others.push(newDownload(ModelAddress.folderOf(_url) + uri));
+            }
+        }
+
         private function readWith(reader:ModelReader):void
         {
-            _downloads.release();
+            release();
             _reader = reader;
             add(_reader).call(keepModel).begin(receiving);
         }
@@ -217,7 +274,14 @@ package starlogo.models.loading
             model = _source != null ? _source.model : new Model(name, null, null, _scaling, _reader);
             _reader = null;
             _source = null;
-            _downloads.release();
+            release();
+        }
+
+        // Releases the files that have come.
+        private function release():void
+        {
+            _file = null;
+            _others.length = 0;
         }
 
         private function receiving():Steps

@@ -20,9 +20,6 @@ package starlogo.models.obj
      */
     public final class ObjReader extends ModelReader
     {
-        private static const POLYGONS_PER_STEP:int = 100;
-        private static const CORNERS_PER_STEP:int = 1500;
-
         private var _lines:LineReader;
         private var _budget:ModelBudget;
 
@@ -178,17 +175,10 @@ package starlogo.models.obj
         {
             var triangulator:Triangulator = new Triangulator(_budget, data.vertices, data.triangles);
             var isUsed:Vector.<uint> = new Vector.<uint>(data.vertices.length / 3);
-            var next:int = 0;
-            return new StepSequence().repeat(triangulator.cuttingBetween(function():Boolean
+            return new StepSequence().add(triangulator.addingEach(_polygons.length, function(index:int):int
                     {
-                        var end:int = Math.min(next + POLYGONS_PER_STEP, _polygons.length);
-                        var count:int = 0;
-                        while (next < end && count < CORNERS_PER_STEP && !triangulator.isCutting)
-                        {
-                            cutPolygon(next, triangulator, isUsed);
-                            count += _polygons[next++].length;
-                        }
-                        return next < _polygons.length;
+                        cutPolygon(index, triangulator, isUsed);
+                        return _polygons[index].length;
                     })).begin(function():Steps
                 {
                     return data.triangles.length + _polygons.length == 0 ? null : new VertexFilter(data.vertices, data.triangles, isUsed);

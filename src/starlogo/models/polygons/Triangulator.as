@@ -1,6 +1,8 @@
 package starlogo.models.polygons
 {
     import starlogo.models.ModelBudget;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
 
     /**
      * Cuts polygons in space into triangles. Polygons may be concave and have holes.
@@ -17,15 +19,16 @@ package starlogo.models.polygons
      */
     public final class Triangulator
     {
-        /**
-         * Whether a part of the last polygon still has to be cut. If so, call <code>cutSome()</code> until this is false, before the next
-         * polygon.
-         */
-        public var isCutting:Boolean = false;
+        // A step adds so many corners. Each polygon counts as so many more.
+        private static const CORNERS_PER_STEP:int = 1500;
+        private static const CORNERS_PER_POLYGON:int = 10;
 
         private var _rings:PolygonRings;
         private var _bridges:HoleBridges;
         private var _clipper:EarClipper;
+
+        // Whether a part of the last polygon still has to be cut.
+        private var _isCutting:Boolean = false;
 
         /**
          * @param budget pays for the tests of corners
@@ -38,7 +41,31 @@ package starlogo.models.polygons
         }
 
         /**
-         * Cuts a polygon, or begins to cut a large one: see <code>isCutting</code>.
+         * The work that adds numbered polygons, some in each step. A large polygon takes several steps.
+         *
+         * @param count the number of polygons
+         * @param add <code>function(index:int):int</code>; adds a polygon by <code>addPolygon()</code>, or triangles, and returns the number of corners
+         */
+        public function addingEach(count:int, add:Function):Steps
+        {
+            var next:int = 0;
+            return new StepSequence().repeat(function():Boolean
+                {
+                    if (_isCutting)
+                    {
+                        cutSome();
+                        return _isCutting || next < count;
+                    }
+                    for (var corners:int = 0; corners < CORNERS_PER_STEP && next < count && !_isCutting; corners += CORNERS_PER_POLYGON)
+                    {
+                        corners += add(next++);
+                    }
+                    return _isCutting || next < count;
+                });
+        }
+
+        /**
+         * Cuts a polygon, or begins to cut a large one. Only the work of <code>addingEach()</code> calls this.
          *
          * @param outline the corners of its outline; the vector is not kept
          * @param holes the corners of each hole, in either direction; null for none
@@ -84,33 +111,10 @@ package starlogo.models.polygons
             _rings.addTriangle(a, b, c);
         }
 
-        /** Goes on with the last polygon for some milliseconds. */
-        public function cutSome():void
+        // Goes on with the last polygon for some milliseconds.
+        private function cutSome():void
         {
-            isCutting = _bridges != null && _bridges.join() || _clipper.cut();
-        }
-
-        /**
-         * Makes a step function that reads polygons. If a polygon is large, the step function cuts it before it reads on.
-         *
-         * @param read function():Boolean: adds polygons until one of them <code>isCutting</code>, returns whether there are more
-         * @return function():Boolean, to be called until it returns false
-         */
-        public function cuttingBetween(read:Function):Function
-        {
-            var hasMore:Boolean = true;
-            return function():Boolean
-            {
-                if (isCutting)
-                {
-                    cutSome();
-                }
-                else
-                {
-                    hasMore = read();
-                }
-                return isCutting || hasMore;
-            };
+            _isCutting = _bridges != null && _bridges.join() || _clipper.cut();
         }
 
         // Adds an outline of three or four corners. A quad is cut along the diagonal inside it.

@@ -1,8 +1,8 @@
 package starlogo.models.text
 {
     /**
-     * The rule for addresses in files: only files in the folder of the file that names them, or below it, are fetched. Browsers drop tabs
-     * and line ends, take a backslash for a slash, and decode dots, so addresses are compared without all this.
+     * The addresses of a model's files. A file may name only files in its own folder, or below it. Browsers drop tabs and line ends, take a
+     * backslash for a slash, and decode dots, so addresses are compared without all this.
      *
      * @private
      */
@@ -10,6 +10,10 @@ package starlogo.models.text
     {
         private static const LONGEST:int = 2000;
         private static const FOLDER:RegExp = /^([a-z][a-z0-9+.\-]*:)?(\/\/[^\/?#]*)?([^?#]*\/)?/i;
+
+        // A file's path, and what comes after it. No file can be beside a "data:" or "blob:" address.
+        private static const FILE:RegExp = /^(?!data:|blob:)([^?#]+)(.*)$/i;
+        private static const EXTENSION:RegExp = /\.[^.\/]*$/;
         private static const OUTSIDE:RegExp = /[\x00-\x1F\x7F\\]|^[^\/?#]*:|^\s*\/|(^|\/)\s*\.\./;
 
         /** The folder of a file: the part of its address up to the file's name. Empty if it has none. */
@@ -17,6 +21,20 @@ package starlogo.models.text
         {
             var parts:Array = url.match(FOLDER);
             return parts[0] + (parts[2] && !parts[3] ? "/" : "");
+        }
+
+        /** Whether other files can be beside a file. */
+        public static function hasFolder(url:String):Boolean
+        {
+            return url != null && FILE.test(url);
+        }
+
+        /** The address of the file with the same name and another extension, which begins with a dot. Null if the file has no name. */
+        public static function besideOf(url:String, extension:String):String
+        {
+            var folder:String = folderOf(url);
+            var name:String = url.replace(FILE, "$1").substr(folder.length).replace(EXTENSION, "");
+            return name == "" ? null : folder + name + extension + url.replace(FILE, "$2");
         }
 
         /** Whether an address, relative to a folder, names a file in the folder or below it. */

@@ -4,6 +4,8 @@ package starlogo.models.polygons
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.models.ModelBudget;
+    import starlogo.steps.Steps;
+    import starlogo.steps.finish;
     import support.Effort;
     import support.Surfaces;
     import support.TurnedPlane;
@@ -81,11 +83,15 @@ package starlogo.models.polygons
             }
             var triangles:Vector.<uint> = new Vector.<uint>();
             var triangulator:Triangulator = new Triangulator(new ModelBudget("polygons", 250000), vertices, triangles);
-            triangulator.addPolygon(corners);
+            var work:Steps = triangulator.addingEach(1, function(index:int):int
+                {
+                    triangulator.addPolygon(corners);
+                    return corners.length;
+                });
             var pieces:int = 1;
-            for (; triangulator.isCutting; pieces++)
+            while (work.step())
             {
-                triangulator.cutSome();
+                pieces++;
             }
             assertTrue("pieces: " + pieces, pieces > 5);
             assertEquals(3 * 598, triangles.length);
@@ -127,11 +133,11 @@ package starlogo.models.polygons
         {
             var triangulator:Triangulator = new Triangulator(new ModelBudget("polygons", 250000), vertices, triangles);
             var holes:Vector.<Vector.<uint>> = loops.slice(1);
-            triangulator.addPolygon(loops[0], holes);
-            while (triangulator.isCutting)
-            {
-                triangulator.cutSome();
-            }
+            finish(triangulator.addingEach(1, function(index:int):int
+                    {
+                        triangulator.addPolygon(loops[0], holes);
+                        return loops[0].length;
+                    }));
         }
 
         /** Corners on few places: they meet, lie in line, and go back the way they came. */

@@ -4,18 +4,14 @@ package starlogo
     import starlogo.bounding.BoundingStructure;
     import starlogo.geometry.requireGiven;
     import starlogo.libraries.BoundingStructuresLibrary;
-    import starlogo.libraries.FitSettings;
     import starlogo.libraries.FitStore;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.libraries.ModelEntry;
+    import starlogo.libraries.ModelResults;
     import starlogo.libraries.ModelTable;
-    import starlogo.libraries.StoredResults;
-    import starlogo.libraries.StructuresBuilder;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
     import starlogo.models.cooked.CookedFile;
-    import starlogo.solid.ModelTreeBuilder;
-    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
 
@@ -156,15 +152,13 @@ package starlogo
         public function receive(model:Model):Steps
         {
             requireGiven("model", model);
-            var structures:StructuresBuilder = newStructuresBuilder(model);
-            var tree:ModelTreeBuilder = newTreeBuilder(model);
-            var stored:StoredResults = fitStore == null && model.data.cooked == null ? null : newStored(model, structures, tree, fitStore);
-            return computing(structures, tree, stored).call(function():void
+            var results:ModelResults = newResults(model, fitStore);
+            return results.call(function():void
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model
                     var entry:ModelEntry = _models.entryToWrite(model.name);
-                    entry.setTreeBuilder(tree);
-                    entry.setStructures(structures == null ? null : structures.structures);
+                    entry.setTreeBuilder(results.treeBuilder);
+                    entry.setStructures(results.structures);
                     entry.setModel(model);
                 });
         }
@@ -183,11 +177,9 @@ package starlogo
         public function cook(model:Model, upAxis:Object = "z", usesTransforms:Boolean = false):ByteArray
         {
             requireGiven("model", model);
-            var structures:StructuresBuilder = newStructuresBuilder(model);
-            var tree:ModelTreeBuilder = newTreeBuilder(model);
-            var stored:StoredResults = newStored(model, structures, tree, null);
-            finish(computing(structures, tree, stored));
-            return stored.toCooked(CookedFile.settingsOfLoad(upAxis, model.data.scaling, usesTransforms));
+            var results:ModelResults = newResults(model, null);
+            finish(results);
+            return results.toCooked(CookedFile.settingsOfLoad(upAxis, model.data.scaling, usesTransforms));
         }
 
         /** @inheritDoc */
@@ -268,45 +260,10 @@ package starlogo
             return _models.entryOf(name).model;
         }
 
-        /** @private The results for a model that its cooked file or a store may have. */
-        engine function newStored(model:Model, structures:StructuresBuilder, tree:ModelTreeBuilder, store:FitStore):StoredResults
+        /** @private The work that finds the results that the flags ask for. None of its steps is done yet. @param store null for none */
+        engine function newResults(model:Model, store:FitStore):ModelResults
         {
-            var settings:FitSettings = new FitSettings(structures == null ? null : _boundingStructures, tree == null ? null : _hierarchies);
-            return new StoredResults(model, structures, tree, settings, store);
-        }
-
-        private function newStructuresBuilder(model:Model):StructuresBuilder
-        {
-            return loadTightestFit ? _boundingStructures.newBuilder(model.name, model.vertices) : null;
-        }
-
-        private function newTreeBuilder(model:Model):ModelTreeBuilder
-        {
-            return loadHierarchies ? _hierarchies.newBuilder(model.vertices, model.triangles) : null;
-        }
-
-        // The work that computes the results that the flags ask for, and that are not stored. None of its steps is done yet. A hierarchy that is
-        // stored is not built until it is needed, unless prepareExact is set.
-        private function computing(structures:StructuresBuilder, tree:ModelTreeBuilder, stored:StoredResults):StepSequence
-        {
-            var work:StepSequence = new StepSequence();
-            var isTreeNeeded:Boolean = prepareExact;
-            if (stored != null)
-            {
-                work.add(stored);
-            }
-            if (structures != null)
-            {
-                work.add(structures);
-            }
-            if (tree != null)
-            {
-                work.begin(function():Steps
-                    {
-                        return tree.isStored && !isTreeNeeded ? null : tree;
-                    });
-            }
-            return stored == null ? work : work.call(stored.store);
+            return new ModelResults(model, loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null, store);
         }
     }
 }

@@ -45,10 +45,6 @@ package starlogo.hierarchy
         private var _isDividing:Boolean = false;
         private var _isBySpread:Boolean;
 
-        // The extents of the two halves of a node that is divided by the number of its items.
-        private var _leftExtents:Vector.<Number> = new Vector.<Number>(6, true);
-        private var _rightExtents:Vector.<Number> = new Vector.<Number>(6, true);
-
         /**
          * @param tree without nodes; receives them, and the order of its items
          * @param minVerticesToSplit a node with at most this many vertices is a leaf of the thesis
@@ -167,7 +163,7 @@ package starlogo.hierarchy
             var middle:int = _items.middle;
             if (middle > _tree.first[node] && middle < _tree.end[node])
             {
-                divideAt(middle, node, _items.axis, _items.leftExtents, _items.rightExtents);
+                divideAt(middle, node, _items.axis);
                 return false;
             }
             if (!_isBySpread)
@@ -191,16 +187,17 @@ package starlogo.hierarchy
         private function halve(node:int):void
         {
             var middle:int = (_tree.first[node] + _tree.end[node]) >> 1;
-            _tree.writeExtents(_tree.first[node], middle, _leftExtents);
-            _tree.writeExtents(middle, _tree.end[node], _rightExtents);
-            divideAt(middle, node, _tree.longestAxisOf(node), _leftExtents, _rightExtents);
+            _tree.writeExtents(_tree.first[node], middle, _items.leftExtents);
+            _tree.writeExtents(middle, _tree.end[node], _items.rightExtents);
+            divideAt(middle, node, _tree.longestAxisOf(node));
         }
 
-        private function divideAt(middle:int, node:int, axis:int, left:Vector.<Number>, right:Vector.<Number>):void
+        // Divides a node. The extents of its two parts are those of the items.
+        private function divideAt(middle:int, node:int, axis:int):void
         {
             var child:int = _tree.divide(node, axis, middle, _areBelow[_waiting.length - 1]);
-            _tree.enclose(child, left);
-            _tree.enclose(child + 1, right);
+            _tree.enclose(child, _items.leftExtents);
+            _tree.enclose(child + 1, _items.rightExtents);
         }
     }
 }

@@ -139,11 +139,12 @@ package starlogo.libraries
          * The work that builds the hierarchy of a shape. None of its steps is done yet. The vertices and triangles are neither checked nor
          * copied, because a Model checks them, and tells its GreatLand when it changes.
          *
+         * @param restoring as for ModelTreeBuilder
          * @private
          */
-        engine function newBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>):ModelTreeBuilder
+        engine function newBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>, restoring:Function = null):ModelTreeBuilder
         {
-            return new ModelTreeBuilder(vertices, triangles, minVerticesToSplit, maxDepth, splitByMean, prepareExact);
+            return new ModelTreeBuilder(vertices, triangles, minVerticesToSplit, maxDepth, splitByMean, prepareExact, restoring);
         }
 
         private static function requirePositive(setting:String, value:int):void

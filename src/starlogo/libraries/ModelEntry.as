@@ -1,6 +1,6 @@
 // This room has what was computed for each model. A ModelTable has a ModelEntry for each name, and the two libraries show clients a part of it;
-// a StructuresBuilder and a ModelTreeBuilder compute the results, unless StoredResults has them from a cooked file or from a FitStore. Read this
-// file first, then BoundingStructuresLibrary and StoredResults.
+// ModelResults takes the results from a cooked file or a FitStore, or has a StructuresBuilder and a ModelTreeBuilder compute them. Read this
+// file first, then BoundingStructuresLibrary and ModelResults.
 package starlogo.libraries
 {
     import starlogo.engine;

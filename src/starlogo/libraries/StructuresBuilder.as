@@ -24,9 +24,11 @@ package starlogo.libraries
         /** The structures, when no step is left. */
         public var structures:ModelStructures = null;
 
+        /** Whether the client may read the smallest structure of each kind. */
+        public var keepsAll:Boolean;
+
         private var _name:String;
         private var _vertices:Vector.<Number>;
-        private var _keepsAll:Boolean;
         private var _fitters:Vector.<Fitter>;
         private var _fits:Vector.<Fit> = new Vector.<Fit>();
         private var _hullFit:Fit = null;
@@ -43,7 +45,7 @@ package starlogo.libraries
         {
             _name = name;
             _vertices = vertices;
-            _keepsAll = keepsAll;
+            this.keepsAll = keepsAll;
             if (fitters == null || fitters.length == 0)
             {
                 throw errorOf("the library's list of fitters is empty");
@@ -76,17 +78,6 @@ package starlogo.libraries
         }
 
         /**
-         * Uses stored results instead of running the fitters. No step is left then.
-         *
-         * @param found what the fitters found, enlarged
-         * @param hull the hull, or the sphere in its place; null if none is wanted
-         */
-        public function useStored(found:Vector.<BoundingStructure>, hull:BoundingStructure):void
-        {
-            structures = new ModelStructures(found, hull, _keepsAll);
-        }
-
-        /**
          * @inheritDoc
          *
          * @throws ArgumentError if the vertices are null or empty, if the number of coordinates is not a multiple of 3, or if a
@@ -98,7 +89,7 @@ package starlogo.libraries
         {
             try
             {
-                return structures == null && super.step();
+                return super.step();
             }
             catch (error:ArgumentError)
             {
@@ -150,7 +141,7 @@ package starlogo.libraries
                 found.push(widened(fit.structure));
             }
             // A HullFitter checks all vertices itself.
-            structures = new ModelStructures(found, _hullFit == null ? null : widened(_hullFit.structure), _keepsAll);
+            structures = new ModelStructures(found, _hullFit == null ? null : widened(_hullFit.structure), keepsAll);
         }
 
         /** A copy of a fitted structure, enlarged by the distance at which surfaces still touch. */

@@ -118,16 +118,15 @@ package starlogo.solid
             isPointOfSecond = isOfFirst;
             var points:Vector.<Number> = inner.partPoints;
             var length:int = points.length;
-            var stride:int = 3 * Interior.POINTS_PER_PART;
             var halfX:Number = box[3];
             var halfY:Number = box[4];
             var halfZ:Number = box[5];
             var x:Number = 0;
             var y:Number = 0;
             var z:Number = 0;
-            for (var first:int = 0; first < length; first += stride)
+            for (var first:int = 0; first < length; first += PartExtremes.STRIDE)
             {
-                var end:int = first + stride;
+                var end:int = first + PartExtremes.STRIDE;
                 var at:int = first;
                 while (at < end)
                 {

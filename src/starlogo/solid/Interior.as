@@ -3,9 +3,6 @@ package starlogo.solid
     /** What is inside of the surface that a model's triangles make: the surface's parts, and what counts its windings. An InteriorBuilder makes it. */
     internal final class Interior
     {
-        /** The number of points that partPoints has for each part. */
-        public static const POINTS_PER_PART:int = 6;
-
         /** Says whether a point is inside. */
         public var windingCounter:WindingCounter;
 
@@ -30,7 +27,7 @@ package starlogo.solid
             this.windingCounter = windingCounter;
             isClosed = windingCounter.surface.isClosed;
             partPoints = extremes.points;
-            for (var at:int = 0; at < partPoints.length; at += 3 * POINTS_PER_PART)
+            for (var at:int = 0; at < partPoints.length; at += PartExtremes.STRIDE)
             {
                 leastPartExtent = Math.min(leastPartExtent, extremes.extentAt(at));
             }

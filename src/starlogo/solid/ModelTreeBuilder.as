@@ -34,7 +34,6 @@ package starlogo.solid
 
         private var _minVerticesToSplit:int;
         private var _splitByMean:Boolean;
-        private var _stored:Steps = null;
 
         /**
          * Creates a builder that has not begun yet.
@@ -45,31 +44,25 @@ package starlogo.solid
          * @param maxDepth a node on this level is a leaf of the thesis
          * @param splitByMean whether to split at the mean, down to the thesis's leaves
          * @param preparesExact whether to prepare the triangles for exact tests and rays now; otherwise the first of these does
+         * @param restoring <code>():Steps</code>, called in the first step: makes the tree from stored results, or returns null if there are none.
+         * If it makes no tree, the items are divided as usual
          */
         public function ModelTreeBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>, minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean,
-                preparesExact:Boolean = false)
+                preparesExact:Boolean = false, restoring:Function = null)
         {
             modelTree = new ModelTree(new BoxTree(vertices, triangles));
             _minVerticesToSplit = minVerticesToSplit;
             this.maxDepth = maxDepth;
             _splitByMean = splitByMean;
-            begin(readStored).begin(divide);
+            if (restoring != null)
+            {
+                begin(restoring);
+            }
+            begin(divide);
             if (preparesExact && triangles != null)
             {
                 begin(newInterior);
             }
-        }
-
-        /**
-         * Uses stored results, which saves most of the work. Must be called before the first step.
-         *
-         * @param tree makes the tree again; not begun yet. If it makes none, the items are divided as usual
-         * @param surface null if nothing is known of it
-         */
-        public function useStored(tree:Steps, surface:SurfaceTopology):void
-        {
-            _stored = tree;
-            modelTree.surface = surface;
         }
 
         /**
@@ -93,25 +86,9 @@ package starlogo.solid
             return modelTree;
         }
 
-        /** Whether the nodes come from a stored tree. It becomes false if the tree does not fit the items. */
-        public function get isStored():Boolean
-        {
-            return _stored != null;
-        }
-
-        private function readStored():Steps
-        {
-            return _stored;
-        }
-
         private function divide():Steps
         {
-            if (modelTree.tree.isMade)
-            {
-                return null;
-            }
-            _stored = null;
-            return new BoxTreeBuilder(modelTree.tree, _minVerticesToSplit, maxDepth, _splitByMean);
+            return modelTree.tree.isMade ? null : new BoxTreeBuilder(modelTree.tree, _minVerticesToSplit, maxDepth, _splitByMean);
         }
 
         private function newInterior():Steps

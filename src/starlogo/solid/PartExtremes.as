@@ -3,6 +3,9 @@ package starlogo.solid
     /** Finds the outermost points of groups of triangles: of a surface's parts, or of its shells. */
     internal final class PartExtremes
     {
+        /** The numbers that points has for each group: the coordinates of six points. */
+        public static const STRIDE:int = 18;
+
         /** For each group, the vertices with the smallest and largest x, y and z: see <code>Interior.partPoints</code>. */
         public var points:Vector.<Number> = new Vector.<Number>();
 
@@ -47,7 +50,7 @@ package starlogo.solid
         private function beginGroup(group:int, corner:int):void
         {
             pointsAt[group] = points.length;
-            for (var i:int = 0; i < Interior.POINTS_PER_PART; i++)
+            for (var i:int = 0; i < STRIDE; i += 3)
             {
                 points.push(_corners[corner], _corners[corner + 1], _corners[corner + 2]);
             }

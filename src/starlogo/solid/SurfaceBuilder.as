@@ -167,7 +167,7 @@ package starlogo.solid
             for (var part:int = first; part < end && _windingCount < WINDINGS_PER_TRIANGLE * _count; part++)
             {
                 var at:int = _extremes.pointsAt[part];
-                for (var i:int = at; i < at + 3 * Interior.POINTS_PER_PART; i += 3)
+                for (var i:int = at; i < at + PartExtremes.STRIDE; i += 3)
                 {
                     windingCounter.count(points[i], points[i + 1], points[i + 2]);
                     _windingCount += windingCounter.crossedCount;

@@ -28,7 +28,6 @@ package starlogo.libraries
     import starlogo.models.ObjModel;
     import starlogo.models.cooked.CookedFile;
     import starlogo.queries.AgentQueries;
-    import starlogo.solid.ModelTreeBuilder;
     import starlogo.solid.SolidContents;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
@@ -418,15 +417,13 @@ package starlogo.libraries
         private function isTaken(model:Model, cooked:ByteArray, structures:Boolean):Boolean
         {
             var read:Model = CookedModel.fromBytes(model.name, cooked);
-            var structuresBuilder:StructuresBuilder = _greatLand.boundingStructures.newBuilder(read.name, read.vertices);
-            var treeBuilder:ModelTreeBuilder = _greatLand.hierarchies.newBuilder(read.vertices, read.triangles);
-            _greatLand.newStored(read, structuresBuilder, treeBuilder, null);
+            var results:ModelResults = _greatLand.newResults(read, null);
             if (structures)
             {
-                return structuresBuilder.structures != null;
+                return results.structures != null;
             }
-            treeBuilder.finishTree();
-            return treeBuilder.isStored;
+            results.treeBuilder.finishTree();
+            return results.isTreeStored;
         }
 
         private static function damage(cooked:Vector.<ByteArray>, index:int, random:SeededRandom):ByteArray

@@ -26,11 +26,13 @@ package starlogo.libraries.cooked
         // This is added to the axis of a node that is a leaf of the thesis's tree or below one.
         private static const BELOW:int = 3;
 
+        /** Whether the bytes do not divide the items. Then no step is left. */
+        public var isRefused:Boolean = false;
+
         private var _bytes:ByteArray;
         private var _tree:BoxTree;
         private var _maxDepth:int;
         private var _order:Vector.<int>;
-        private var _isRefused:Boolean = false;
 
         // The nodes that still have to be read, the next one last.
         private var _waiting:Vector.<int> = new Vector.<int>();
@@ -104,11 +106,11 @@ package starlogo.libraries.cooked
         {
             try
             {
-                return !_isRefused && super.step() && !_isRefused;
+                return !isRefused && super.step() && !isRefused;
             }
             catch (error:EOFError)
             {
-                _isRefused = true;
+                isRefused = true;
                 _tree.clear();
             }
             return false;
@@ -126,7 +128,7 @@ package starlogo.libraries.cooked
                 var item:int = width == 1 ? bytes.readUnsignedByte() : (width == 2 ? bytes.readUnsignedShort() : bytes.readInt());
                 if (item < 0 || item >= count || isListed[item])
                 {
-                    _isRefused = true;
+                    isRefused = true;
                     return;
                 }
                 isListed[item] = true;
@@ -147,7 +149,7 @@ package starlogo.libraries.cooked
             {
                 if (!readNode(_waiting.pop(), VarInt.read(_bytes)))
                 {
-                    _isRefused = true;
+                    isRefused = true;
                     _tree.clear();
                     return false;
                 }

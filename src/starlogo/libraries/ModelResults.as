@@ -1,0 +1,217 @@
+package starlogo.libraries
+{
+    import flash.utils.ByteArray;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.engine;
+    import starlogo.geometry.Fingerprint;
+    import starlogo.geometry.VertexBounds;
+    import starlogo.libraries.cooked.CookedStructures;
+    import starlogo.libraries.cooked.CookedTree;
+    import starlogo.models.Model;
+    import starlogo.models.cooked.CookedFile;
+    import starlogo.models.cooked.CookedWriter;
+    import starlogo.solid.ModelTree;
+    import starlogo.solid.ModelTreeBuilder;
+    import starlogo.solid.SurfaceTopology;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
+
+    use namespace engine;
+
+    /**
+     * The work that finds the results for one model. It takes what is in the model's cooked file, otherwise what is in a store, and computes
+     * what is missing. Then it stores the results. A hierarchy whose division is stored is not built until it is needed, unless its surface is
+     * wanted too.
+     *
+     * @private
+     */
+    public final class ModelResults extends StepSequence
+    {
+        /** The structures. Null if none are wanted, or if they are not there yet. */
+        public var structures:ModelStructures = null;
+
+        /** Builds the hierarchy; null if none is wanted. It may have steps left when this work has none. */
+        public var treeBuilder:ModelTreeBuilder;
+
+        private var _model:Model;
+        private var _settings:FitSettings;
+        private var _structuresBuilder:StructuresBuilder;
+        private var _store:FitStore;
+
+        // Makes the tree again from a stored division; null for none.
+        private var _cookedTree:CookedTree = null;
+
+        // For the store: the fingerprint of the model's vertices and triangles, and whether all results have come from there.
+        private var _geometry:Fingerprint = new Fingerprint();
+        private var _isStored:Boolean = false;
+
+        /**
+         * @param model the model
+         * @param structuresLibrary wants structures; null if none are wanted. Its settings count as they are now
+         * @param hierarchiesLibrary wants a hierarchy; null if none is wanted. Its settings count as they are now
+         * @param store null for none
+         */
+        public function ModelResults(model:Model, structuresLibrary:BoundingStructuresLibrary, hierarchiesLibrary:HierarchiesLibrary, store:FitStore)
+        {
+            _model = model;
+            _settings = new FitSettings(structuresLibrary, hierarchiesLibrary);
+            _structuresBuilder = structuresLibrary == null ? null : structuresLibrary.newBuilder(model.name, model.vertices);
+            treeBuilder = hierarchiesLibrary == null ? null : hierarchiesLibrary.newBuilder(model.vertices, model.triangles, restoringTree);
+            if (model.data.cooked != null)
+            {
+                takeFrom(model.data.cooked);
+            }
+            _store = isComplete ? null : store;
+            if (_store != null)
+            {
+                add(_geometry.addingGeometry(model.vertices, model.triangles)).begin(readingStored);
+            }
+            begin(findingStructures).call(takeStructures).begin(buildingTree);
+            if (_store != null)
+            {
+                call(keepResults);
+            }
+        }
+
+        /** Whether the hierarchy is made from a stored division. It becomes false if the division does not fit the model. */
+        public function get isTreeStored():Boolean
+        {
+            return _cookedTree != null && !_cookedTree.isRefused;
+        }
+
+        /**
+         * Makes a cooked file of the model, including the surface. Call it when no step is left. A surface that is missing is prepared now.
+         *
+         * @param settings of the model's section: see <code>CookedFile.settingsOfLoad()</code>
+         */
+        public function toCooked(settings:Fingerprint):ByteArray
+        {
+            if (treeBuilder != null)
+            {
+                treeBuilder.finishTree().prepare();
+            }
+            return newFile(settings, CookedWriter.of(_model));
+        }
+
+        // Whether all results that are wanted are there, or stored.
+        private function get isComplete():Boolean
+        {
+            return (_structuresBuilder == null || structures != null) && (treeBuilder == null || isTreeStored)
+                && (!_settings.wantsSurface || _model.triangles == null || treeBuilder.modelTree.surface != null);
+        }
+
+        private function readingStored():Steps
+        {
+            var stored:CookedFile = _store.fileOf(_geometry, _settings);
+            return new StepSequence().add(stored).call(function():void
+                {
+                    if (stored.isFor(_geometry))
+                    {
+                        takeFrom(stored);
+                    }
+                    _isStored = isComplete;
+                });
+        }
+
+        private function findingStructures():Steps
+        {
+            return structures == null ? _structuresBuilder : null;
+        }
+
+        private function takeStructures():void
+        {
+            structures ||= _structuresBuilder == null ? null : _structuresBuilder.structures;
+        }
+
+        private function restoringTree():Steps
+        {
+            return _cookedTree;
+        }
+
+        private function buildingTree():Steps
+        {
+            return isTreeStored && !_settings.wantsSurface ? null : treeBuilder;
+        }
+
+        // Stores the results, unless all have come from the store.
+        private function keepResults():void
+        {
+            var isKept:Boolean = _isStored && (treeBuilder == null || isTreeStored);
+            if (!isKept && _store.hasRoomFor(_model, treeBuilder != null))
+            {
+                _store.keep(_geometry, _settings, newFile(_geometry, null));
+            }
+        }
+
+        // Takes results that are missing from a file. Whether the geometry is the model's is not checked, because the file's checksum
+        // guarantees that.
+        private function takeFrom(file:CookedFile):void
+        {
+            var size:Number = VertexBounds.of(_model.vertices).largest;
+            if (size > VertexBounds.LARGEST_VERTEX)
+            {
+                // no fitter accepts such a model, so the record is wrong
+                return;
+            }
+            if (_structuresBuilder != null && structures == null)
+            {
+                readStructures(file, size);
+            }
+            if (treeBuilder != null)
+            {
+                readTree(file);
+            }
+        }
+
+        // The file must have all structures that are wanted.
+        private function readStructures(file:CookedFile, size:Number):void
+        {
+            var wantsHull:Boolean = _structuresBuilder.wantsHull;
+            var found:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.STRUCTURES), BoundingStructure.BOX, size);
+            var hulls:Vector.<BoundingStructure> = wantsHull
+                ? CookedStructures.read(_settings.sectionOf(file, CookedFile.HULL), BoundingStructure.HULL, size) : null;
+            if (found != null && (hulls != null || !wantsHull))
+            {
+                // The smallest sphere may be in the hull's place.
+                structures = new ModelStructures(found, hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE],
+                        _structuresBuilder.keepsAll);
+            }
+        }
+
+        private function readTree(file:CookedFile):void
+        {
+            var tree:ByteArray = _settings.sectionOf(file, CookedFile.HIERARCHY);
+            var bytes:ByteArray = _settings.sectionOf(file, CookedFile.SURFACE);
+            var surface:SurfaceTopology = bytes == null || _model.triangles == null ? null : SurfaceTopology.read(bytes, _model.triangles.length / 3);
+            var made:ModelTree = treeBuilder.modelTree;
+            if (tree != null && (_cookedTree == null || surface != null && made.surface == null))
+            {
+                _cookedTree = new CookedTree(tree, made.tree, treeBuilder.maxDepth);
+                made.surface = surface;
+            }
+        }
+
+        // Makes a file of the results. The model's section has these settings and bytes; null if the file is for the store.
+        private function newFile(settings:Fingerprint, model:ByteArray):ByteArray
+        {
+            var contents:Vector.<ByteArray> = new Vector.<ByteArray>(CookedFile.SECTIONS, true);
+            contents[CookedFile.MODEL] = model;
+            if (structures != null)
+            {
+                contents[CookedFile.STRUCTURES] = CookedStructures.write(structures.smallest);
+                contents[CookedFile.HULL] = structures.hull == null ? null : CookedStructures.write(new <BoundingStructure>[structures.hull]);
+            }
+            if (treeBuilder != null)
+            {
+                var made:ModelTree = treeBuilder.finishTree();
+                contents[CookedFile.HIERARCHY] = CookedTree.write(made.tree);
+                if (made.isPrepared)
+                {
+                    contents[CookedFile.SURFACE] = CookedFile.newBytes();
+                    made.surface.writeTo(contents[CookedFile.SURFACE]);
+                }
+            }
+            return _settings.newFile(settings, contents);
+        }
+    }
+}

@@ -32,7 +32,7 @@ export function $warnOfNames(object) {
 }
 
 /**
- * Warns of breeds that handlers or a question's filter name, if no agent has the breed, and agents have one that is called nearly the same. Agents
+ * Warns of breeds that handlers or a filter name, if no agent has the breed, and agents have one that is called nearly the same. Agents
  * of the breed may still come. So nothing is refused, and a breed is looked for again when there are new names.
  */
 export function $warnOfBreeds(names, agents) {

@@ -1,6 +1,9 @@
 package starlogo.agents
 {
     import flash.errors.IllegalOperationError;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /**
      * Decides which agents count. It is the abstract base class of AgentFilter. Write a subclass of your own to filter the agents of a
@@ -8,6 +11,11 @@ package starlogo.agents
      */
     public class AgentPredicate
     {
+        /** @private Called before agents are asked about. It warns of names that are probably misspelled, because these agents have others. */
+        engine function checkNames(agents:Vector.<Agent>):void
+        {
+        }
+
         /**
          * Whether an agent counts.
          *

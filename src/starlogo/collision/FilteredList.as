@@ -2,6 +2,9 @@ package starlogo.collision
 {
     import starlogo.agents.Agent;
     import starlogo.agents.AgentPredicate;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /** The list of a frame with a filter, as it was before the filter was asked, because a filter may change the game's list. */
     internal final class FilteredList
@@ -19,6 +22,7 @@ package starlogo.collision
         public function ask(filter:AgentPredicate, agents:Vector.<Agent>):Vector.<Agent>
         {
             copyInto(_agents, agents);
+            filter.checkNames(_agents);
             for (var i:int = 0; i < _agents.length; i++)
             {
                 takePart[i] = _agents[i] == null || filter.admits(_agents[i]);

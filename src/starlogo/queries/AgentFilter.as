@@ -3,6 +3,7 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.agents.AgentPredicate;
     import starlogo.engine;
+    import starlogo.search.warnOfBreeds;
 
     use namespace engine;
 
@@ -58,6 +59,19 @@ package starlogo.queries
         override public function admits(agent:Agent):Boolean
         {
             return admitsBreed(agent.breed) && (except == null || except.indexOf(agent) < 0) && (accepts == null || accepts(agent));
+        }
+
+        /** @private */
+        override engine function checkNames(agents:Vector.<Agent>):void
+        {
+            if (breeds != null)
+            {
+                warnOfBreeds(breeds, agents);
+            }
+            if (exceptBreeds != null)
+            {
+                warnOfBreeds(exceptBreeds, agents);
+            }
         }
 
         /** @private Whether agents of a breed count, unless they are excluded otherwise. */

@@ -5,7 +5,6 @@ package starlogo.queries.trees
     import starlogo.engine;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
-    import starlogo.search.warnOfBreeds;
 
     use namespace engine;
 
@@ -61,17 +60,16 @@ package starlogo.queries.trees
             {
                 return;
             }
+            filter.checkNames(_seen.table.list.agents);
             accepts = filter.accepts;
             _question = _question == int.MAX_VALUE ? forget() : _question + 1;
             excludes = filter.breeds != null || filter.exceptBreeds != null;
             if (filter.breeds != null)
             {
-                warnOfBreeds(filter.breeds, _seen.table.list.agents);
                 breeds = NodeBreeds.setOfNames(filter.breeds);
             }
             else if (filter.exceptBreeds != null)
             {
-                warnOfBreeds(filter.exceptBreeds, _seen.table.list.agents);
                 // the set may bring new names, with which sets are exact no longer
                 var excluded:int = NodeBreeds.setOfNames(filter.exceptBreeds);
                 breeds = NodeBreeds.areSetsExact ? ~excluded : NodeBreeds.ALL;

@@ -8,6 +8,7 @@ package starlogo.collision
     import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
+    import starlogo.search.table.ListedAgents;
     import starlogo.search.textOf;
     import starlogo.search.warnOfNames;
 
@@ -133,9 +134,10 @@ package starlogo.collision
          */
         engine function findPairs(input:FrameInput, out:FoundPairs):void
         {
-            if (input.ground != null || input.edges != null)
+            var hasGround:Boolean = input.world[ListedAgents.GROUND] != null;
+            if (hasGround || input.world[ListedAgents.EDGES] != null)
             {
-                var what:String = input.ground != null ? "a terrain needs" : "bounds need";
+                var what:String = hasGround ? "a terrain needs" : "bounds need";
                 throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(_collisionSystem || this, "a Collider"));
             }
             var listed:Vector.<Agent> = input.takePart == null ? input.agents : chosen(input.agents, input.takePart);

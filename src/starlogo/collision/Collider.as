@@ -105,7 +105,7 @@ package starlogo.collision
                 by = _extraSearch;
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
-            _input.setTo(agents, null, interests, null, null);
+            _input.setTo(agents, null, interests, FrameInput.NO_WORLD);
             find(by, _input, _found, false);
             if (_phase != HANDLING)
             {

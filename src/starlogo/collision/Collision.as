@@ -18,7 +18,9 @@ package starlogo.collision
     import starlogo.search.BreedInterests;
     import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
+    import starlogo.search.table.ListedAgents;
     import starlogo.search.textOf;
+    import starlogo.search.WorldAgent;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
 
@@ -86,6 +88,7 @@ package starlogo.collision
         private var _touches:TouchTracker = new TouchTracker();
         private var _calls:HandlerCalls = new HandlerCalls();
         private var _input:FrameInput = new FrameInput();
+        private var _world:Vector.<WorldAgent> = new <WorldAgent>[null, null];
         private var _snapshots:Snapshots = new Snapshots();
 
         // The system of the frame under way, or null. Its collider stays reserved until the frame's end.
@@ -259,8 +262,7 @@ package starlogo.collision
             // what the filter or a handler exchanges counts from the next frame on
             var system:BaseCollider = _system;
             var touches:TouchTracker = _touches;
-            var ground:Agent = terrain == null ? null : terrain.agent;
-            var edges:Agent = bounds == null ? null : bounds.agent;
+            var world:Vector.<WorldAgent> = findWorld();
             var predicate:AgentPredicate = filter;
             _handlers.begin(agents);
             var collider:Collider = system.innerCollider;
@@ -271,7 +273,7 @@ package starlogo.collision
                 // the filter may have called reset(), which forgets the frames before this one
                 var lastFrame:LastFrame = _lastFrame;
                 lastFrame.hasFailed = true;
-                _input.setTo(listed, predicate == null ? null : _filteredList.takePart, _handlers.interests, ground, edges);
+                _input.setTo(listed, predicate == null ? null : _filteredList.takePart, _handlers.interests, world);
                 if (collider != null)
                 {
                     collider.beginFrame();
@@ -326,7 +328,7 @@ package starlogo.collision
             }
             var searched:Collider = _lastFrame.collider || _system.equivalentCollider;
             return _snapshots.write(_touches, searched.search.table, _lastFrame.agents, _lastFrame.collider == _system.equivalentCollider,
-                    kindOfSystem(), terrain, findWorldAgents(), withTraits, withGround);
+                    kindOfSystem(), findWorld(), withTraits, withGround);
         }
 
         /**
@@ -347,7 +349,7 @@ package starlogo.collision
             requireGiven("bytes", bytes);
             requireGiven("agents", agents);
             var collider:Collider = _system.equivalentCollider;
-            _touches = _snapshots.read(bytes, agents, collider.search, kindOfSystem(), terrain, findWorldAgents());
+            _touches = _snapshots.read(bytes, agents, collider.search, kindOfSystem(), findWorld());
             collider.takeContactsFromFrame();
             _lastFrame.keep(agents, collider);
             _lastFrame.hasFailed = false;
@@ -400,10 +402,12 @@ package starlogo.collision
             return _system.equivalentCollider.narrowPhase.choice.system;
         }
 
-        // The agents of the ground and of the edges, or null, as they are now.
-        private function findWorldAgents():Vector.<Agent>
+        // The agents of the ground and of the edges as they are now.
+        private function findWorld():Vector.<WorldAgent>
         {
-            return new <Agent>[terrain == null ? null : terrain.agent, bounds == null ? null : bounds.agent];
+            _world[ListedAgents.GROUND] = terrain == null ? null : terrain.worldAgent;
+            _world[ListedAgents.EDGES] = bounds == null ? null : bounds.worldAgent;
+            return _world;
         }
 
         private function findPairs(system:BaseCollider):void

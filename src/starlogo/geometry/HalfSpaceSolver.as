@@ -49,6 +49,15 @@ package starlogo.geometry
             count++;
         }
 
+        /** Writes a half-space as four numbers: its normal, and the depth. */
+        public function write(index:int, out:Vector.<Number>, at:int):void
+        {
+            out[at] = _xs[index];
+            out[int(at + 1)] = _ys[index];
+            out[int(at + 2)] = _zs[index];
+            out[int(at + 3)] = _depths[index];
+        }
+
         /**
          * Finds the shortest displacement.
          *

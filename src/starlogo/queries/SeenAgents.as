@@ -99,7 +99,7 @@ package starlogo.queries
             var found:NarrowPhase = _source.findNarrowPhase();
             var next:AgentTable = found === _narrowPhase ? _table : newTable(found);
             next.read(agents);
-            next.readWorldAgent(ListedAgents.GROUND, terrain == null ? null : terrain.agent);
+            next.readWorldAgent(ListedAgents.GROUND, terrain == null ? null : terrain.worldAgent);
             _table = next;
             if (found !== _narrowPhase)
             {

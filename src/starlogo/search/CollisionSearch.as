@@ -83,8 +83,10 @@ package starlogo.search
         public function find(input:FrameInput, mayKeep:Boolean, out:FoundPairs, counts:SearchCounts):void
         {
             table.read(input.agents);
-            table.readWorldAgent(ListedAgents.GROUND, input.ground);
-            table.readWorldAgent(ListedAgents.EDGES, input.edges);
+            for (var row:int = ListedAgents.GROUND; row <= ListedAgents.EDGES; row++)
+            {
+                table.readWorldAgent(row, input.world[row]);
+            }
             setConditions(input);
             // tests since the last search, as those of questions, do not count
             _narrowPhase.takeCounts(counts);

@@ -9,6 +9,9 @@ package starlogo.search
      */
     public final class FrameInput
     {
+        /** For <code>world</code>: there is neither ground nor are there edges. Nothing writes to it. */
+        public static const NO_WORLD:Vector.<WorldAgent> = new <WorldAgent>[null, null];
+
         /** The list of agents. */
         public var agents:Vector.<Agent> = null;
 
@@ -18,20 +21,16 @@ package starlogo.search
         /** The pairs of breeds that count; null for all. It must not be null if there is an agent of the ground or of the edges. */
         public var interests:BreedInterests = null;
 
-        /** The agent of the ground, or null. */
-        public var ground:Agent = null;
-
-        /** The agent of the edges of the world, or null. */
-        public var edges:Agent = null;
+        /** The agents of the ground and of the edges of the world, by their rows; null where there is none. */
+        public var world:Vector.<WorldAgent> = NO_WORLD;
 
         /** Sets all. */
-        public function setTo(agents:Vector.<Agent>, takePart:Vector.<Boolean>, interests:BreedInterests, ground:Agent, edges:Agent):void
+        public function setTo(agents:Vector.<Agent>, takePart:Vector.<Boolean>, interests:BreedInterests, world:Vector.<WorldAgent>):void
         {
             this.agents = agents;
             this.takePart = takePart;
             this.interests = interests;
-            this.ground = ground;
-            this.edges = edges;
+            this.world = world;
         }
     }
 }

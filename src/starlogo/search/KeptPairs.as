@@ -31,10 +31,9 @@ package starlogo.search
         private var _levels:BinLevels;
         private var _order:PairOrder;
 
-        // The pairs of the last search, and their number. They are kept unless somebody else has written other pairs there, or they are void.
+        // The pairs of the last search, or null, and their revision. They are void if somebody else has written other pairs there.
         private var _pairs:FoundPairs = null;
         private var _pairsRevision:int = 0;
-        private var _isValid:Boolean = false;
 
         // The pairs that this search finds.
         private var _found:FoundPairs = new FoundPairs();
@@ -80,7 +79,7 @@ package starlogo.search
         /** Lets the next search be one of all rows. */
         public function forget():void
         {
-            _isValid = false;
+            _pairs = null;
         }
 
         /**
@@ -109,12 +108,12 @@ package starlogo.search
          */
         public function find(conditions:SearchConditions, pairs:FoundPairs):Boolean
         {
-            var isValid:Boolean = _isValid && pairs === _pairs && pairs.revision == _pairsRevision;
+            var areValid:Boolean = pairs === _pairs && pairs.revision == _pairsRevision;
             // they are not if the search throws
-            _isValid = false;
+            _pairs = null;
             _isWorthKeeping = conditions.isLike(_conditions) && areFew(countRead(conditions.isSwept), conditions);
             _conditions.copyFrom(conditions);
-            if (!_isWorthKeeping || !isValid)
+            if (!_isWorthKeeping || !areValid)
             {
                 return false;
             }
@@ -173,7 +172,6 @@ package starlogo.search
         {
             _pairs = pairs;
             _pairsRevision = pairs.revision;
-            _isValid = true;
         }
 
         // Whether the ground, or the edges of the world, have changed since they were remembered last.

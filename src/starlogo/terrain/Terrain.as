@@ -35,7 +35,9 @@ package starlogo.terrain
         /** @private The heights. */
         engine var grid:HeightGrid;
 
-        private var _agent:WorldAgent;
+        /** @private The value of <code>agent</code>. */
+        engine var worldAgent:WorldAgent;
+
         private var _point:GroundPoint = new GroundPoint();
 
         /**
@@ -61,11 +63,11 @@ package starlogo.terrain
             requireInWorld("a terrain's x and y", x, y, 0);
             requireInWorld("the end of a terrain", x + columns * cellWidth, y + rows * cellWidth, 0);
             grid = new HeightGrid(columns, rows, cellWidth, x, y);
-            _agent = new WorldAgent(Breeds.TERRAIN, GroundPairTests.addTo);
-            _agent.grid = grid;
+            worldAgent = new WorldAgent(Breeds.TERRAIN, GroundPairTests.addTo);
+            worldAgent.grid = grid;
             // only the edges' agents have negative ids: see Agent.id
-            _agent.idNumber = Agent.takeId();
-            _agent.moveTo(x, y, 0);
+            worldAgent.idNumber = Agent.takeId();
+            worldAgent.moveTo(x, y, 0);
         }
 
         /**
@@ -142,7 +144,7 @@ package starlogo.terrain
          */
         public function get agent():Agent
         {
-            return _agent;
+            return worldAgent;
         }
 
         /**

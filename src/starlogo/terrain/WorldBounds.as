@@ -15,7 +15,8 @@ package starlogo.terrain
      */
     public final class WorldBounds
     {
-        private var _agent:WorldAgent = new WorldAgent(Breeds.EDGE, EdgePairTests.addTo);
+        /** @private The value of <code>agent</code>. */
+        engine var worldAgent:WorldAgent = new WorldAgent(Breeds.EDGE, EdgePairTests.addTo);
 
         /**
          * Creates the edges of the world. Where a number is infinite, the world has no edge.
@@ -57,43 +58,43 @@ package starlogo.terrain
                 }
                 requireInWorld("the edges of the world", isFinite(edges[i]) ? edges[i] : 0, isFinite(edges[i + 1]) ? edges[i + 1] : 0, 0);
             }
-            _agent.setEdges(edges);
+            worldAgent.setEdges(edges);
         }
 
         /** The least x. */
         public function get minX():Number
         {
-            return _agent.edges[0];
+            return worldAgent.edges[0];
         }
 
         /** The greatest x. */
         public function get maxX():Number
         {
-            return _agent.edges[1];
+            return worldAgent.edges[1];
         }
 
         /** The least y. */
         public function get minY():Number
         {
-            return _agent.edges[2];
+            return worldAgent.edges[2];
         }
 
         /** The greatest y. */
         public function get maxY():Number
         {
-            return _agent.edges[3];
+            return worldAgent.edges[3];
         }
 
         /** The least z. */
         public function get minZ():Number
         {
-            return _agent.edges[4];
+            return worldAgent.edges[4];
         }
 
         /** The greatest z. */
         public function get maxZ():Number
         {
-            return _agent.edges[5];
+            return worldAgent.edges[5];
         }
 
         /**
@@ -102,7 +103,7 @@ package starlogo.terrain
          */
         public function get agent():Agent
         {
-            return _agent;
+            return worldAgent;
         }
     }
 }

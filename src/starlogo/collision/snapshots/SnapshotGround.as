@@ -1,11 +1,8 @@
 package starlogo.collision.snapshots
 {
     import flash.utils.ByteArray;
-    import starlogo.engine;
     import starlogo.geometry.isInWorld;
-    import starlogo.terrain.Terrain;
-
-    use namespace engine;
+    import starlogo.ground.HeightGrid;
 
     /**
      * Writes and reads the ground in a snapshot. The bytes are: the number of columns; the number of rows; the width of a cell; its place; whether
@@ -20,17 +17,17 @@ package starlogo.collision.snapshots
         private static const HEAD:int = 4 + 4 + 3 * 8;
 
         /** Writes a ground. */
-        public static function write(bytes:ByteArray, terrain:Terrain):void
+        public static function write(bytes:ByteArray, grid:HeightGrid):void
         {
-            bytes.writeInt(terrain.columns);
-            bytes.writeInt(terrain.rows);
-            bytes.writeDouble(terrain.cellWidth);
-            bytes.writeDouble(terrain.x);
-            bytes.writeDouble(terrain.y);
-            bytes.writeBoolean(terrain.isBlocky);
-            writeNumbers(bytes, terrain.grid.heights, false);
-            var holes:Vector.<int> = terrain.grid.holes;
-            var numbers:Vector.<Number> = new Vector.<Number>(countHoleNumbers(terrain), true);
+            bytes.writeInt(grid.columns);
+            bytes.writeInt(grid.rows);
+            bytes.writeDouble(grid.cellWidth);
+            bytes.writeDouble(grid.x);
+            bytes.writeDouble(grid.y);
+            bytes.writeBoolean(grid.isBlocky);
+            writeNumbers(bytes, grid.heights, false);
+            var holes:Vector.<int> = grid.holes;
+            var numbers:Vector.<Number> = new Vector.<Number>(countHoleNumbers(grid), true);
             for (var i:int = 0; holes != null && i < numbers.length; i++)
             {
                 numbers[i] = holes[i];
@@ -44,39 +41,40 @@ package starlogo.collision.snapshots
          * @throws ArgumentError if they are a ground of other cells
          * @throws EOFError if they are cut off
          */
-        public static function areValid(bytes:ByteArray, terrain:Terrain):Boolean
+        public static function areValid(bytes:ByteArray, grid:HeightGrid):Boolean
         {
             var columns:int = bytes.readInt();
             var rows:int = bytes.readInt();
             var cellWidth:Number = bytes.readDouble();
             var x:Number = bytes.readDouble();
             var y:Number = bytes.readDouble();
-            if (columns != terrain.columns || rows != terrain.rows || cellWidth != terrain.cellWidth || x != terrain.x || y != terrain.y)
+            if (columns != grid.columns || rows != grid.rows || cellWidth != grid.cellWidth || x != grid.x || y != grid.y)
             {
                 throw new ArgumentError("bytes are no snapshot with this ground, but with " + columns + " by " + rows + " heights from (" + x + ", " + y
                         + ") on, in cells " + cellWidth + " wide");
             }
             return bytes.readUnsignedByte() <= 1 && readNumbers(bytes, columns * rows, false) != null
-                && readNumbers(bytes, countHoleNumbers(terrain), true) != null;
+                && readNumbers(bytes, countHoleNumbers(grid), true) != null;
         }
 
         /** Gives a ground the surface that was written. */
-        public static function read(bytes:ByteArray, terrain:Terrain):void
+        public static function read(bytes:ByteArray, grid:HeightGrid):void
         {
             bytes.position += HEAD;
-            terrain.isBlocky = bytes.readBoolean();
-            var heights:Vector.<Number> = readNumbers(bytes, terrain.columns * terrain.rows, false);
-            var numbers:Vector.<Number> = readNumbers(bytes, countHoleNumbers(terrain), true);
-            terrain.grid.holes = null;
+            grid.beginChange();
+            grid.isBlocky = bytes.readBoolean();
+            grid.heights = readNumbers(bytes, grid.columns * grid.rows, false);
+            grid.holes = null;
+            var numbers:Vector.<Number> = readNumbers(bytes, countHoleNumbers(grid), true);
             for (var i:int = 0; i < numbers.length; i++)
             {
                 if (numbers[i] != 0)
                 {
-                    terrain.grid.holes ||= new Vector.<int>(numbers.length, true);
-                    terrain.grid.holes[i] = numbers[i];
+                    grid.holes ||= new Vector.<int>(numbers.length, true);
+                    grid.holes[i] = numbers[i];
                 }
             }
-            terrain.setHeights(0, 0, terrain.columns, terrain.rows, heights);
+            grid.updateBounds(0, 0, grid.columns - 1, grid.rows - 1);
         }
 
         private static function writeNumbers(bytes:ByteArray, numbers:Vector.<Number>, areInts:Boolean):void
@@ -123,9 +121,9 @@ package starlogo.collision.snapshots
             return numbers;
         }
 
-        private static function countHoleNumbers(terrain:Terrain):int
+        private static function countHoleNumbers(grid:HeightGrid):int
         {
-            return (terrain.columns * terrain.rows + 31) >> 5;
+            return (grid.columns * grid.rows + 31) >> 5;
         }
     }
 }

@@ -11,8 +11,8 @@ package starlogo.collision.snapshots
     import starlogo.handlers.TouchTracker;
     import starlogo.search.CollisionSearch;
     import starlogo.search.table.AgentTable;
+    import starlogo.search.table.ListedAgents;
     import starlogo.search.WorldAgent;
-    import starlogo.terrain.Terrain;
 
     use namespace engine;
 
@@ -58,28 +58,28 @@ package starlogo.collision.snapshots
          * @param agents the last frame's list. It is empty if there was no frame
          * @param keepsMotions whether the agents' next motions begin at their positions in the table
          * @param system the kind of the collision system, as in AgentShapes
-         * @param terrain the ground, or null
-         * @param worldAgents the agents of the ground and of the edges, or null
+         * @param world the agents of the ground and of the edges, as in FrameInput
          * @param withTraits whether the agents' traits are written
          * @param withGround whether the ground's heights are written
          * @throws IllegalOperationError if the collision system has searched another list
          */
         public function write(tracker:TouchTracker, table:AgentTable, agents:Vector.<Agent>, keepsMotions:Boolean, system:int,
-                terrain:Terrain, worldAgents:Vector.<Agent>, withTraits:Boolean, withGround:Boolean):ByteArray
+                world:Vector.<WorldAgent>, withTraits:Boolean, withGround:Boolean):ByteArray
         {
             if (agents.length > 0 && !table.list.isListed(agents))
             {
                 throw new IllegalOperationError("the collision system has searched another list since the last frame");
             }
-            var hasHeights:Boolean = withGround && terrain != null;
+            var ground:WorldAgent = world[ListedAgents.GROUND];
+            var hasHeights:Boolean = withGround && ground != null;
             var names:SnapshotNames = new SnapshotNames();
             var rest:ByteArray = newBytes();
             SnapshotPlaces.write(rest, agents, table, keepsMotions);
-            writePairs(rest, names, tracker, table, worldAgents);
+            writePairs(rest, names, tracker, table, world);
             SnapshotPlatforms.write(rest, agents, table);
             if (hasHeights)
             {
-                SnapshotGround.write(rest, terrain);
+                SnapshotGround.write(rest, ground.grid);
             }
             if (withTraits)
             {
@@ -87,7 +87,7 @@ package starlogo.collision.snapshots
             }
             var bytes:ByteArray = newBytes();
             bytes.writeUnsignedInt(MARK);
-            bytes.writeByte(int(withTraits) * TRAITS + int(terrain != null) * GROUND + int(hasHeights) * HEIGHTS + system * SYSTEM);
+            bytes.writeByte(int(withTraits) * TRAITS + int(ground != null) * GROUND + int(hasHeights) * HEIGHTS + system * SYSTEM);
             bytes.writeInt(agents.length);
             names.write(bytes);
             bytes.writeBytes(rest);
@@ -100,13 +100,12 @@ package starlogo.collision.snapshots
          * Goes back to a snapshot. The last search is then the one before the snapshot was taken.
          *
          * @param system the kind of the collision system that will search
-         * @param terrain the ground, which gets the heights that are in the snapshot; or null
-         * @param worldAgents the agents of the ground and of the edges, or null
+         * @param world the agents of the ground and of the edges, as in FrameInput. The ground gets the heights that are in the snapshot
          * @return the tracker that knows which pairs touched then
          * @throws ArgumentError as Collision.restore does; nothing has changed then
          */
-        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, system:int, terrain:Terrain,
-                worldAgents:Vector.<Agent>):TouchTracker
+        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, system:int,
+                world:Vector.<WorldAgent>):TouchTracker
         {
             search.table.list.propose(agents);
             var copy:ByteArray = newBytes();
@@ -119,7 +118,7 @@ package starlogo.collision.snapshots
             var parts:SnapshotParts = new SnapshotParts();
             try
             {
-                checkAll(copy, agents, system, terrain, worldAgents, parts);
+                checkAll(copy, agents, system, world, parts);
             }
             catch (error:Error)
             {
@@ -133,7 +132,7 @@ package starlogo.collision.snapshots
             if ((parts.contents & HEIGHTS) != 0)
             {
                 copy.position = parts.groundAt;
-                SnapshotGround.read(copy, terrain);
+                SnapshotGround.read(copy, world[ListedAgents.GROUND].grid);
             }
             return parts.touches;
         }
@@ -180,7 +179,7 @@ package starlogo.collision.snapshots
             check(bytes.position == bytes.length);
         }
 
-        private function writePairs(bytes:ByteArray, names:SnapshotNames, tracker:TouchTracker, table:AgentTable, worldAgents:Vector.<Agent>):void
+        private function writePairs(bytes:ByteArray, names:SnapshotNames, tracker:TouchTracker, table:AgentTable, world:Vector.<WorldAgent>):void
         {
             var touches:Vector.<Touch> = tracker.inOrder();
             bytes.writeInt(touches.length);
@@ -188,7 +187,7 @@ package starlogo.collision.snapshots
             {
                 var pair:Touch = touches[i];
                 bytes.writeInt(table.list.ranks[table.list.rowOf(pair.first)]);
-                bytes.writeInt(Breeds.isReserved(pair.secondBreed) ? table.list.rows.count + enterWorldAgent(pair, worldAgents) : table.list.ranks[table.list.rowOf(pair.second)]);
+                bytes.writeInt(Breeds.isReserved(pair.secondBreed) ? table.list.rows.count + enterWorldAgent(pair, world) : table.list.ranks[table.list.rowOf(pair.second)]);
                 bytes.writeInt(names.ofBreed(pair.firstBreed));
                 bytes.writeInt(names.ofBreed(pair.secondBreed));
                 bytes.writeBoolean(pair.isBothWays);
@@ -197,19 +196,19 @@ package starlogo.collision.snapshots
 
         // Finds the index of the ground or the edges of a pair after those of the agents. If they were exchanged, it keeps their agent for restore().
         // The reserved breeds have the first numbers, and the ground's breed is the first of them.
-        private function enterWorldAgent(pair:Touch, worldAgents:Vector.<Agent>):int
+        private function enterWorldAgent(pair:Touch, world:Vector.<WorldAgent>):int
         {
             var index:int = pair.secondBreed;
-            if (pair.second !== worldAgents[index])
+            if (pair.second !== world[index])
             {
                 _former[index] = pair.second;
-                index += worldAgents.length;
+                index += world.length;
             }
             return index;
         }
 
         // Checks all parts but the traits, finds where they begin, and reads the touching pairs. The last argument receives what it has found.
-        private function checkAll(bytes:ByteArray, agents:Vector.<Agent>, system:int, terrain:Terrain, worldAgents:Vector.<Agent>,
+        private function checkAll(bytes:ByteArray, agents:Vector.<Agent>, system:int, world:Vector.<WorldAgent>,
                 parts:SnapshotParts):void
         {
             var contents:int = parts.contents = bytes.readUnsignedByte();
@@ -230,11 +229,17 @@ package starlogo.collision.snapshots
             {
                 check(bytes.readUnsignedByte() <= 1 && isInWorld(bytes.readDouble(), bytes.readDouble(), bytes.readDouble()));
             }
-            readPairs(bytes, agents.concat(worldAgents, _former), count, parts);
+            var partners:Vector.<Agent> = agents.concat();
+            for each (var worldAgent:WorldAgent in world)
+            {
+                partners.push(worldAgent);
+            }
+            readPairs(bytes, partners.concat(_former), count, parts);
             parts.platformsAt = bytes.position;
             check(SnapshotPlatforms.areValid(bytes, count));
             var hasGround:Boolean = (contents & GROUND) != 0;
-            if (hasGround != (terrain != null))
+            var ground:WorldAgent = world[ListedAgents.GROUND];
+            if (hasGround != (ground != null))
             {
                 var which:String = hasGround ? "without" : "with";
                 throw new ArgumentError("bytes are no snapshot of a Collision " + which + " ground");
@@ -242,7 +247,7 @@ package starlogo.collision.snapshots
             if ((contents & HEIGHTS) != 0)
             {
                 parts.groundAt = bytes.position;
-                check(SnapshotGround.areValid(bytes, terrain));
+                check(SnapshotGround.areValid(bytes, ground.grid));
             }
             parts.traitsAt = bytes.position;
             check((contents & TRAITS) != 0 || parts.traitsAt == bytes.length);

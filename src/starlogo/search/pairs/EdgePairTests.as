@@ -40,10 +40,6 @@ package starlogo.search.pairs
         private var _penetration:Vector.<Number> = new Vector.<Number>(6, true);
         private var _deepest:int = 0;
 
-        // Half of the body's largest extent, and the largest gap between the body and an edge that still counts as a touch.
-        private var _largestHalf:Number = 0;
-        private var _tolerance:Number = 0;
-
         private var _supportSearch:SupportSearch = new SupportSearch();
         private var _farthest:SupportPoint = new SupportPoint();
         private var _contact:ContactPoint = new ContactPoint();
@@ -65,10 +61,11 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            read(a, b, RelativeMotion.NONE);
+            var tolerance:Number = toleranceOf(a);
+            read(a, b, RelativeMotion.NONE, tolerance);
             for (var edge:int = 0; edge < 6; edge++)
             {
-                if (_penetration[edge] + _tolerance >= 0)
+                if (_penetration[edge] + tolerance >= 0)
                 {
                     return true;
                 }
@@ -79,11 +76,12 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
         {
-            read(a, b, motion);
+            var tolerance:Number = toleranceOf(a);
+            read(a, b, motion, tolerance);
             motion.time = RelativeMotion.NEVER;
             for (var edge:int = 0; edge < 6; edge++)
             {
-                var end:Number = _penetration[edge] + _tolerance;
+                var end:Number = _penetration[edge] + tolerance;
                 var start:Number = end - along(edge, motion.x, motion.y, motion.z);
                 if (start >= 0)
                 {
@@ -103,7 +101,8 @@ package starlogo.search.pairs
          */
         override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            read(a, b, motion, true);
+            // for trees, the points at all edges are needed
+            read(a, b, motion, Infinity);
             var left:Number = 1 - motion.time;
             _deepest = 0;
             for (var edge:int = 0; edge < 6; edge++)
@@ -111,7 +110,7 @@ package starlogo.search.pairs
                 _penetration[edge] -= left * along(edge, motion.x, motion.y, motion.z);
                 _deepest = _penetration[edge] > _penetration[_deepest] ? edge : _deepest;
             }
-            _supportSearch.findPoint(a, _limits, _outwards[_deepest], _largestHalf, _farthest);
+            _supportSearch.findPoint(a, _limits, _outwards[_deepest], a.largestHalf, _farthest);
             out.x = _farthest.x - left * motion.x;
             out.y = _farthest.y - left * motion.y;
             out.z = _farthest.z - left * motion.z;
@@ -120,9 +119,9 @@ package starlogo.search.pairs
             {
                 // of two opposite edges, the one with the larger value counts
                 var one:int = _penetration[edge] >= _penetration[int(edge + 1)] ? edge : edge + 1;
-                if (_penetration[one] >= -_tolerance || one == _deepest)
+                if (_penetration[one] >= -toleranceOf(a) || one == _deepest)
                 {
-                    addEdge(one, out);
+                    addEdge(one, a.largestHalf, out);
                 }
             }
             _halfSpaces.solve(3, 0, _shortest);
@@ -152,13 +151,17 @@ package starlogo.search.pairs
             out.settle(areTouching);
         }
 
-        // Finds how far the body is beyond each edge. A tree's own points are computed only for edges that its extents come to, unless isForAll
-        // is true.
-        private function read(body:Body, edges:Body, motion:RelativeMotion, isForAll:Boolean = false):void
+        // The largest gap between a body and an edge that still counts as a touch.
+        private static function toleranceOf(body:Body):Number
+        {
+            return body.margin + Tolerances.ROUNDING * body.largestHalf;
+        }
+
+        // Finds how far the body is beyond each edge. A tree's own points are computed only for edges that its extents come to, within the
+        // tolerance.
+        private function read(body:Body, edges:Body, motion:RelativeMotion, tolerance:Number):void
         {
             var worldAgent:WorldAgent = edges.shape.worldAgent;
-            _largestHalf = body.largestHalf;
-            _tolerance = body.margin + Tolerances.ROUNDING * _largestHalf;
             for (var edge:int = 0; edge < 6; edge++)
             {
                 // along(edge, 1, 1, 1) is 1 or -1: whether the direction out of the world is the axis or against it
@@ -166,7 +169,7 @@ package starlogo.search.pairs
                 var radius:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
                 var beyond:Number = radius + (along(edge, body.x, body.y, body.z) - _places[edge]);
                 _penetration[edge] = beyond;
-                if (body.form == ModelShape.TREE && (isForAll || beyond >= -_tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -_tolerance))
+                if (body.form == ModelShape.TREE && (beyond >= -tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -tolerance))
                 {
                     _supportSearch.find(body, _limits, _outwards[edge], _farthest);
                     _penetration[edge] = _farthest.support - _places[edge];
@@ -183,11 +186,11 @@ package starlogo.search.pairs
         // Adds the half-space before an edge, and moves the point into the middle of the overlap. For edges other than the nearest, the
         // way is longer by a tenth of the tolerance of a contact's depth, so that it leads away from each of the edges. For the nearest one it
         // is at least as long as that. A point has no extent; the patch counts in its place.
-        private function addEdge(edge:int, out:ContactPoint):void
+        private function addEdge(edge:int, largestHalf:Number, out:ContactPoint):void
         {
             var outwards:Vector3D = _outwards[edge];
             // the extents of a tree are larger than its shape
-            var extent:Number = _largestHalf;
+            var extent:Number = largestHalf;
             if (extent == 0)
             {
                 extent = 1;

@@ -45,9 +45,6 @@ package starlogo.search.penetration
         // The new contact and those that decide about the current push, as half-spaces.
         private var _halfSpaces:HalfSpaceSolver = new HalfSpaceSolver();
 
-        // By half-space: the normal, and how far a push has to go along it.
-        private var _contacts:Vector.<Number> = new Vector.<Number>(16, true);
-
         // The shortest displacement out of the half-spaces.
         private var _shortest:ShortestExit = new ShortestExit();
 
@@ -94,26 +91,16 @@ package starlogo.search.penetration
             for (var i:int = 0; i < deciding; i++)
             {
                 var at:int = STRIDE * _current + FIRST + 4 * i;
-                addHalfSpace(_pushes[at], _pushes[int(at + 1)], _pushes[int(at + 2)], _pushes[int(at + 3)]);
+                _halfSpaces.add(_pushes[at], _pushes[int(at + 1)], _pushes[int(at + 2)], _pushes[int(at + 3)]);
                 slack *= 2;
             }
             var along:Number = contact.normalX * push.x + contact.normalY * push.y + contact.normalZ * push.z;
-            addHalfSpace(contact.normalX, contact.normalY, contact.normalZ, contact.depth + slack + along);
+            _halfSpaces.add(contact.normalX, contact.normalY, contact.normalZ, contact.depth + slack + along);
             // if the new contact does not decide, the current push is out of it, and leads nowhere
             if (_count < MOST && _halfSpaces.solve(3, 0, _shortest) && _shortest.last == deciding && isNew(slack))
             {
                 keep();
             }
-        }
-
-        private function addHalfSpace(x:Number, y:Number, z:Number, depth:Number):void
-        {
-            var at:int = 4 * _halfSpaces.count;
-            _contacts[at] = x;
-            _contacts[int(at + 1)] = y;
-            _contacts[int(at + 2)] = z;
-            _contacts[int(at + 3)] = depth;
-            _halfSpaces.add(x, y, z, depth);
         }
 
         // Whether the shortest push differs from all others, except the current one, by more than the slack.
@@ -146,18 +133,10 @@ package starlogo.search.penetration
             _pushes[int(at + 2)] = _shortest.displacement.z;
             _pushes[int(at + LENGTH)] = _shortest.length;
             _deciding[_count] = _shortest.deciding;
-            keepContact(at + FIRST, _shortest.last);
-            keepContact(at + FIRST + 4, _shortest.second);
-            keepContact(at + FIRST + 8, _shortest.third);
+            _halfSpaces.write(_shortest.last, _pushes, at + FIRST);
+            _halfSpaces.write(_shortest.second, _pushes, at + FIRST + 4);
+            _halfSpaces.write(_shortest.third, _pushes, at + FIRST + 8);
             _count++;
-        }
-
-        private function keepContact(at:int, contact:int):void
-        {
-            for (var i:int = 0; i < 4; i++)
-            {
-                _pushes[int(at + i)] = _contacts[int(4 * contact + i)];
-            }
         }
     }
 }

@@ -142,11 +142,11 @@ package starlogo.search.table
         }
 
         /** Reads the agent of the ground or of the edges of the world into its row if the row has another one, or empties the row. */
-        public function readWorldAgent(row:int, agent:Agent):void
+        public function readWorldAgent(row:int, agent:WorldAgent):void
         {
             if (list.agents[row] !== agent)
             {
-                var shape:ModelShape = agent == null ? null : ModelShapes.newShapeOfWorldAgent(WorldAgent(agent));
+                var shape:ModelShape = agent == null ? null : ModelShapes.newShapeOfWorldAgent(agent);
                 list.agents[row] = agent;
                 shapes[row] = null;
                 if (agent != null)

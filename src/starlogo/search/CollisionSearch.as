@@ -87,7 +87,8 @@ package starlogo.search
             {
                 table.readWorldAgent(row, input.world[row]);
             }
-            setConditions(input);
+            _conditions.setTo(input, _shapes.areSpheres, Agent.haveSwept && RowMotions.anySweeping(input.agents),
+                    _narrowPhase.treeLimits.exact ? 0 : _narrowPhase.treeLimits.maxDepth);
             // tests since the last search, as those of questions, do not count
             _narrowPhase.takeCounts(counts);
             var memberCount:int = mayKeep ? findFromLast(out) : findAnew(out);
@@ -98,16 +99,6 @@ package starlogo.search
             counts.agentsLoading = table.loadingCount;
             counts.candidatePairs = _candidates.candidatePairs;
             counts.collisions = out.count;
-        }
-
-        private function setConditions(input:FrameInput):void
-        {
-            _conditions.interests = input.interests;
-            _conditions.interestsRevision = input.interests == null ? 0 : input.interests.revision;
-            _conditions.takePart = input.takePart;
-            _conditions.areSpheres = _shapes.areSpheres;
-            _conditions.isSwept = Agent.haveSwept && RowMotions.anySweeping(input.agents);
-            _conditions.maxDepth = _narrowPhase.treeLimits.exact ? 0 : _narrowPhase.treeLimits.maxDepth;
         }
 
         // Finds the pairs, from those of the last search if that is possible. Returns the number of members.

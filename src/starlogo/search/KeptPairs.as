@@ -41,12 +41,8 @@ package starlogo.search
         // The members of the last search.
         private var _cells:CellLists;
 
-        // The conditions of the last search, with which find() compares those of this one; and whether this one is like it, and few rows have
-        // changed. The agents of the ground and of the edges at the last search, and the revisions of their surfaces.
-        private var _conditions:SearchConditions = new SearchConditions();
+        // Whether this search is like the last one, and few rows have changed.
         private var _isWorthKeeping:Boolean = false;
-        private var _worldAgents:Vector.<WorldAgent> = new <WorldAgent>[null, null];
-        private var _worldRevisions:Vector.<int> = new <int>[0, 0];
 
         // The number of the search. By row: the last search that found the row changed. The rows that this one has found changed.
         private var _searchNumber:int = 0;
@@ -96,8 +92,6 @@ package starlogo.search
             }
             _cells.begin(conditions.isSwept ? _motions.extents : _table.extents, members.numbers, members.count, _table.list.agents.length);
             rememberPairs(pairs);
-            rememberWorldAgent(ListedAgents.GROUND);
-            rememberWorldAgent(ListedAgents.EDGES);
         }
 
         /**
@@ -111,8 +105,7 @@ package starlogo.search
             var areValid:Boolean = pairs === _pairs && pairs.revision == _pairsRevision;
             // they are not if the search throws
             _pairs = null;
-            _isWorthKeeping = conditions.isLike(_conditions) && areFew(countRead(conditions.isSwept), conditions);
-            _conditions.copyFrom(conditions);
+            _isWorthKeeping = conditions.areLikeLast && areFew(countRead(conditions.isSwept), conditions);
             if (!_isWorthKeeping || !areValid)
             {
                 return false;
@@ -172,21 +165,6 @@ package starlogo.search
         {
             _pairs = pairs;
             _pairsRevision = pairs.revision;
-        }
-
-        // Whether the ground, or the edges of the world, have changed since they were remembered last.
-        private function hasWorldAgentChanged(row:int):Boolean
-        {
-            var agent:WorldAgent = _table.list.agents[row] as WorldAgent;
-            return agent !== _worldAgents[row] || agent != null && agent.surfaceRevision != _worldRevisions[row];
-        }
-
-        // Remembers the ground, or the edges of the world.
-        private function rememberWorldAgent(row:int):void
-        {
-            var agent:WorldAgent = _table.list.agents[row] as WorldAgent;
-            _worldAgents[row] = agent;
-            _worldRevisions[row] = agent == null ? 0 : agent.surfaceRevision;
         }
 
         // Lists the rows that have changed.
@@ -262,10 +240,9 @@ package starlogo.search
         // The pairs of changed rows with the ground or the edges; of all rows, if the ground or the edges have changed themselves.
         private function findPairsOfWorldAgent(worldAgent:int):void
         {
-            var hasChanged:Boolean = hasWorldAgentChanged(worldAgent);
+            var hasChanged:Boolean = _table.hasWorldChanged[worldAgent];
             if (hasChanged)
             {
-                rememberWorldAgent(worldAgent);
                 _changedIn[worldAgent] = _searchNumber;
             }
             _candidates.findPairsOfWorldAgent(worldAgent, hasChanged ? _table.list.rows : _changed);

@@ -27,6 +27,9 @@ package starlogo.search
         /** How deep trees are tested; 0 if exactly. */
         public var maxDepth:int = 0;
 
+        /** Whether the search before had these conditions too. Then the same agents have the same pairs, if the same ones take part. */
+        public var areLikeLast:Boolean = false;
+
         /** Whether the agent of a row takes part. */
         public function isMember(table:AgentTable, row:int):Boolean
         {
@@ -34,22 +37,22 @@ package starlogo.search
                 && (takePart == null || takePart[table.list.ranks[row]]);
         }
 
-        /** Whether two searches of the same agents find the same pairs, if the same agents take part. */
-        public function isLike(other:SearchConditions):Boolean
+        /**
+         * Sets the conditions of a search.
+         *
+         * @param input has the breeds and the agents that count
+         */
+        public function setTo(input:FrameInput, areSpheres:Boolean, isSwept:Boolean, maxDepth:int):void
         {
-            return interests === other.interests && interestsRevision == other.interestsRevision && isSwept == other.isSwept
-                && maxDepth == other.maxDepth && (takePart == null) == (other.takePart == null);
-        }
-
-        /** Takes the conditions of another search. */
-        public function copyFrom(other:SearchConditions):void
-        {
-            interests = other.interests;
-            interestsRevision = other.interestsRevision;
-            takePart = other.takePart;
-            areSpheres = other.areSpheres;
-            isSwept = other.isSwept;
-            maxDepth = other.maxDepth;
+            var revision:int = input.interests == null ? 0 : input.interests.revision;
+            areLikeLast = interests === input.interests && interestsRevision == revision && this.isSwept == isSwept && this.maxDepth == maxDepth
+                && (takePart == null) == (input.takePart == null);
+            interests = input.interests;
+            interestsRevision = revision;
+            takePart = input.takePart;
+            this.areSpheres = areSpheres;
+            this.isSwept = isSwept;
+            this.maxDepth = maxDepth;
         }
     }
 }

@@ -229,16 +229,13 @@ package starlogo.collision.snapshots
             {
                 check(bytes.readUnsignedByte() <= 1 && isInWorld(bytes.readDouble(), bytes.readDouble(), bytes.readDouble()));
             }
+            var ground:WorldAgent = world[ListedAgents.GROUND];
             var partners:Vector.<Agent> = agents.concat();
-            for each (var worldAgent:WorldAgent in world)
-            {
-                partners.push(worldAgent);
-            }
+            partners.push(ground, world[ListedAgents.EDGES]);
             readPairs(bytes, partners.concat(_former), count, parts);
             parts.platformsAt = bytes.position;
             check(SnapshotPlatforms.areValid(bytes, count));
             var hasGround:Boolean = (contents & GROUND) != 0;
-            var ground:WorldAgent = world[ListedAgents.GROUND];
             if (hasGround != (ground != null))
             {
                 var which:String = hasGround ? "without" : "with";

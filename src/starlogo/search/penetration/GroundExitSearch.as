@@ -35,10 +35,8 @@ package starlogo.search.penetration
         private var _exits:Vector.<ContactPoint> = new Vector.<ContactPoint>();
         private var _tried:Displacement = new Displacement();
 
-        // The direction and the length of the shortest way out that ends with a lift; the sweep down and the contact at its end; and where the
-        // first body is for them.
-        private var _lift:Vector3D = new Vector3D();
-        private var _liftLength:Number = 0;
+        // The shortest way out that ends with a lift; the sweep down and the contact at its end; and where the first body is for them.
+        private var _lift:Displacement = new Displacement();
         private var _below:ContactPoint = new ContactPoint();
         private var _down:RelativeMotion = new RelativeMotion();
         private var _offset:Vector3D = new Vector3D();
@@ -74,16 +72,16 @@ package starlogo.search.penetration
             }
             _pair.putBack();
             _pair.findOuterContact(_below);
-            _liftLength = _below.depth + _pair.tolerance;
-            _lift.setTo(0, 0, 1);
-            while (!findPushOrLift(out, maxDistance) && maxDistance / LEAST_SHARE_TAKEN <= _liftLength)
+            _lift.distance = _below.depth + _pair.tolerance;
+            _lift.setDirection(0, 0, 1);
+            while (!findPushOrLift(out, maxDistance) && maxDistance / LEAST_SHARE_TAKEN <= _lift.distance)
             {
                 maxDistance *= FARTHER;
             }
-            if (_liftLength < out.depth - _pair.tolerance)
+            if (_lift.distance < out.depth - _pair.tolerance)
             {
                 _below.setNormal(_lift.x, _lift.y, _lift.z);
-                _below.depth = _liftLength;
+                _below.depth = _lift.distance;
                 _directions.findAlong(_below, out);
             }
         }
@@ -98,7 +96,7 @@ package starlogo.search.penetration
             {
                 addExits(maxDistance);
                 tryLift();
-                var result:int = _pushOut.tryNext(Math.min(maxDistance / LEAST_SHARE_TAKEN, _liftLength), out);
+                var result:int = _pushOut.tryNext(Math.min(maxDistance / LEAST_SHARE_TAKEN, _lift.distance), out);
                 if (result == PushOut.TOO_LONG)
                 {
                     tryLift();
@@ -130,15 +128,15 @@ package starlogo.search.penetration
             var y:Number = _pushOut.push.y;
             var length:Number = Math.sqrt(x * x + y * y);
             var farther:Number = length > 0 ? 1 + PushOut.ROOM * _pair.extent / length : 1;
-            if (length >= _liftLength)
+            if (length >= _lift.distance)
             {
                 farther = 1;
-                x *= _liftLength / (2 * length);
-                y *= _liftLength / (2 * length);
+                x *= _lift.distance / (2 * length);
+                y *= _lift.distance / (2 * length);
             }
             x *= farther;
             y *= farther;
-            var squared:Number = _liftLength * _liftLength - (x * x + y * y);
+            var squared:Number = _lift.distance * _lift.distance - (x * x + y * y);
             if (!(squared > 0))
             {
                 return;
@@ -167,8 +165,8 @@ package starlogo.search.penetration
             _tried.distance = length + _pair.tolerance;
             if (!_pair.testAt(_tried))
             {
-                _lift.setTo(_tried.x, _tried.y, _tried.z);
-                _liftLength = length;
+                _lift.setDirection(_tried.x, _tried.y, _tried.z);
+                _lift.distance = length;
             }
         }
     }

@@ -66,6 +66,10 @@ package starlogo.search.table
         // The number of rows read last whose models are still loading.
         engine var loadingCount:int = 0;
 
+        // By the rows of the ground and of the edges: whether they have changed since they were read before; and the revisions of their surfaces.
+        engine var hasWorldChanged:Vector.<Boolean> = new <Boolean>[false, false];
+        private var _surfaceRevisions:Vector.<int> = new <int>[0, 0];
+
         // The rows that are being read whose bodies have changed, and their new shapes.
         private var _reshaped:NumberList = new NumberList();
         private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
@@ -144,7 +148,9 @@ package starlogo.search.table
         /** Reads the agent of the ground or of the edges of the world into its row if the row has another one, or empties the row. */
         public function readWorldAgent(row:int, agent:WorldAgent):void
         {
-            if (list.agents[row] !== agent)
+            var isOther:Boolean = list.agents[row] !== agent;
+            var surfaceRevision:int = agent == null ? 0 : agent.surfaceRevision;
+            if (isOther)
             {
                 var shape:ModelShape = agent == null ? null : ModelShapes.newShapeOfWorldAgent(agent);
                 list.agents[row] = agent;
@@ -158,6 +164,8 @@ package starlogo.search.table
                     places.previous.read(row, agent);
                 }
             }
+            hasWorldChanged[row] = isOther || surfaceRevision != _surfaceRevisions[row];
+            _surfaceRevisions[row] = surfaceRevision;
         }
 
         /**

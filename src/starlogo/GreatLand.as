@@ -157,7 +157,7 @@ package starlogo
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model
                     var entry:ModelEntry = _models.entryToWrite(model.name);
-                    entry.setTreeBuilder(results.treeBuilder);
+                    entry.setTree(results.tree, results.buildingTree);
                     entry.setStructures(results.structures);
                     entry.setModel(model);
                 });
@@ -224,7 +224,7 @@ package starlogo
             }
             var entry:ModelEntry = _models.entryOf(name);
             entry.setModel(null);
-            entry.setTreeBuilder(null);
+            entry.setTree(null);
             entry.setStructures(null);
             return true;
         }

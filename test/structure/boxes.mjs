@@ -31,8 +31,6 @@ const COLD = {
 	'starlogo.solid.InteriorBuilder': 'when a model loads',
 	'starlogo.solid.PartExtremes': 'when a model loads',
 	'starlogo.solid.ShellFinder': 'when a model loads',
-	'starlogo.solid.ModelTreeBuilder': 'when a model loads',
-	'starlogo.solid.SurfaceBuilder': 'when a model loads',
 	'starlogo.solid.SurfaceTopology': 'when a model loads',
 	'starlogo.solid.Welding': 'when a model loads',
 	'starlogo.search.ModelShapes': 'when agents get other models, and when models are replaced',

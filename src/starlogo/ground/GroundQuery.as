@@ -27,11 +27,13 @@ package starlogo.ground
     {
         private var _pieces:GroundPieces = new GroundPieces();
         private var _depths:GroundDepthQuery = new GroundDepthQuery(_pieces);
-        private var _distances:GroundDistanceQuery = new GroundDistanceQuery(_pieces);
 
         // The motion of the search for the first touch, and bounds of the ground's heights.
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _range:HeightRange = new HeightRange();
+
+        // The point of the ground from which a search for the distance begins.
+        private var _nearest:GroundPoint = new GroundPoint();
 
         /**
          * Sets the model and the ground. Call it before each question, because a question may leave the model where its motion has brought it.
@@ -201,10 +203,59 @@ package starlogo.ground
          * Finds how far the two are apart where the model stands, and between which points.
          *
          * @param areTouching whether they overlap. If so, a point of both is found
+         * @param out receives the distance and the points, in the world
          */
         public function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
-            _distances.find(areTouching, out);
+            var box:GroundBox = _pieces.box;
+            findNearest(out);
+            if (!_pieces.hasTree)
+            {
+                _pieces.beginAt(_nearest);
+                measure(out);
+            }
+            _pieces.begin(RelativeMotion.NONE, out.distance);
+            while (_pieces.nextPiece())
+            {
+                measure(out);
+            }
+            if (areTouching)
+            {
+                // either the model's point is in the ground, or the surface's point is in the model
+                var isUnder:Boolean = _pieces.grid.heightAt(out.aX + box.origin.x, out.aY + box.origin.y) - box.origin.z >= out.aZ;
+                out.aX = out.bX = isUnder ? out.aX : out.bX;
+                out.aY = out.bY = isUnder ? out.aY : out.bY;
+                out.aZ = out.bZ = isUnder ? out.aZ : out.bZ;
+            }
+            out.settle(areTouching);
+            out.place(box.origin);
+        }
+
+        // Finds the point of the grid that is nearest to the model's middle, seen from above. The model is at most as far as its farthest point is
+        // from there, so the distance begins with that.
+        private function findNearest(out:ClosestPoints):void
+        {
+            var box:GroundBox = _pieces.box;
+            _pieces.placeBox();
+            _nearest.x = box.x + box.origin.x;
+            _nearest.y = box.y + box.origin.y;
+            _pieces.grid.findNearest(_nearest);
+            var x:Number = Math.abs(_nearest.x - box.origin.x - box.x) + box.halfX;
+            var y:Number = Math.abs(_nearest.y - box.origin.y - box.y) + box.halfY;
+            var z:Number = Math.abs(_nearest.height - box.origin.z - box.z) + box.halfZ;
+            out.distance = Math.sqrt(x * x + y * y + z * z) * Tolerances.OUTER + Tolerances.SURFACES * _pieces.grid.cellWidth;
+        }
+
+        // Measures the distances of the piece and the triangles near it, and keeps the closest points.
+        private function measure(out:ClosestPoints):void
+        {
+            while (_pieces.nextTriangle())
+            {
+                if (_pieces.pair.findCloser(out))
+                {
+                    _pieces.box.maxDistance = out.distance;
+                }
+            }
         }
 
         // Finds when the moving piece touches the triangle, until the latest time.

@@ -5,7 +5,7 @@ package starlogo.ground
      *
      * <p>The package ground says how shapes and rays meet such a grid. GroundTriangles finds its triangles near a box: a GroundPath says which
      * cells the box comes to, and a GroundCell has a cell's triangles. GroundQuery tests a model's convex pieces, which GroundPieces goes through,
-     * with these triangles; a GroundDepthQuery and a GroundDistanceQuery are parts of it. GroundRayQuery tests rays. GroundEarlyOut decides about
+     * with these triangles; a GroundDepthQuery is a part of it. GroundRayQuery tests rays. GroundEarlyOut decides about
      * most agents before, from a few heights. Read this class first, then GroundTriangles, then GroundQuery.</p>
      *
      * <p>Frequent questions write to records, because V8 allocates an object for each Number that is passed or returned.</p>

@@ -27,6 +27,12 @@ package starlogo.hierarchy
      */
     public final class BoxTreeBuilder extends StepSequence
     {
+        /** The vertices of a leaf, and the levels of a tree, if a game does not say (thesis §4.4). */
+        public static const MIN_VERTICES_TO_SPLIT:int = 5;
+
+        /** @copy #MIN_VERTICES_TO_SPLIT */
+        public static const MAX_DEPTH:int = 10;
+
         // The approximate work of a step, in items. Making a node counts as ITEMS_PER_NODE items.
         private static const ITEMS_PER_STEP:int = 1000;
         private static const ITEMS_PER_NODE:int = 10;

@@ -2,9 +2,11 @@ package starlogo.libraries
 {
     import starlogo.engine;
     import starlogo.geometry.VertexData;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.solid.ModelTree;
-    import starlogo.solid.ModelTreeBuilder;
+    import starlogo.steps.Steps;
     import starlogo.steps.finish;
 
     use namespace engine;
@@ -41,8 +43,8 @@ package starlogo.libraries
          */
         engine var models:ModelTable = new ModelTable();
 
-        private var _minVerticesToSplit:int = ModelTreeBuilder.MIN_VERTICES_TO_SPLIT;
-        private var _maxDepth:int = ModelTreeBuilder.MAX_DEPTH;
+        private var _minVerticesToSplit:int = BoxTreeBuilder.MIN_VERTICES_TO_SPLIT;
+        private var _maxDepth:int = BoxTreeBuilder.MAX_DEPTH;
 
         /** Creates a library without models. */
         public function HierarchiesLibrary()
@@ -98,9 +100,9 @@ package starlogo.libraries
             refuse(name, VertexData.vertexProblem(vertices));
             var hasTriangles:Boolean = triangles != null && triangles.length > 0;
             refuse(name, hasTriangles ? VertexData.triangleProblem(triangles, vertices.length / 3) : null);
-            var builder:ModelTreeBuilder = newBuilder(vertices.concat(), hasTriangles ? triangles.concat() : null);
-            finish(builder);
-            models.entryToWrite(name).setTreeBuilder(builder);
+            var tree:ModelTree = new ModelTree(new BoxTree(vertices.concat(), hasTriangles ? triangles.concat() : null));
+            finish(building(tree));
+            models.entryToWrite(name).setTree(tree);
         }
 
         /** Whether the library has a hierarchy for a shape. */
@@ -136,15 +138,15 @@ package starlogo.libraries
         }
 
         /**
-         * The work that builds the hierarchy of a shape. None of its steps is done yet. The vertices and triangles are neither checked nor
-         * copied, because a Model checks them, and tells its GreatLand when it changes.
+         * The work that makes the tree of a shape, by the settings as they are now.
          *
-         * @param restoring as for ModelTreeBuilder
+         * @param tree without nodes
+         * @param restoring as for <code>ModelTree.building()</code>
          * @private
          */
-        engine function newBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>, restoring:Function = null):ModelTreeBuilder
+        engine function building(tree:ModelTree, restoring:Function = null):Steps
         {
-            return new ModelTreeBuilder(vertices, triangles, minVerticesToSplit, maxDepth, splitByMean, prepareExact, restoring);
+            return tree.building(minVerticesToSplit, maxDepth, splitByMean, prepareExact, restoring);
         }
 
         private static function requirePositive(setting:String, value:int):void

@@ -1,5 +1,5 @@
 // This room has what was computed for each model. A ModelTable has a ModelEntry for each name, and the two libraries show clients a part of it;
-// ModelResults takes the results from a cooked file or a FitStore, or has a StructuresBuilder and a ModelTreeBuilder compute them. Read this
+// ModelResults takes the results from a cooked file or a FitStore, or has a StructuresBuilder and a BoxTreeBuilder compute them. Read this
 // file first, then BoundingStructuresLibrary and ModelResults.
 package starlogo.libraries
 {
@@ -7,7 +7,8 @@ package starlogo.libraries
     import starlogo.models.Model;
     import starlogo.models.PoseListener;
     import starlogo.solid.ModelTree;
-    import starlogo.solid.ModelTreeBuilder;
+    import starlogo.steps.Steps;
+    import starlogo.steps.finish;
 
     use namespace engine;
 
@@ -32,9 +33,9 @@ package starlogo.libraries
 
         private var _table:ModelTable;
 
-        // At most one of them is set: the builder of a tree that is not built yet, or the tree.
-        private var _builder:ModelTreeBuilder = null;
+        // The tree, or null; and the work that makes it when it is first needed, null if it is made.
         private var _tree:ModelTree = null;
+        private var _building:Steps = null;
 
         /** @param table counts replaced and removed data of all shapes */
         public function ModelEntry(table:ModelTable)
@@ -45,16 +46,16 @@ package starlogo.libraries
         /** Whether there is a hierarchy. Its tree may not be built yet. */
         public function get hasTree():Boolean
         {
-            return _builder != null || _tree != null;
+            return _tree != null;
         }
 
         /** The tree whose nodes are the hierarchy; null if there is none. If it is not built yet, builds it. */
         public function builtTree():ModelTree
         {
-            if (_builder != null)
+            if (_building != null)
             {
-                _tree = _builder.finishTree();
-                _builder = null;
+                finish(_building);
+                _building = null;
             }
             return _tree;
         }
@@ -79,7 +80,7 @@ package starlogo.libraries
         {
             if (hasTree)
             {
-                (_builder == null ? _tree : _builder.modelTree).refit();
+                _tree.refit();
             }
             countChange(model);
         }
@@ -91,12 +92,12 @@ package starlogo.libraries
             structures = value;
         }
 
-        /** Sets the builder that has the hierarchy, or that builds it when it is first needed; null for none. */
-        public function setTreeBuilder(builder:ModelTreeBuilder):void
+        /** Sets the tree; null for none. @param building makes it when it is first needed; null if it is made */
+        public function setTree(tree:ModelTree, building:Steps = null):void
         {
-            countChange(_builder || _tree);
-            _builder = builder == null || builder.isDone ? null : builder;
-            _tree = builder == null || !builder.isDone ? null : builder.modelTree;
+            countChange(_tree);
+            _tree = tree;
+            _building = building;
         }
 
         private function countChange(before:Object):void

@@ -5,16 +5,17 @@ package starlogo.libraries
     import starlogo.engine;
     import starlogo.geometry.Fingerprint;
     import starlogo.geometry.VertexBounds;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.libraries.cooked.CookedStructures;
     import starlogo.libraries.cooked.CookedTree;
     import starlogo.models.Model;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedWriter;
     import starlogo.solid.ModelTree;
-    import starlogo.solid.ModelTreeBuilder;
     import starlogo.solid.SurfaceTopology;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
+    import starlogo.steps.finish;
 
     use namespace engine;
 
@@ -30,12 +31,16 @@ package starlogo.libraries
         /** The structures. Null if none are wanted, or if they are not there yet. */
         public var structures:ModelStructures = null;
 
-        /** Builds the hierarchy; null if none is wanted. It may have steps left when this work has none. */
-        public var treeBuilder:ModelTreeBuilder;
+        /** The tree of the hierarchy; null if none is wanted. It may have no nodes yet when this work has no step left. */
+        public var tree:ModelTree = null;
+
+        /** The work that makes the tree, which may have steps left then. */
+        public var buildingTree:Steps = null;
 
         private var _model:Model;
         private var _settings:FitSettings;
         private var _structuresBuilder:StructuresBuilder;
+        private var _maxDepth:int = 0;
         private var _store:FitStore;
 
         // Makes the tree again from a stored division; null for none.
@@ -56,7 +61,12 @@ package starlogo.libraries
             _model = model;
             _settings = new FitSettings(structuresLibrary, hierarchiesLibrary);
             _structuresBuilder = structuresLibrary == null ? null : structuresLibrary.newBuilder(model.name, model.vertices);
-            treeBuilder = hierarchiesLibrary == null ? null : hierarchiesLibrary.newBuilder(model.vertices, model.triangles, restoringTree);
+            if (hierarchiesLibrary != null)
+            {
+                tree = new ModelTree(new BoxTree(model.vertices, model.triangles));
+                buildingTree = hierarchiesLibrary.building(tree, restoringTree);
+                _maxDepth = hierarchiesLibrary.maxDepth;
+            }
             if (model.data.cooked != null)
             {
                 takeFrom(model.data.cooked);
@@ -66,7 +76,7 @@ package starlogo.libraries
             {
                 add(_geometry.addingGeometry(model.vertices, model.triangles)).begin(readingStored);
             }
-            begin(findingStructures).call(takeStructures).begin(buildingTree);
+            begin(findingStructures).call(takeStructures).begin(beginningTree);
             if (_store != null)
             {
                 call(keepResults);
@@ -86,9 +96,10 @@ package starlogo.libraries
          */
         public function toCooked(settings:Fingerprint):ByteArray
         {
-            if (treeBuilder != null)
+            if (tree != null)
             {
-                treeBuilder.finishTree().prepare();
+                finish(buildingTree);
+                tree.prepare();
             }
             return newFile(settings, CookedWriter.of(_model));
         }
@@ -96,8 +107,8 @@ package starlogo.libraries
         // Whether all results that are wanted are there, or stored.
         private function get isComplete():Boolean
         {
-            return (_structuresBuilder == null || structures != null) && (treeBuilder == null || isTreeStored)
-                && (!_settings.wantsSurface || _model.triangles == null || treeBuilder.modelTree.surface != null);
+            return (_structuresBuilder == null || structures != null) && (tree == null || isTreeStored)
+                && (!_settings.wantsSurface || _model.triangles == null || tree.surface != null);
         }
 
         private function readingStored():Steps
@@ -128,16 +139,16 @@ package starlogo.libraries
             return _cookedTree;
         }
 
-        private function buildingTree():Steps
+        private function beginningTree():Steps
         {
-            return isTreeStored && !_settings.wantsSurface ? null : treeBuilder;
+            return isTreeStored && !_settings.wantsSurface ? null : buildingTree;
         }
 
         // Stores the results, unless all have come from the store.
         private function keepResults():void
         {
-            var isKept:Boolean = _isStored && (treeBuilder == null || isTreeStored);
-            if (!isKept && _store.hasRoomFor(_model, treeBuilder != null))
+            var isKept:Boolean = _isStored && (tree == null || isTreeStored);
+            if (!isKept && _store.hasRoomFor(_model, tree != null))
             {
                 _store.keep(_geometry, _settings, newFile(_geometry, null));
             }
@@ -157,7 +168,7 @@ package starlogo.libraries
             {
                 readStructures(file, size);
             }
-            if (treeBuilder != null)
+            if (tree != null)
             {
                 readTree(file);
             }
@@ -180,14 +191,13 @@ package starlogo.libraries
 
         private function readTree(file:CookedFile):void
         {
-            var tree:ByteArray = _settings.sectionOf(file, CookedFile.HIERARCHY);
+            var division:ByteArray = _settings.sectionOf(file, CookedFile.HIERARCHY);
             var bytes:ByteArray = _settings.sectionOf(file, CookedFile.SURFACE);
             var surface:SurfaceTopology = bytes == null || _model.triangles == null ? null : SurfaceTopology.read(bytes, _model.triangles.length / 3);
-            var made:ModelTree = treeBuilder.modelTree;
-            if (tree != null && (_cookedTree == null || surface != null && made.surface == null))
+            if (division != null && (_cookedTree == null || surface != null && tree.surface == null))
             {
-                _cookedTree = new CookedTree(tree, made.tree, treeBuilder.maxDepth);
-                made.surface = surface;
+                _cookedTree = new CookedTree(division, tree.tree, _maxDepth);
+                tree.surface = surface;
             }
         }
 
@@ -201,14 +211,14 @@ package starlogo.libraries
                 contents[CookedFile.STRUCTURES] = CookedStructures.write(structures.smallest);
                 contents[CookedFile.HULL] = structures.hull == null ? null : CookedStructures.write(new <BoundingStructure>[structures.hull]);
             }
-            if (treeBuilder != null)
+            if (tree != null)
             {
-                var made:ModelTree = treeBuilder.finishTree();
-                contents[CookedFile.HIERARCHY] = CookedTree.write(made.tree);
-                if (made.isPrepared)
+                finish(buildingTree);
+                contents[CookedFile.HIERARCHY] = CookedTree.write(tree.tree);
+                if (tree.isPrepared)
                 {
                     contents[CookedFile.SURFACE] = CookedFile.newBytes();
-                    made.surface.writeTo(contents[CookedFile.SURFACE]);
+                    tree.surface.writeTo(contents[CookedFile.SURFACE]);
                 }
             }
             return _settings.newFile(settings, contents);

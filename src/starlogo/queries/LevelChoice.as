@@ -3,6 +3,8 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.libraries.ModelEntry;
     import starlogo.libraries.ModelStructures;
     import starlogo.libraries.ModelTable;
@@ -10,7 +12,7 @@ package starlogo.queries
     import starlogo.search.AgentShapes;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.solid.ModelTreeBuilder;
+    import starlogo.solid.ModelTree;
     import starlogo.steps.finish;
 
     use namespace engine;
@@ -33,10 +35,9 @@ package starlogo.queries
         /** Builds the tree of a model, and prepares its triangles. It replaces what has its name. */
         public function addModel(model:Model):void
         {
-            var builder:ModelTreeBuilder = new ModelTreeBuilder(model.vertices, model.triangles, ModelTreeBuilder.MIN_VERTICES_TO_SPLIT,
-                    ModelTreeBuilder.MAX_DEPTH, false, true);
-            finish(builder);
-            replace(model.name, model, builder, null);
+            var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
+            finish(tree.building(BoxTreeBuilder.MIN_VERTICES_TO_SPLIT, BoxTreeBuilder.MAX_DEPTH, false, true));
+            replace(model.name, model, tree, null);
         }
 
         /**
@@ -51,11 +52,11 @@ package starlogo.queries
             replace(name, null, null, ModelStructures.of(structure));
         }
 
-        private function replace(name:String, model:Model, builder:ModelTreeBuilder, structures:ModelStructures):void
+        private function replace(name:String, model:Model, tree:ModelTree, structures:ModelStructures):void
         {
             var entry:ModelEntry = _models.entryToWrite(name);
             entry.setModel(model);
-            entry.setTreeBuilder(builder);
+            entry.setTree(tree);
             entry.setStructures(structures);
         }
 

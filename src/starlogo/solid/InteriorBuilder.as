@@ -1,40 +1,73 @@
 package starlogo.solid
 {
     import starlogo.engine;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     use namespace engine;
 
     /**
-     * Prepares a model for exact tests, in steps: the corners and planes of its triangles in the order of the tree, the surface that they make, and
-     * the outermost points of its parts. If the surface is known already, most of the work is not needed.
+     * Prepares a model for exact tests, in steps: the corners and planes of its triangles in the order of the tree; the surface that they make;
+     * what counts its windings; and the outermost points of its parts.
+     *
+     * <p>The surface takes most of the work, unless it is known already: which vertices are at the same place, to within Tolerances.WELDING, which
+     * shells the triangles form, which shells bound cavities, and which are one part because they are connected or overlap.</p>
      */
     internal final class InteriorBuilder extends StepSequence
     {
         private static const TRIANGLES_PER_STEP:int = 400;
+        private static const PARTS_PER_STEP:int = 50;
+
+        // After so many windings of shells for each triangle, the parts that are left stay as they are. The answers are the same.
+        private static const WINDINGS_PER_TRIANGLE:int = 20;
 
         private var _model:ModelTree;
+        private var _tree:BoxTree;
         private var _mesh:TriangleMesh;
-        private var _surfaceBuilder:SurfaceBuilder;
+        private var _surface:SurfaceTopology;
+        private var _welding:Welding;
+        private var _windingCounter:WindingCounter;
+
+        // The number of entries of the moved triangles' places.
+        private var _placeCount:int = 0;
+
+        // Null if the surface is known already.
+        private var _shells:ShellFinder = null;
+
+        // The outermost points of each part; for each shell, its part; and the parts that are one because they overlap.
         private var _extremes:PartExtremes;
+        private var _partOf:Vector.<int>;
+        private var _joined:DisjointSets;
+        private var _windingCount:int = 0;
 
         /** @param model has triangles; receives the triangles, their inside and the surface */
         public function InteriorBuilder(model:ModelTree)
         {
             _model = model;
-            _mesh = model.mesh;
-            if (_mesh == null)
+            _tree = model.tree;
+            _mesh = model.mesh || new TriangleMesh(_tree);
+            _surface = model.surface || new SurfaceTopology(_tree.itemCount);
+            if (model.mesh == null)
             {
-                _mesh = new TriangleMesh(model.tree);
                 sliced(_mesh.placeCorners).call(keepMesh);
             }
-            sliced(_mesh.placePlanes).begin(newSurface).call(measureParts);
+            sliced(_mesh.placePlanes);
+            if (model.surface == null || _surface.widestSeam > 0)
+            {
+                _welding = new Welding(_tree.vertices);
+                add(_welding);
+            }
+            if (model.surface == null)
+            {
+                addShells(new EdgeMatcher(_tree.triangles, _welding), new DisjointSets(_tree.vertices.length / 3));
+            }
+            call(beginWindings);
         }
 
         private function sliced(work:Function):StepSequence
         {
-            return slices(_model.tree.order.length, TRIANGLES_PER_STEP, work);
+            return slices(_tree.itemCount, TRIANGLES_PER_STEP, work);
         }
 
         private function keepMesh():void
@@ -42,31 +75,149 @@ package starlogo.solid
             _model.mesh = _mesh;
         }
 
-        private function newSurface():Steps
+        // Finds the parts, which are the sets of connected vertices, and the shells.
+        private function addShells(edges:EdgeMatcher, sets:DisjointSets):void
         {
-            _surfaceBuilder = new SurfaceBuilder(_mesh, _model.surface);
-            return _surfaceBuilder;
+            // For the representative of a set, one more than its part's number, or 0.
+            var numbers:Vector.<int> = new Vector.<int>(_tree.vertices.length / 3, true);
+            _shells = new ShellFinder(_surface, edges);
+            sliced(function(first:int, end:int):void
+                {
+                    joinVertices(first, end, sets);
+                });
+            sliced(function(first:int, end:int):void
+                {
+                    numberSets(first, end, sets, numbers);
+                }).add(edges).add(_shells);
         }
 
-        private function measureParts():void
+        private function joinVertices(first:int, end:int, sets:DisjointSets):void
         {
-            _extremes = new PartExtremes(_mesh.corners, _surfaceBuilder.surface.partNumberEnd);
-            sliced(measure).call(conclude);
+            var welded:Vector.<int> = _welding.welded;
+            var triangles:Vector.<uint> = _tree.triangles;
+            for (var corner:int = 3 * first; corner < 3 * end; corner += 3)
+            {
+                sets.join(welded[triangles[corner]], welded[triangles[int(corner + 1)]]);
+                sets.join(welded[triangles[corner]], welded[triangles[int(corner + 2)]]);
+            }
+        }
+
+        private function numberSets(first:int, end:int, sets:DisjointSets, numbers:Vector.<int>):void
+        {
+            _surface.widestSeam = _welding.widestSeam;
+            for (var i:int = first; i < end; i++)
+            {
+                var root:int = sets.rootOf(_welding.welded[_tree.triangles[3 * i]]);
+                if (numbers[root] == 0)
+                {
+                    numbers[root] = ++_surface.partNumberEnd;
+                }
+                _surface.parts[i] = numbers[root] - 1;
+            }
+        }
+
+        private function beginWindings():void
+        {
+            _windingCounter = new WindingCounter(_mesh, _surface);
+            _partOf = new Vector.<int>(_surface.shellStates.length, true);
+            if (_surface.widestSeam > 0)
+            {
+                _windingCounter.placesAt = new Vector.<int>(_tree.itemCount, true);
+                sliced(weld);
+            }
+            if (_shells != null)
+            {
+                _joined = new DisjointSets(_surface.partNumberEnd);
+                begin(newCavities);
+                addMeasuring().slices(_surface.isClosed && _surface.partNumberEnd > 1 ? _surface.partNumberEnd : 0, PARTS_PER_STEP, joinParts);
+                sliced(numberParts);
+            }
+            addMeasuring().call(conclude);
+        }
+
+        // Writes all triangles after the moved ones, and keeps those that are elsewhere than their corners.
+        private function weld(first:int, end:int):void
+        {
+            var places:Vector.<Number> = _windingCounter.places;
+            for (var i:int = first; i < end; i++)
+            {
+                _mesh.writeCorners(i, i + 1, _welding.welded, places, _placeCount);
+                var same:int = 0;
+                while (same < 9 && places[_placeCount + same] == _mesh.corners[9 * i + same])
+                {
+                    same++;
+                }
+                _windingCounter.placesAt[i] = same < 9 ? _placeCount : -1;
+                _placeCount += same < 9 ? 9 : 0;
+            }
+        }
+
+        private function newCavities():Steps
+        {
+            return new CavityFinder(_windingCounter, _shells.balances);
+        }
+
+        // Measures the parts as they are then.
+        private function addMeasuring():StepSequence
+        {
+            call(beginMeasuring);
+            return sliced(measure);
+        }
+
+        private function beginMeasuring():void
+        {
+            _extremes = new PartExtremes(_mesh.corners, _surface.partNumberEnd);
         }
 
         private function measure(first:int, end:int):void
         {
-            var order:Vector.<int> = _model.tree.order;
             for (var i:int = first; i < end; i++)
             {
-                _extremes.add(_surfaceBuilder.surface.parts[order[i]], i);
+                var part:int = _surface.parts[_tree.order[i]];
+                var side:int = _windingCounter.sideOf(i);
+                if (side != 0)
+                {
+                    _partOf[int(Math.abs(side) - 1)] = part;
+                }
+                _extremes.add(part, i);
+            }
+        }
+
+        // A figure often consists of shells that overlap. Another model contains all of them or none, unless that model is inside one of them. So
+        // overlapping shells are joined to one part, and each pair of agents needs fewer points.
+        private function joinParts(first:int, end:int):void
+        {
+            var points:Vector.<Number> = _extremes.points;
+            for (var part:int = first; part < end && _windingCount < WINDINGS_PER_TRIANGLE * _tree.itemCount; part++)
+            {
+                var at:int = _extremes.pointsAt[part];
+                for (var i:int = at; i < at + PartExtremes.STRIDE; i += 3)
+                {
+                    _windingCounter.count(points[i], points[i + 1], points[i + 2]);
+                    _windingCount += _windingCounter.crossedCount;
+                    for (var k:int = 0; k < _windingCounter.crossedCount; k++)
+                    {
+                        if (_windingCounter.isAround(_windingCounter.crossed[k]))
+                        {
+                            _joined.join(_partOf[_windingCounter.crossed[k]], part);
+                        }
+                    }
+                }
+            }
+        }
+
+        private function numberParts(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                _surface.parts[i] = _joined.rootOf(_surface.parts[i]);
             }
         }
 
         private function conclude():void
         {
-            _model.interior = new Interior(_surfaceBuilder.windingCounter, _extremes);
-            _model.surface = _surfaceBuilder.surface;
+            _model.interior = new Interior(_windingCounter, _extremes);
+            _model.surface = _surface;
         }
     }
 }

@@ -3,7 +3,10 @@ package starlogo.solid
     import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.hierarchy.HierarchyNode;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
     import starlogo.steps.finish;
 
     use namespace engine;
@@ -38,11 +41,40 @@ package starlogo.solid
         /** The triangles; null before they are prepared. */
         internal var mesh:TriangleMesh = null;
 
-        /** @param tree the tree of the model's triangles or vertices. Its nodes may be made later */
+        /** @param tree the tree of the model's triangles or vertices. <code>building()</code> makes its nodes if it has none */
         public function ModelTree(tree:BoxTree)
         {
             this.tree = tree;
             root = HierarchyNode.of(tree, 0);
+        }
+
+        /**
+         * @private The work that makes the nodes. Its steps throw an ArgumentError if a coordinate is larger than 1e60.
+         *
+         * @param minVerticesToSplit a node with at most this many vertices is a leaf of the thesis
+         * @param maxDepth a node on this level is a leaf of the thesis
+         * @param splitByMean whether to split at the mean, down to the thesis's leaves
+         * @param preparesExact whether to prepare the triangles for exact tests and rays now; otherwise the first of these does
+         * @param restoring <code>():Steps</code>, called in the first step: makes the nodes from stored results, or returns null if there are none.
+         *     If it makes no nodes, the items are divided as usual
+         */
+        engine function building(minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean, preparesExact:Boolean, restoring:Function = null):Steps
+        {
+            var work:StepSequence = new StepSequence();
+            if (restoring != null)
+            {
+                work.begin(restoring);
+            }
+            work.begin(function():Steps
+                {
+                    return tree.isMade ? null : new BoxTreeBuilder(tree, minVerticesToSplit, maxDepth, splitByMean);
+                });
+            return preparesExact && hasTriangles ? work.begin(newInterior) : work;
+        }
+
+        private function newInterior():Steps
+        {
+            return new InteriorBuilder(this);
         }
 
         /** @private Whether the tree is one of triangles; otherwise it is one of vertices. */
@@ -99,7 +131,7 @@ package starlogo.solid
         {
             if (interior == null && hasTriangles)
             {
-                finish(new InteriorBuilder(this));
+                finish(newInterior());
             }
         }
 

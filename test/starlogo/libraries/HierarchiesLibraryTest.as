@@ -5,10 +5,12 @@ package starlogo.libraries
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
-    import starlogo.solid.ModelTreeBuilder;
+    import starlogo.solid.ModelTree;
+    import starlogo.steps.Steps;
     import support.assertThrows;
     import support.assertWellFormed;
 
@@ -74,21 +76,22 @@ package starlogo.libraries
             var model:Model = BuiltInModel.sphere();
             _library.add("at first need", model.vertices, model.triangles);
             _library.prepareExact = true;
-            var plain:int = stepsOf(_library.newBuilder(model.vertices, null));
+            var plain:int = stepsOf(new ModelTree(new BoxTree(model.vertices, null)));
             _library.prepareExact = false;
-            assertEquals("points have no surface", plain, stepsOf(_library.newBuilder(model.vertices, null)));
-            plain = stepsOf(_library.newBuilder(model.vertices, model.triangles));
+            assertEquals("points have no surface", plain, stepsOf(new ModelTree(new BoxTree(model.vertices, null))));
+            plain = stepsOf(new ModelTree(new BoxTree(model.vertices, model.triangles)));
             assertFalse(_library.treeOf("at first need").isPrepared);
             _library.prepareExact = true;
-            var builder:ModelTreeBuilder = _library.newBuilder(model.vertices, model.triangles);
-            assertTrue("many steps more", stepsOf(builder) > plain + 8);
-            assertTrue(builder.modelTree.isPrepared);
+            var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
+            assertTrue("many steps more", stepsOf(tree) > plain + 8);
+            assertTrue(tree.isPrepared);
         }
 
-        private static function stepsOf(builder:ModelTreeBuilder):int
+        private function stepsOf(tree:ModelTree):int
         {
             var count:int = 1;
-            while (builder.step())
+            var work:Steps = _library.building(tree);
+            while (work.step())
             {
                 count++;
             }

@@ -422,7 +422,7 @@ package starlogo.libraries
             {
                 return results.structures != null;
             }
-            results.treeBuilder.finishTree();
+            finish(results.buildingTree);
             return results.isTreeStored;
         }
 

@@ -7,6 +7,7 @@ package starlogo.solid
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.intersection.ray.Ray;
@@ -245,9 +246,9 @@ package starlogo.solid
 
         private static function hierarchyOf(model:Model):ModelTree
         {
-            var builder:ModelTreeBuilder = new ModelTreeBuilder(model.vertices, model.triangles, 5, 10, false);
-            finish(builder);
-            return builder.modelTree;
+            var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
+            finish(tree.building(5, 10, false, false));
+            return tree;
         }
 
         // All end nodes, one after the other, with what is inside of their ancestors.

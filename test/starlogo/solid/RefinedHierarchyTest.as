@@ -13,6 +13,7 @@ package starlogo.solid
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
+    import starlogo.steps.finish;
     import support.Effort;
     import support.Fixtures;
     import support.SolidModels;
@@ -179,7 +180,9 @@ package starlogo.solid
 
         private static function hierarchyOf(model:Model, maxDepth:int):ModelTree
         {
-            return new ModelTreeBuilder(model.vertices, model.triangles, 5, maxDepth, false).finishTree();
+            var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
+            finish(tree.building(5, maxDepth, false, false));
+            return tree;
         }
     }
 }

@@ -5,8 +5,11 @@ package starlogo.solid
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.BoxTreeBuilder;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.steps.finish;
 
     use namespace engine;
 
@@ -201,7 +204,9 @@ package starlogo.solid
 
         private static function surfaceOf(vertices:Vector.<Number>, triangles:Vector.<uint>):SurfaceTopology
         {
-            return new ModelTreeBuilder(vertices, triangles, ModelTreeBuilder.MIN_VERTICES_TO_SPLIT, ModelTreeBuilder.MAX_DEPTH, false, true).finishTree().surface;
+            var tree:ModelTree = new ModelTree(new BoxTree(vertices, triangles));
+            finish(tree.building(BoxTreeBuilder.MIN_VERTICES_TO_SPLIT, BoxTreeBuilder.MAX_DEPTH, false, true));
+            return tree.surface;
         }
     }
 }

@@ -10,7 +10,6 @@ package starlogo.queries
     import starlogo.intersection.ray.Ray;
     import starlogo.queries.rays.RowRays;
     import starlogo.queries.rays.RowSurfaces;
-    import starlogo.queries.rays.TriangleOfHit;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
@@ -29,10 +28,8 @@ package starlogo.queries
         private var _rowSurfaces:RowSurfaces;
         private var _ray:Ray = new Ray();
         private var _hits:Hits;
-        private var _triangle:TriangleOfHit = new TriangleOfHit();
 
         // For the line between two agents.
-        private var _body:Body = new Body();
         private var _middleA:Vector3D = new Vector3D();
         private var _middleB:Vector3D = new Vector3D();
 
@@ -145,7 +142,7 @@ package starlogo.queries
         private function findMiddle(agent:Agent, out:Vector3D):void
         {
             var at:Placement = _seen.placeOf(agent);
-            var body:Body = _seen.bodyOf(agent, _body);
+            var body:Body = _seen.bodyOf(agent);
             if (body.shape == null)
             {
                 out.setTo(at.x, at.y, at.z);
@@ -209,7 +206,6 @@ package starlogo.queries
         {
             _hits.write(index, hit);
             hit.distance = _hits.keyOf(index);
-            _triangle.write(_seen.table.bodyOf(_hits.rowOf(index)), hit);
             return hit;
         }
     }

@@ -26,9 +26,8 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _closest:ClosestPoints = new ClosestPoints();
 
-        // The two bodies, and the structure of a point.
-        private var _bodyA:Body = new Body();
-        private var _bodyB:Body = new Body();
+        // The second body, and the structure of a point.
+        private var _body:Body = new Body();
         private var _point:Sphere = new Sphere(new Vector3D(), 0);
 
         /** @param seen the agents that the questions are about */
@@ -55,7 +54,7 @@ package starlogo.queries
             {
                 return Infinity;
             }
-            return answer(_seen.bodyOf(a, _bodyA), rowB < 0 ? _seen.bodyOf(b, _bodyB) : _seen.table.bodyOf(rowB), pointA, pointB);
+            return answer(_seen.bodyOf(a), rowB < 0 ? _seen.bodyOf(b, _body) : _seen.table.bodyOf(rowB), pointA, pointB);
         }
 
         /** The distance between an agent and a point. See AgentQueries.distanceToPoint. */
@@ -63,8 +62,8 @@ package starlogo.queries
         {
             requirePoint(point);
             _point.center.setTo(point.x, point.y, point.z);
-            _bodyB.readStructure(_point);
-            var distance:Number = answer(_seen.bodyOf(agent, _bodyA), _bodyB, out, null);
+            _body.readStructure(_point);
+            var distance:Number = answer(_seen.bodyOf(agent), _body, out, null);
             if (distance == 0)
             {
                 // without the rounding of the point that was found

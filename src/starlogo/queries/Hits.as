@@ -3,6 +3,7 @@ package starlogo.queries
     import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
+    import starlogo.queries.rays.TriangleOfHit;
     import starlogo.queries.trees.Collector;
     import starlogo.search.KeyedList;
 
@@ -34,6 +35,8 @@ package starlogo.queries
 
         // The hits of the answer, in their order.
         private var _answer:KeyedList = new KeyedList();
+
+        private var _triangle:TriangleOfHit = new TriangleOfHit();
 
         /**
          * @param seen has the rows
@@ -149,7 +152,13 @@ package starlogo.queries
             return _contacts[_answer.numbers[index]];
         }
 
-        /** Writes the agent, the point, the normal and the triangle of a hit of the answer. */
+        /** Sets the number of the triangle of a hit of the answer. */
+        public function setTriangle(index:int, triangle:int):void
+        {
+            _triangles[_answer.numbers[index]] = triangle;
+        }
+
+        /** Writes a hit of the answer, all but its distance or time. */
         public function write(index:int, hit:CastHit):void
         {
             var from:ContactPoint = contactOf(index);
@@ -157,6 +166,7 @@ package starlogo.queries
             hit.point.setTo(from.x, from.y, from.z);
             hit.normal.setTo(from.normalX, from.normalY, from.normalZ);
             hit.triangle = _triangles[_answer.numbers[index]];
+            _triangle.write(_seen.table.bodyOf(rowOf(index)), hit);
         }
 
         /**

@@ -3,7 +3,6 @@ package starlogo.queries
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Sphere;
     import starlogo.collision.Contact;
     import starlogo.convex.ContactPoint;
     import starlogo.engine;
@@ -14,7 +13,6 @@ package starlogo.queries
     import starlogo.queries.motion.SlideLimits;
     import starlogo.queries.motion.SlideResult;
     import starlogo.queries.motion.StartLift;
-    import starlogo.queries.rays.TriangleOfHit;
     import starlogo.queries.trees.Collector;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
@@ -35,7 +33,6 @@ package starlogo.queries
         private var _mover:Mover;
         private var _found:Collector;
         private var _hits:Hits;
-        private var _triangle:TriangleOfHit = new TriangleOfHit();
 
         // The motion of the question, how such motions end, and where the row that is met first stops the body.
         private var _planned:PlannedMotion = new PlannedMotion();
@@ -45,11 +42,6 @@ package starlogo.queries
 
         // The lift out of all rows near the way, with which the body begins.
         private var _lift:StartLift = new StartLift();
-
-        // An agent's body; the point of a hit, as a structure and as a body.
-        private var _body:Body = new Body();
-        private var _pointStructure:Sphere = new Sphere(new Vector3D(), 0);
-        private var _point:Body = new Body();
 
         // Answers what an accepts asks while these questions call it.
         private var _nested:MoveQueries = null;
@@ -176,7 +168,7 @@ package starlogo.queries
         private function readAgent(agent:Agent):MoveQueries
         {
             _seen.placeOf(agent);
-            var body:Body = _seen.bodyOf(agent, _body);
+            var body:Body = _seen.bodyOf(agent);
             if (body.shape == null || body.form >= ModelShape.TREE)
             {
                 _planned.body.copyFrom(body);
@@ -240,22 +232,13 @@ package starlogo.queries
         private function write(index:int, hit:ShapeHit):ShapeHit
         {
             var body:Body = _seen.table.bodyOf(_hits.rowOf(index));
-            _hits.write(index, hit);
-            hit.time = _hits.keyOf(index);
             if (body.form == ModelShape.TREE)
             {
-                // agents at the edges of the largest world may be touched outside of it
-                _pointStructure.center.setTo(inWorld(hit.point.x), inWorld(hit.point.y), inWorld(hit.point.z));
-                _point.readStructure(_pointStructure);
-                hit.triangle = _seen.narrowPhase.treeTests.nearestTriangle(body, _point);
+                _hits.setTriangle(index, _seen.narrowPhase.treeTests.nearestTriangle(body, _hits.contactOf(index)));
             }
-            _triangle.write(body, hit);
+            _hits.write(index, hit);
+            hit.time = _hits.keyOf(index);
             return hit;
-        }
-
-        private static function inWorld(coordinate:Number):Number
-        {
-            return Math.max(-Agent.LARGEST_COORDINATE, Math.min(Agent.LARGEST_COORDINATE, coordinate));
         }
     }
 }

@@ -53,6 +53,9 @@ package starlogo.queries
         private var _extents:RowTree = new RowTree();
         private var _isRead:Boolean = false;
 
+        // The body of an agent that has changed since the last update.
+        private var _made:Body = new Body();
+
         // The number of questions under way that are calling a filter's accepts.
         private var _locks:int = 0;
 
@@ -199,13 +202,13 @@ package starlogo.queries
         /**
          * @private The body of an agent as it is now. Its shape is null while the agent's model is loading. Do not change it.
          *
-         * @param made becomes this body if the agent has changed since the last update
+         * @param made becomes this body if the agent has changed since the last update. If it is null, the body is valid until the next call
          * @throws ArgumentError if the agent is null, or its model is unknown or lacks data that is needed
          */
-        engine function bodyOf(agent:Agent, made:Body):Body
+        engine function bodyOf(agent:Agent, made:Body = null):Body
         {
             requireAgent(agent);
-            return _table.currentBodyOf(agent, made);
+            return _table.currentBodyOf(agent, made || _made);
         }
 
         /** @private Returns the tree of the places, and builds it first if it is stale. Throws an error before the first update. */

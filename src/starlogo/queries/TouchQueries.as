@@ -26,11 +26,9 @@ package starlogo.queries
         private var _found:Collector;
         private var _search:SweptBoxSearch = new SweptBoxSearch();
 
-        // The body that asks, as it is or at another place; this place; and the body of the edges of the world.
+        // A body that is not an agent's: a structure, one at another place, or the edges of the world; and this place.
         private var _body:Body = new Body();
-        private var _displaced:Body = new Body();
         private var _place:Vector3D = new Vector3D();
-        private var _edges:Body = new Body();
 
         // Answers what an accepts asks while these questions call it.
         private var _nested:TouchQueries = null;
@@ -78,21 +76,21 @@ package starlogo.queries
 
         private function isAtEdge(agent:Agent, bounds:WorldBounds):Boolean
         {
-            var body:Body = _seen.bodyOf(agent, _body);
-            return body.shape != null && _seen.narrowPhase.areTouching(body, _seen.bodyOf(bounds.agent, _edges));
+            var body:Body = _seen.bodyOf(agent);
+            return body.shape != null && _seen.narrowPhase.areTouching(body, _seen.bodyOf(bounds.agent, _body));
         }
 
         private function findAt(agent:Agent, wanted:int, filter:AgentFilter):Collector
         {
-            return find(agent, _seen.bodyOf(agent, _body), wanted, filter);
+            return find(agent, _seen.bodyOf(agent), wanted, filter);
         }
 
         private function findDisplaced(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter):Collector
         {
             _place.setTo(x, y, z);
-            _displaced.copyFrom(_seen.bodyOf(agent, _body));
-            _displaced.moveTo(_place);
-            return find(agent, _displaced, 1, filter);
+            _body.copyFrom(_seen.bodyOf(agent));
+            _body.moveTo(_place);
+            return find(agent, _body, 1, filter);
         }
 
         private function findAround(structure:BoundingStructure, filter:AgentFilter):Collector

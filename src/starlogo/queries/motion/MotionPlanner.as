@@ -23,7 +23,6 @@ package starlogo.queries.motion
         private var _seen:SeenAgents;
         private var _found:Collector;
         private var _search:SweptBoxSearch = new SweptBoxSearch();
-        private var _body:Body = new Body();
 
         /** @param seen the agents that the questions are about */
         public function MotionPlanner(seen:SeenAgents)
@@ -46,7 +45,7 @@ package starlogo.queries.motion
         public function readBody(agent:Agent, turn:Number, out:Body):void
         {
             _seen.placeOf(agent);
-            out.copyFrom(_seen.bodyOf(agent, _body));
+            out.copyFrom(_seen.bodyOf(agent));
             if (turn != 0 && out.shape != null)
             {
                 out.turn(agent, turn);
@@ -100,7 +99,7 @@ package starlogo.queries.motion
          */
         public function moveAgent(agent:Agent, at:Vector3D, turn:Number = 0):void
         {
-            _seen.bodyOf(agent, _body);
+            _seen.bodyOf(agent);
             agent.moveTo(at.x, at.y, at.z);
             if (turn != 0)
             {

@@ -4,9 +4,14 @@ package starlogo.search.pairs
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
     import starlogo.search.Body;
+    import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.OverlapMiddle;
     import starlogo.search.table.AgentTable;
+    import starlogo.search.table.ListedAgents;
+
+    use namespace engine;
 
     /**
      * Tests two bodies: whether they touch, when they touch, and how. NarrowPhase has an object of a subclass for each kind of pairs.
@@ -36,12 +41,14 @@ package starlogo.search.pairs
         public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
         {
             var body:Body = table.bodyOf(row);
+            var isNearAll:Boolean = row < ListedAgents.FIRST_LISTED;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
-                if (areTouching(table.bodyOf(others[i]), body))
+                var other:int = others[i];
+                if ((isNearAll || NarrowPhase.areNear(table.extents, slack, row, other)) && areTouching(table.bodyOf(other), body))
                 {
-                    others[kept] = others[i];
+                    others[kept] = other;
                     kept++;
                 }
             }

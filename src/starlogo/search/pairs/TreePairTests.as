@@ -1,16 +1,18 @@
 package starlogo.search.pairs
 {
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Sphere;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.PenetrationSearch;
     import starlogo.search.SearchCounts;
-    import starlogo.search.table.AgentTable;
     import starlogo.search.TreeLimits;
     import starlogo.solid.TreeDistanceQuery;
     import starlogo.solid.TreeImpactQuery;
@@ -26,6 +28,8 @@ package starlogo.search.pairs
      */
     public final class TreePairTests extends PairTests
     {
+        private static const POINT:Sphere = new Sphere(new Vector3D(), 0);
+
         /** How far trees are tested. */
         public var limits:TreeLimits;
 
@@ -38,6 +42,9 @@ package starlogo.search.pairs
 
         private var _reversed:RelativeMotion = new RelativeMotion();
         private var _separation:PenetrationSearch;
+
+        // Where a point is, as the placement of the structure POINT.
+        private var _at:Placement = new Placement();
 
         /** @param limits how far trees are tested */
         public function TreePairTests(limits:TreeLimits)
@@ -64,23 +71,6 @@ package starlogo.search.pairs
             _testCount++;
             setPair(a, b);
             return _overlaps.areOverlapping(_pair);
-        }
-
-        /** @inheritDoc */
-        override public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
-        {
-            var body:Body = table.bodyOf(row);
-            var kept:int = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                var other:int = others[i];
-                if (NarrowPhase.areNear(table.extents, slack, row, other) && areTouching(body, table.bodyOf(other)))
-                {
-                    others[kept] = other;
-                    kept++;
-                }
-            }
-            return kept;
         }
 
         /** @inheritDoc */
@@ -135,11 +125,14 @@ package starlogo.search.pairs
          * The number of the triangle of a body that is nearest to a point, as the model counts them; -1 if triangles do not decide.
          *
          * @param body a tree
-         * @param point a body that is a sphere of radius 0
+         * @param point has the point
          */
-        public function nearestTriangle(body:Body, point:Body):int
+        public function nearestTriangle(body:Body, point:ContactPoint):int
         {
-            setPair(body, point);
+            _at.x = point.x;
+            _at.y = point.y;
+            _at.z = point.z;
+            _pair.setTo(body.shape.hierarchy, body.placement, limits.depthOf(body), null, POINT, _at, 0, limits.exact);
             return _pair.isExact ? _distances.nearestTriangle(_pair) : -1;
         }
 

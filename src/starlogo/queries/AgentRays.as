@@ -9,7 +9,6 @@ package starlogo.queries
     import starlogo.intersection.isAfter;
     import starlogo.intersection.ray.Ray;
     import starlogo.queries.rays.RowRays;
-    import starlogo.queries.rays.RowSurfaces;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
@@ -25,7 +24,6 @@ package starlogo.queries
         private var _found:Collector;
         private var _search:SweptBoxSearch = new SweptBoxSearch();
         private var _rowRays:RowRays;
-        private var _rowSurfaces:RowSurfaces;
         private var _ray:Ray = new Ray();
         private var _hits:Hits;
 
@@ -48,7 +46,6 @@ package starlogo.queries
             _seen = seen;
             _found = new Collector(seen);
             _rowRays = new RowRays(seen);
-            _rowSurfaces = new RowSurfaces(seen);
             _hits = new Hits(seen, _found, RayHit);
         }
 
@@ -194,7 +191,7 @@ package starlogo.queries
         {
             for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
             {
-                if (_rowSurfaces.find(row, _ray, _hits))
+                if (_rowRays.findSurfaces(row, _ray, _hits))
                 {
                     _found.add(row, _hits.firstKeyOf(row));
                 }

@@ -90,21 +90,16 @@ package starlogo.search
         /** Whether two bodies touch. They may come in either order, the ground and the edges of the world too. */
         public function areTouching(a:Body, b:Body):Boolean
         {
-            var last:int = a.form > b.form ? a.form : b.form;
-            if (last == BoundingStructure.SPHERE)
-            {
-                sphereTests.testCount++;
-                return sphereTests.areTouching(a, b);
-            }
-            if (last < ModelShape.TREE)
-            {
-                return structureTests.areTouching(a, b);
-            }
             if (a.form >= ModelShape.GROUND)
             {
                 return b.form < ModelShape.GROUND && areTouching(b, a);
             }
-            return testsOf(a, b).areTouching(a, b);
+            var pairTests:PairTests = testsOf(a, b);
+            if (pairTests === sphereTests)
+            {
+                sphereTests.testCount++;
+            }
+            return pairTests.areTouching(a, b);
         }
 
         /**

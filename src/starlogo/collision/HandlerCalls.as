@@ -239,12 +239,10 @@ package starlogo.collision
         // The touch of a pair, which begins if there is none; null if there is none, and one of the agents has left the list.
         private function touchOf(pair:int, firstRow:int, secondRow:int):Touch
         {
-            var touch:Touch = _tracker.touches[pair];
+            var touch:Touch = _tracker.touchAt(pairs, pair);
             if (touch == null && _list.hasBoth(firstRow, secondRow))
             {
-                var first:Agent = pairs.agents[firstRow];
-                var second:Agent = pairs.agents[secondRow];
-                touch = _tracker.touchOrStart(pair, first, second, first.breedNumber, second.breedNumber);
+                touch = _tracker.touchOrStartAt(pairs, pair);
             }
             return touch;
         }

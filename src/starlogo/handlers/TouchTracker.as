@@ -25,18 +25,8 @@ package starlogo.handlers
         /** The number of touches. */
         public var count:int = 0;
 
-        /** By pair: its touch, or null. The list may be longer. */
-        public var touches:Vector.<Touch> = new Vector.<Touch>();
-
-        // The number of pairs.
-        private var _pairCount:int = 0;
-
         // The revision of the pairs if all their touches are complete, or else 0.
         private var _pairsRevision:int = 0;
-
-        // The touches that end unless they are renewed. Some entries may be null.
-        private var _open:Vector.<Touch> = new Vector.<Touch>();
-        private var _openCount:int = 0;
 
         // By index: all touches that there are, and objects for later ones.
         private var _all:Vector.<Touch> = new Vector.<Touch>();
@@ -46,6 +36,9 @@ package starlogo.handlers
 
         // The indices of the objects for later touches.
         private var _free:NumberList = new NumberList();
+
+        // The memory for the touches of pairs (FoundPairs.touches).
+        private var _ofPairs:Vector.<int> = new Vector.<int>();
 
         // The number of touches that ever began.
         private var _begun:Number = 0;
@@ -60,7 +53,7 @@ package starlogo.handlers
         }
 
         /**
-         * Begins a frame. The touches of pairs that touched before go on, and have their places in <code>touches</code>. The others end.
+         * Begins a frame. The touches of pairs that touched before go on. The others end.
          *
          * @param table the handlers. A pair without handlers for starts or ends has no touch
          */
@@ -73,24 +66,23 @@ package starlogo.handlers
             forgetEnded();
             if (compared == null)
             {
-                openAll(pairs);
+                clearTouches(pairs);
             }
-            else
-            {
-                drop(pairs);
-                makeRoom(pairs);
-            }
-            _pairCount = pairs.count;
             var end:int = compared == null ? pairs.count : compared.count;
             for (var i:int = 0; i < end; i++)
             {
                 var pair:int = compared == null ? i : compared.numbers[i];
                 if (table.handlersOfPair(pairs, pair).tracksTouches)
                 {
-                    renew(pair, pairs.firstOf(pair), pairs.secondOf(pair));
+                    renew(pairs, pair);
                 }
             }
-            endOpen();
+            var open:int = compared == null ? _all.length : pairs.dropped.count;
+            for (i = 0; i < open; i++)
+            {
+                endUnlessSeen(_all[compared == null ? i : pairs.dropped.numbers[i]]);
+            }
+            _ended.sortFirst(_ended.count);
         }
 
         /** The number of touches that ended in this frame. */
@@ -116,11 +108,25 @@ package starlogo.handlers
             _pairsRevision = areComplete ? pairs.revision : 0;
         }
 
-        /**
-         * Finds the touch of two agents, and makes it the touch of a pair. If there is none, one begins, of these breeds. If there were fewer pairs,
-         * the pair is now the last one.
-         */
-        public function touchOrStart(pair:int, first:Agent, second:Agent, firstBreed:int, secondBreed:int, isBothWays:Boolean = false):Touch
+        /** The touch of a pair; null if there is none. */
+        public function touchAt(pairs:FoundPairs, pair:int):Touch
+        {
+            var index:int = pairs.touches[pair];
+            return index == FoundPairs.NONE ? null : _all[index];
+        }
+
+        /** Gives a pair the touch of its agents. If there is none, one begins, of the breeds that the two have now. */
+        public function touchOrStartAt(pairs:FoundPairs, pair:int):Touch
+        {
+            var first:Agent = pairs.firstOf(pair);
+            var second:Agent = pairs.secondOf(pair);
+            var touch:Touch = touchOrStart(first, second, first.breedNumber, second.breedNumber);
+            pairs.touches[pair] = touch.index;
+            return touch;
+        }
+
+        /** Finds the touch of two agents. If there is none, one begins, of these breeds. */
+        public function touchOrStart(first:Agent, second:Agent, firstBreed:int, secondBreed:int, isBothWays:Boolean = false):Touch
         {
             var index:int = indexOf(first, second);
             var touch:Touch = index < 0 ? newTouch() : _all[index];
@@ -133,11 +139,6 @@ package starlogo.handlers
                 touch.isBothWays = isBothWays;
                 _indices.set (Math.min(first.idNumber, second.idNumber), Math.max(first.idNumber, second.idNumber), touch.index);
                 count++;
-            }
-            touches[pair] = touch;
-            if (pair >= _pairCount)
-            {
-                _pairCount = pair + 1;
             }
             return touch;
         }
@@ -181,63 +182,21 @@ package starlogo.handlers
             return touch;
         }
 
-        // Opens all touches. No pair has one yet.
-        private function openAll(pairs:FoundPairs):void
+        // No pair has a touch yet.
+        private function clearTouches(pairs:FoundPairs):void
         {
-            var spare:Vector.<Touch> = _open;
-            _open = touches;
-            _openCount = _pairCount;
-            touches = spare;
+            var touches:Vector.<int> = pairs.touches = _ofPairs;
             for (var i:int = 0; i < pairs.count; i++)
             {
-                spare[i] = null;
-            }
-        }
-
-        // Opens the touches of dropped pairs. The touches after them move up.
-        private function drop(pairs:FoundPairs):void
-        {
-            var all:Vector.<Touch> = touches;
-            var dropped:Vector.<int> = pairs.dropped.numbers;
-            _openCount = pairs.dropped.count;
-            for (var i:int = 0; i < _openCount; i++)
-            {
-                var from:int = dropped[i];
-                var next:int = i + 1 < _openCount ? dropped[i + 1] : _pairCount;
-                _open[i] = all[from];
-                for (from++; from < next; from++)
-                {
-                    all[int(from - i - 1)] = all[from];
-                }
-            }
-        }
-
-        // Moves touches down, so that the added pairs have none.
-        private function makeRoom(pairs:FoundPairs):void
-        {
-            var all:Vector.<Touch> = touches;
-            var added:Vector.<int> = pairs.added.numbers;
-            var to:int = pairs.count;
-            if (all.length < to)
-            {
-                // grows by an eighth, because a vector that grows a little in each frame is copied each time
-                all.length = to + (to >> 3);
-            }
-            for (var i:int = pairs.added.count - 1; i >= 0; i--)
-            {
-                for (to--; to > added[i]; to--)
-                {
-                    all[to] = all[int(to - i - 1)];
-                }
-                all[to] = null;
+                touches[i] = FoundPairs.NONE;
             }
         }
 
         // Lets the touch of two agents go on, if there is one. It does not if the breeds have changed, or if handlers were called for the first
         // agent only.
-        private function renew(pair:int, a:Agent, b:Agent):void
+        private function renew(pairs:FoundPairs, pair:int):void
         {
-            var index:int = indexOf(a, b);
+            var index:int = indexOf(pairs.firstOf(pair), pairs.secondOf(pair));
             if (index < 0)
             {
                 return;
@@ -246,26 +205,19 @@ package starlogo.handlers
             if (touch.isBothWays && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber)
             {
                 touch.seenIn = frame;
-                touches[pair] = touch;
+                pairs.touches[pair] = index;
             }
         }
 
-        // Ends the open touches that were not renewed.
-        private function endOpen():void
+        // Ends a touch that was not renewed in this frame.
+        private function endUnlessSeen(touch:Touch):void
         {
-            for (var i:int = 0; i < _openCount; i++)
+            if (touch.first != null && touch.seenIn != frame)
             {
-                var touch:Touch = _open[i];
-                if (touch != null && touch.seenIn != frame)
-                {
-                    // a pair that is listed twice has one touch
-                    touch.seenIn = frame;
-                    _indices.remove(Math.min(touch.first.idNumber, touch.second.idNumber), Math.max(touch.first.idNumber, touch.second.idNumber));
-                    count--;
-                    _ended.add(touch.index, touch.order);
-                }
+                _indices.remove(Math.min(touch.first.idNumber, touch.second.idNumber), Math.max(touch.first.idNumber, touch.second.idNumber));
+                count--;
+                _ended.add(touch.index, touch.order);
             }
-            _ended.sortFirst(_ended.count);
         }
 
         private function forgetEnded():void

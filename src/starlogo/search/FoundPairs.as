@@ -17,7 +17,8 @@ package starlogo.search
      */
     public final class FoundPairs
     {
-        private static const NONE:int = -1;
+        /** In place of a touch or of a revision: there is none. */
+        public static const NONE:int = -1;
 
         /** The number of pairs. */
         public var count:int = 0;
@@ -46,7 +47,13 @@ package starlogo.search
          */
         public var basis:int = NONE;
 
-        /** The indices of the dropped pairs among the earlier ones, in ascending order. */
+        /**
+         * By pair: its touch, a number of a TouchTracker, or NONE; null if no touches are tracked since the pairs began. The list may be
+         * longer. The pairs that are kept from frame to frame keep their touches.
+         */
+        public var touches:Vector.<int> = null;
+
+        /** The touches that dropped pairs had. */
         public var dropped:NumberList = new NumberList();
 
         /** The indices of the added pairs among these pairs, in ascending order. */
@@ -62,6 +69,7 @@ package starlogo.search
         internal function begin(agents:Vector.<Agent>, ranks:Vector.<int>, agentCount:int):void
         {
             setColumns(agents, ranks, agentCount);
+            touches = null;
             count = 0;
             basis = NONE;
         }
@@ -94,6 +102,7 @@ package starlogo.search
             basis = before;
             dropped.count = added.count = 0;
             var all:Vector.<int> = rows;
+            var touching:Vector.<int> = touches;
             var end:int = 2 * count;
             var kept:int = 0;
             for (var i:int = 0; i < end; i += 2)
@@ -104,11 +113,15 @@ package starlogo.search
                 {
                     all[kept] = a;
                     all[int(kept + 1)] = b;
+                    if (touching != null)
+                    {
+                        touching[kept >> 1] = touching[i >> 1];
+                    }
                     kept += 2;
                 }
-                else
+                else if (touching != null && touching[i >> 1] != NONE)
                 {
-                    dropped.add(i >> 1);
+                    dropped.add(touching[i >> 1]);
                 }
             }
             count = kept >> 1;
@@ -124,10 +137,14 @@ package starlogo.search
             var from:int = count;
             count += found.count;
             var to:int = count;
+            // grows by an eighth, because a vector that grows a little in each frame is copied each time
             if (rows.length < 2 * to)
             {
-                // grows by an eighth, because a vector that grows a little in each frame is copied each time
                 rows.length = 2 * (to + (to >> 3));
+            }
+            if (touches != null && touches.length < to)
+            {
+                touches.length = to + (to >> 3);
             }
             added.count = found.count;
             if (added.numbers.length < found.count)
@@ -143,11 +160,19 @@ package starlogo.search
                     to--;
                     rows[int(2 * to)] = rows[int(2 * from - 2)];
                     rows[int(2 * to + 1)] = rows[int(2 * from - 1)];
+                    if (touches != null)
+                    {
+                        touches[to] = touches[int(from - 1)];
+                    }
                 }
                 to--;
                 added.numbers[i] = to;
                 rows[int(2 * to)] = a;
                 rows[int(2 * to + 1)] = b;
+                if (touches != null)
+                {
+                    touches[to] = NONE;
+                }
             }
         }
 

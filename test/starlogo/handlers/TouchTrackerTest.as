@@ -74,13 +74,14 @@ package starlogo.handlers
                     a = _found.firstOf(i);
                     b = _found.secondOf(i);
                     var name:String = nameOf(a, b);
-                    var known:Touch = _tracker.touches[i];
+                    var known:Touch = _tracker.touchAt(_found, i);
                     assertEquals(name, pairs.indexOf(name) >= 0, known != null);
                     if (known == null)
                     {
-                        known = _tracker.touchOrStart(i, a, b, a.breedNumber, b.breedNumber, true);
-                        assertStrictlyEquals("either way round it is the same", known, _tracker.touchOrStart(i, b, a, b.breedNumber, a.breedNumber, true));
-                        assertStrictlyEquals(known, _tracker.touches[i]);
+                        known = _tracker.touchOrStartAt(_found, i);
+                        known.isBothWays = true;
+                        assertStrictlyEquals("either way round it is the same", known, _tracker.touchOrStart(b, a, b.breedNumber, a.breedNumber, true));
+                        assertStrictlyEquals(known, _tracker.touchAt(_found, i));
                         assertEquals(frame, known.beganIn);
                         if (left.indexOf(name) < 0)
                         {
@@ -111,19 +112,21 @@ package starlogo.handlers
                 _found.revision++;
                 var dropped:Array = [];
                 var left:Array = [];
+                var touches:Array = [];
+                _found.dropped.count = 0;
                 for (var i:int = 0; i < pairs.length; i++)
                 {
                     if (random.next() < (frame % 40 < 20 ? 0.1 : 0.4))
                     {
-                        _found.dropped.numbers[dropped.length] = i;
+                        _found.dropped.add(_found.touches[i]);
                         dropped.push(pairs[i]);
                     }
                     else
                     {
                         left.push(pairs[i]);
+                        touches.push(_found.touches[i]);
                     }
                 }
-                _found.dropped.count = dropped.length;
                 pairs = left.concat();
                 // some pairs that were dropped, and new ones
                 var found:Array = dropped.filter(function(...rest):Boolean
@@ -153,14 +156,18 @@ package starlogo.handlers
                 for (i = 0; i < places.length; i++)
                 {
                     pairs.splice(places[i], 0, found[i]);
+                    touches.splice(places[i], 0, FoundPairs.NONE);
                     _found.added.numbers[i] = places[i];
                 }
                 _found.added.count = found.length;
-                _found.count = pairs.length;
                 _found.count = 0;
                 for (i = 0; i < pairs.length; i++)
                 {
                     addPair(agentOf(pairs[i], 0), agentOf(pairs[i], 1));
+                    if (frame > 1)
+                    {
+                        _found.touches[i] = touches[i];
+                    }
                 }
                 assertEquals("pairs were kept", frame > 1, _tracker.pairsToCompare(_found) != null);
                 _tracker.begin(_found, _handlers);
@@ -175,15 +182,15 @@ package starlogo.handlers
                     });
                 for (i = 0; i < pairs.length; i++)
                 {
-                    var first:Agent = agentOf(pairs[i], 0);
-                    var second:Agent = agentOf(pairs[i], 1);
-                    assertEquals(pairs[i], begun.indexOf(pairs[i]) >= 0, _tracker.touches[i] != null);
-                    if (_tracker.touches[i] == null)
+                    var touch:Touch = _tracker.touchAt(_found, i);
+                    assertEquals(pairs[i], begun.indexOf(pairs[i]) >= 0, touch != null);
+                    if (touch == null)
                     {
-                        _tracker.touchOrStart(i, first, second, first.breedNumber, second.breedNumber, true);
+                        touch = _tracker.touchOrStartAt(_found, i);
+                        touch.isBothWays = true;
                         begun.push(pairs[i]);
                     }
-                    assertEquals(pairs[i], nameOf(_tracker.touches[i].first, _tracker.touches[i].second));
+                    assertEquals(pairs[i], nameOf(touch.first, touch.second));
                 }
                 _tracker.end(_found, true);
                 assertEquals(begun.join(), namesOf(_tracker.inOrder()));
@@ -205,7 +212,7 @@ package starlogo.handlers
             var b:Agent = _agents[1];
             addPair(b, a);
             assertNull(next());
-            _tracker.touchOrStart(0, a, b, a.breedNumber, b.breedNumber);
+            _tracker.touchOrStart(a, b, a.breedNumber, b.breedNumber);
             assertNull("handlers of one way only", next());
             var touch:Touch = startBothWays(a, b);
             assertStrictlyEquals(touch, next());
@@ -218,7 +225,7 @@ package starlogo.handlers
 
         private function startBothWays(a:Agent, b:Agent):Touch
         {
-            return _tracker.touchOrStart(0, a, b, a.breedNumber, b.breedNumber, true);
+            return _tracker.touchOrStart(a, b, a.breedNumber, b.breedNumber, true);
         }
 
         // The touch of the first pair that goes on in the next frame.
@@ -226,7 +233,7 @@ package starlogo.handlers
         {
             _tracker.end(_found, false);
             _tracker.begin(_found, _handlers);
-            return _tracker.touches[0];
+            return _tracker.touchAt(_found, 0);
         }
 
         private function addPair(a:Agent, b:Agent):void

@@ -266,7 +266,7 @@ package starlogo.collision.snapshots
                     var missing:String = second == count ? "ground" : "bounds";
                     throw new ArgumentError("bytes are no snapshot of a Collision without " + missing);
                 }
-                parts.touches.touchOrStart(pairs - left, agents[first], agents[second], firstBreed, secondBreed, flag == 1);
+                parts.touches.touchOrStart(agents[first], agents[second], firstBreed, secondBreed, flag == 1);
             }
             // each pair is there once
             check(parts.touches.count == pairs);

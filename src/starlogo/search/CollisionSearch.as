@@ -91,7 +91,7 @@ package starlogo.search
                     _narrowPhase.treeLimits.exact ? 0 : _narrowPhase.treeLimits.maxDepth);
             // tests since the last search, as those of questions, do not count
             _narrowPhase.takeCounts(counts);
-            var memberCount:int = mayKeep ? findFromLast(out) : findAnew(out);
+            var memberCount:int = findPairs(mayKeep, out);
             _candidates.end();
             _narrowPhase.takeCounts(counts);
             counts.agents = table.list.rows.count;
@@ -101,9 +101,15 @@ package starlogo.search
             counts.collisions = out.count;
         }
 
-        // Finds the pairs, from those of the last search if that is possible. Returns the number of members.
-        private function findFromLast(out:FoundPairs):int
+        // Finds the pairs, from those of the last search if that is wanted and possible. Returns the number of members.
+        private function findPairs(mayKeep:Boolean, out:FoundPairs):int
         {
+            if (!mayKeep)
+            {
+                // also if the search throws, because the table has been read
+                _keptPairs.forget();
+                return findAll(out).count;
+            }
             if (_keptPairs.find(_conditions, out))
             {
                 return _keptPairs.memberCount;
@@ -111,14 +117,6 @@ package starlogo.search
             var members:NumberList = findAll(out);
             _keptPairs.keep(_conditions, out, members);
             return members.count;
-        }
-
-        // Finds the pairs, whatever they were in the last search. Returns the number of members.
-        private function findAnew(out:FoundPairs):int
-        {
-            // also if the search throws, because the table has been read
-            _keptPairs.forget();
-            return findAll(out).count;
         }
 
         // Searches all members, and returns them.

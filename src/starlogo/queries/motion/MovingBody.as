@@ -62,9 +62,6 @@ package starlogo.queries.motion
         /** The part of its size that the core loses. */
         public var shrink:Number = 0;
 
-        /** Half of the largest extent of the body. */
-        public var largestHalf:Number = 0;
-
         private var _seen:SeenAgents;
 
         // The body where it begins.
@@ -109,7 +106,6 @@ package starlogo.queries.motion
             {
                 _whole.copyFrom(body);
             }
-            largestHalf = body.largestHalf;
             _largest = 2 * largestHalf;
             _cell = 0;
             for (var i:int = 0; i < rows.count; i++)
@@ -135,6 +131,12 @@ package starlogo.queries.motion
             clearance = slop / 4;
             setInset(slop);
             isFlat = shrink * _source.leastHalf < FLAT * slop;
+        }
+
+        /** Half of the largest extent of the body. */
+        public function get largestHalf():Number
+        {
+            return _source.largestHalf;
         }
 
         /** The whole body at a place. It is valid until the next call. */

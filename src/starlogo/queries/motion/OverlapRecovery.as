@@ -181,30 +181,25 @@ package starlogo.queries.motion
         // there is such a touching place.
         private function findTouch(row:int, place:Vector3D, touching:Vector3D):Boolean
         {
-            touching.copyFrom(place);
-            if (_body.touches(row, place))
+            if (touchesAt(row, place, 0, 0, 0, touching))
             {
                 return true;
             }
             for (var side:Number = -_body.clearance / 2; _body.isFlat && side <= _body.clearance / 2; side += _body.clearance)
             {
-                touching.setTo(place.x, place.y, place.z + side);
-                if (_body.touches(row, touching))
-                {
-                    return true;
-                }
-                touching.setTo(place.x, place.y + side, place.z);
-                if (_body.touches(row, touching))
-                {
-                    return true;
-                }
-                touching.setTo(place.x + side, place.y, place.z);
-                if (_body.touches(row, touching))
+                if (touchesAt(row, place, 0, 0, side, touching) || touchesAt(row, place, 0, side, 0, touching) || touchesAt(row, place, side, 0, 0, touching))
                 {
                     return true;
                 }
             }
             return false;
+        }
+
+        // Sets the touching place to a place moved by x, y and z. Returns whether the body touches a row there.
+        private function touchesAt(row:int, place:Vector3D, x:Number, y:Number, z:Number, touching:Vector3D):Boolean
+        {
+            touching.setTo(place.x + x, place.y + y, place.z + z);
+            return _body.touches(row, touching);
         }
     }
 }

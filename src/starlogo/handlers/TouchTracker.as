@@ -77,10 +77,11 @@ package starlogo.handlers
                     renew(pairs, pair);
                 }
             }
-            var open:int = compared == null ? _all.length : pairs.dropped.count;
-            for (i = 0; i < open; i++)
+            end = compared == null ? _all.length : pairs.dropped.count;
+            for (i = 0; i < end; i++)
             {
-                endUnlessSeen(_all[compared == null ? i : pairs.dropped.numbers[i]]);
+                var open:int = compared == null ? i : pairs.dropped.numbers[i];
+                endUnlessSeen(_all[open]);
             }
             _ended.sortFirst(_ended.count);
         }

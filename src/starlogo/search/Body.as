@@ -33,7 +33,7 @@ package starlogo.search
         /** The shape's form. */
         public var form:int = 0;
 
-        /** The shape's place, rotation and size in the world. A row's body has its agent's own placement while the agent has not changed. */
+        /** The shape's place, rotation and size in the world. */
         public var placement:Placement = new Placement();
 
         /** The agent's index in the list. Agents that are not listed follow, the older ones first. It is 0 if the body belongs to no agent. */
@@ -58,9 +58,8 @@ package starlogo.search
         engine var offsetY:Number = 0;
         engine var offsetZ:Number = 0;
 
-        // For the body of a row: the row's revision at which it has followed the row. The body's own placement.
+        /** For the body of a row: the row's revision at which it has followed the row. */
         engine var revision:int = 0;
-        private var _ownPlacement:Placement;
 
         // The structure in the world, and whether it is at the body's place. By kind: structures of other shapes, for later use; shapes for
         // structures without a model; the structures that readPlaced() makes.
@@ -70,18 +69,9 @@ package starlogo.search
         private var _ownShapes:Vector.<ModelShape> = null;
         private var _worlds:Vector.<BoundingStructure> = null;
 
-        public function Body()
-        {
-            _ownPlacement = placement;
-        }
-
         /** Takes an agent's shape, rotation and size. The place does not change. */
         public function readShape(agent:Agent, shape:ModelShape):void
         {
-            if (placement !== _ownPlacement)
-            {
-                placement = _ownPlacement;
-            }
             var size:Number = agent.placement.size;
             if (shape.form >= ModelShape.GROUND)
             {
@@ -221,30 +211,16 @@ package starlogo.search
         }
 
         /** For the body of a row: goes to the row's place. */
-        engine function follow(agent:Agent, places:RowPlaces, row:int):void
+        engine function follow(places:RowPlaces, row:int):void
         {
             revision = places.revisions[row];
-            var at:Placement = agent.revision == revision && !shape.isUpright ? agent.placement : _ownPlacement;
-            if (at === _ownPlacement)
-            {
-                at.x = places.x[row];
-                at.y = places.y[row];
-                at.z = places.z[row];
-            }
-            if (placement !== at)
-            {
-                placement = at;
-            }
+            placement.x = places.x[row];
+            placement.y = places.y[row];
+            placement.z = places.z[row];
             _isPlaced = false;
         }
 
-        /** Whether the body is where its row is. The agent may have changed since. */
-        engine function isOf(agent:Agent, seen:int):Boolean
-        {
-            return revision == seen && (placement === _ownPlacement || agent.revision == seen);
-        }
-
-        /** Moves a body that a question or a test has made to a place. It is never the body of a row, which may have its agent's own placement. */
+        /** Moves a body that a question or a test has made to a place. It is never the body of a row. */
         public function moveTo(place:Vector3D):void
         {
             if (place.x != placement.x || place.y != placement.y || place.z != placement.z)

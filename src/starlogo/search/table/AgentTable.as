@@ -193,9 +193,9 @@ package starlogo.search.table
         public function bodyOf(row:int):Body
         {
             var body:Body = _bodies[row];
-            if (!body.isOf(list.agents[row], places.last.revisions[row]))
+            if (body.revision != places.last.revisions[row])
             {
-                body.follow(list.agents[row], places.last, row);
+                body.follow(places.last, row);
             }
             return body;
         }

@@ -62,14 +62,14 @@ package starlogo.convex
 
         /**
          * The core's edges, as four indices each: both ends, and one more point of each of the two faces. Where a face is missing, the edge's start
-         * stands for its point. Of parallel edges of a box there is one, with its start in place of both points.
+         * stands for its point. Of parallel edges of a box there is one, with its start in place of both points: three from the first point on.
          */
         public var edges:Vector.<int> = NONE;
 
         /** Whether the core is a box. */
         public var isBox:Boolean = false;
 
-        /** Whether the edges are those of a box or a segment, which say nothing of faces. */
+        /** Whether the edges are those of a box or a segment, which say nothing of faces. All of them start at the first point. */
         public function get areEdgesBare():Boolean
         {
             return isBox || edges === SEGMENT_EDGES;

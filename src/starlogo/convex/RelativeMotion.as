@@ -57,15 +57,6 @@ package starlogo.convex
             startZ = -z;
         }
 
-        /** Sets the start to the place that another motion has reached at its time. This motion's x, y and z must be 0, and its time finite. */
-        public function stopAt(motion:RelativeMotion):void
-        {
-            var at:Number = motion.time;
-            startX = motion.startX + at * motion.x;
-            startY = motion.startY + at * motion.y;
-            startZ = motion.startZ + at * motion.z;
-        }
-
         /** Makes this the motion of the other shape while the first one stands still, with the same time. */
         public function setReversed(motion:RelativeMotion):void
         {

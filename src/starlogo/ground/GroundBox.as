@@ -1,6 +1,6 @@
 package starlogo.ground
 {
-    import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
 
@@ -28,8 +28,8 @@ package starlogo.ground
         /** The box's motion; RelativeMotion.NONE if it stands. Only x, y and z count. */
         public var motion:RelativeMotion = RelativeMotion.NONE;
 
-        /** The structure that is tested, if it is in the box; null for none. Squares that it clearly does not come near are left out. */
-        public var structure:BoundingStructure = null;
+        /** The shape that is tested, if it is in the box; null for none. Squares that it clearly does not come near are left out. */
+        public var shape:ConvexShape = null;
 
         /** The height, relative to the origin, down to which walls reach at the ground's borders and around holes. -Infinity: to below the box. */
         public var floor:Number = -Infinity;

@@ -138,10 +138,10 @@ package starlogo.ground
             }
         }
 
-        /** Whether the structure in the box stays farther away from a square than a triangle may be. The square is between two heights. */
+        /** Whether the shape in the box stays farther away from a square than a triangle may be. The square is between two heights. */
         public function staysBeyond(level:int, column:int, row:int, heights:HeightRange):Boolean
         {
-            if (_box.structure == null)
+            if (_box.shape == null)
             {
                 return false;
             }

@@ -145,7 +145,7 @@ package starlogo.ground
             box.y = at.y - box.origin.y;
             box.z = at.height - box.origin.z;
             box.halfX = box.halfY = box.halfZ = 0;
-            box.structure = null;
+            box.shape = null;
             _triangles.begin(grid, box);
         }
 
@@ -229,7 +229,7 @@ package starlogo.ground
                 beginPiece(_node);
                 return true;
             }
-            box.structure = null;
+            box.shape = null;
             placeAround(_node);
             if (!isDivided)
             {
@@ -253,7 +253,7 @@ package starlogo.ground
         {
             setPiece(structure);
             placeAround(structure);
-            box.structure = pair.structure;
+            box.shape = pair.shape;
             _triangles.begin(grid, box);
         }
 

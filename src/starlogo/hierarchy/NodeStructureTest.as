@@ -51,16 +51,17 @@ package starlogo.hierarchy
         }
 
         /**
-         * Finds when a moving structure first touches a node that decides. The parameters are those of <code>areTouching()</code>. The pose's
-         * motion receives the time.
+         * Finds when a moving structure first touches a node that decides. The other parameters are those of <code>areTouching()</code>.
+         *
+         * @param motion of the structure, from the pose on; receives the time
          */
-        public function findTime(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose):void
+        public function findTime(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
-            least = pose.motion.latest;
+            least = motion.latest;
             _isMoving = true;
-            search(tree, depth, structure, pose, pose.motion);
+            search(tree, depth, structure, pose, motion);
             var time:Number = least > 0 ? least : 0;
-            pose.motion.time = firstNode < 0 ? RelativeMotion.NEVER : time;
+            motion.time = firstNode < 0 ? RelativeMotion.NEVER : time;
         }
 
         private function search(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void

@@ -22,12 +22,6 @@ package starlogo.hierarchy
         /** The largest distance at which the two models still touch, in the first model's space: the rounding error of their places. */
         public var tolerance:Number = 0;
 
-        /**
-         * The second model's motion from its pose, from time 0 to time 1, in the first model's space. Its start is 0. It is the motion of the
-         * last <code>relateMotion()</code>; <code>relate()</code> leaves it. Its time says where a contact is searched for.
-         */
-        public var motion:RelativeMotion = new RelativeMotion(0);
-
         // For each kind, a structure of the second model in the first model's space.
         private var _placed:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
 
@@ -65,21 +59,23 @@ package starlogo.hierarchy
         }
 
         /**
-         * Computes the second model's motion.
+         * Computes the second model's motion in the first model's space.
          *
          * @param a the first model's placement in the world
          * @param worldMotion the first model's motion relative to the second, in the world
+         * @param out receives the motion, from the second model's pose on: its start must be 0
          */
-        public function relateMotion(a:Placement, worldMotion:RelativeMotion):void
+        public static function relateMotion(a:Placement, worldMotion:RelativeMotion, out:RelativeMotion):void
         {
             var x:Number = -worldMotion.x / a.size;
             var y:Number = -worldMotion.y / a.size;
             var z:Number = -worldMotion.z / a.size;
-            motion.x = a.r00 * x + a.r10 * y + a.r20 * z;
-            motion.y = a.r01 * x + a.r11 * y + a.r21 * z;
-            motion.z = a.r02 * x + a.r12 * y + a.r22 * z;
-            motion.earliest = worldMotion.earliest;
-            motion.latest = worldMotion.latest;
+            out.x = a.r00 * x + a.r10 * y + a.r20 * z;
+            out.y = a.r01 * x + a.r11 * y + a.r21 * z;
+            out.z = a.r02 * x + a.r12 * y + a.r22 * z;
+            out.earliest = worldMotion.earliest;
+            out.latest = worldMotion.latest;
+            out.time = worldMotion.time;
         }
 
         /**

@@ -21,6 +21,7 @@ package starlogo.hierarchy
         private var _pair:BoxPairMotion = new BoxPairMotion();
 
         private var _pose:RelativePose;
+        private var _motion:RelativeMotion;
 
         // The boxes of both trees.
         private var _boxesA:Vector.<Number>;
@@ -32,6 +33,18 @@ package starlogo.hierarchy
             super(counts);
         }
 
+        /**
+         * Finds when two trees first touch. The other parameters are those of <code>find()</code>.
+         *
+         * @param motion of the second tree, from the pose on; receives the time
+         */
+        public function findTime(pose:RelativePose, motion:RelativeMotion, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, leaves:LeafPairTest):void
+        {
+            _motion = motion;
+            find(pose, treeA, depthA, treeB, depthB, leaves);
+            motion.time = bounds.least;
+        }
+
         /** @inheritDoc */
         override protected function begin(pose:RelativePose, a:BoxTree, b:BoxTree):void
         {
@@ -39,7 +52,7 @@ package starlogo.hierarchy
             _boxesA = a.boxes;
             _boxesB = b.boxes;
             var relative:Placement = pose.placement;
-            var motion:RelativeMotion = pose.motion;
+            var motion:RelativeMotion = _motion;
             _pair.axes.readAxes(relative, 1);
             _pair.motionX = motion.x;
             _pair.motionY = motion.y;

@@ -54,11 +54,11 @@ package starlogo.intersection
          *
          * <p>If several displacements are equally short, one is chosen. Spheres with the same centre separate along z. If a sphere's centre is on a
          * capsule's axis, or the axes of two capsules overlap on one line, the normal is perpendicular to the axis and points upwards as far as
-         * possible. In the middle of a box any face is chosen.</p>
+         * possible. In the middle of a box any face is chosen. Of two opposite displacements it is the one against the motion.</p>
          *
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space
-         * @param motion the motion of a, which is at its start; the rest must be 0 (see RelativeMotion.stopAt)
+         * @param motion the motion of a; a is where it is at the motion's time
          * @param out receives the contact
          * @throws ArgumentError if the pair has no such test
          */

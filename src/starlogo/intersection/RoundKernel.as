@@ -47,6 +47,7 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
+            _localMotion.time = 0;
             begin(a, b, motion);
             motion.findMargin();
             var gap:CoreGap = _gap;
@@ -76,6 +77,7 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
+            _localMotion.time = motion.time;
             begin(a, b, motion);
             var gap:CoreGap = _gap;
             // If the gap is longer than this, it has a direction in spite of rounding.
@@ -95,6 +97,7 @@ package starlogo.intersection
         override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
             var areSwapped:Boolean = _finder.areSwapped(a, b);
+            _localMotion.time = 0;
             begin(areSwapped ? b : a, areSwapped ? a : b, RelativeMotion.NONE);
             _finder.finish(_gap);
             out.setFromGap(_gap);
@@ -104,11 +107,10 @@ package starlogo.intersection
             }
         }
 
-        // Finds the gap at time 0.
+        // Finds the gap at the local motion's time.
         private function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             _finder.begin(a, b, motion, _localMotion, _gap);
-            _localMotion.time = 0;
             _finder.find(_localMotion, _gap);
         }
 

@@ -36,6 +36,9 @@ package starlogo.intersection
         {
             var gap:CoreGap = _gap;
             setGap(a as Sphere, b as Sphere, motion);
+            gap.x += motion.time * motion.x;
+            gap.y += motion.time * motion.y;
+            gap.z += motion.time * motion.z;
             // The difference of two points has a direction. Below about 1e-162 its square is 0, and the spheres count as concentric.
             if (!(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z > 0))
             {

@@ -58,8 +58,8 @@ package starlogo.solid
             this.counts = counts;
         }
 
-        /** Begins with two models that have triangles. The pose must relate them already. */
-        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose):void
+        /** Begins with two models that have triangles. The pose must relate them already, and the motion is the second one's. */
+        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, motion:RelativeMotion):void
         {
             // Writing an object to a field costs Adobe's VM more than comparing it first.
             if (this.pose !== pose)
@@ -71,7 +71,7 @@ package starlogo.solid
             meshA.prepareExtents();
             _first = -1;
             tolerance = pose.tolerance + Touching.marginOfSurface(a.tree.radius + b.tree.radius * pose.placement.size);
-            outerTolerance = 2 * tolerance + Tolerances.EXTENTS * (Math.abs(pose.motion.x) + Math.abs(pose.motion.y) + Math.abs(pose.motion.z));
+            outerTolerance = 2 * tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             _off = outerTolerance + meshA.flatness;
         }
 

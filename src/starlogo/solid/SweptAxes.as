@@ -1,52 +1,72 @@
 package starlogo.solid
 {
     import flash.geom.Vector3D;
+    import starlogo.convex.ConvexShape;
+    import starlogo.convex.Interval;
     import starlogo.convex.RelativeMotion;
-    import starlogo.intersection.Zonotope;
 
-    /** Axes along which a moving structure and a triangle may stay apart. They rule out most triangles before a time of impact is sought. */
+    /** Axes along which a moving shape and a triangle may stay apart. They rule out most triangles before a time of impact is sought. */
     internal final class SweptAxes
     {
-        // The structure's core, the radius around it, and its motion.
-        private var _core:Zonotope;
+        // The shape, the radius around its core, and its motion.
+        private var _shape:ConvexShape;
         private var _radius:Number = 0;
         private var _motion:RelativeMotion;
 
-        // Six numbers for each axis that does not depend on the triangle: the axis, the least place along it that the structure comes to, the
+        // The count of the numbers of a segment's points.
+        private static const SEGMENT:int = 6;
+
+        // Six numbers for each axis that does not depend on the triangle: the axis, the least place along it that the shape comes to, the
         // greatest place at time 0, and the speed along it, which is not negative. Then the end of these numbers.
         private var _axes:Vector.<Number> = new Vector.<Number>(36, true);
         private var _end:int = 0;
 
+        // An axis that is tried, and how far the core extends along it.
         private var _axis:Vector3D = new Vector3D();
+        private var _ofShape:Interval = new Interval();
 
         /**
-         * Sets the structure. Its axes are along each of the core's segments, and across each segment and the motion; for a sphere or a capsule
-         * also the part of the motion across the segment.
+         * Sets the shape. Its axes are along each edge of a box or a segment, and across each edge and the motion; for a sphere or a capsule
+         * also the part of the motion across the segment. For a hull, the coordinate axes stand for the edges.
          *
-         * @param core the structure's core; kept
+         * @param shape kept
          * @param radius around the core, with the tolerance and a margin for rounding
-         * @param motion of the structure; kept
+         * @param motion of the shape; kept
          */
-        public function setTo(core:Zonotope, radius:Number, motion:RelativeMotion):void
+        public function setTo(shape:ConvexShape, radius:Number, motion:RelativeMotion):void
         {
-            _core = core;
+            _shape = shape;
             _radius = radius;
             _motion = motion;
             _end = 0;
-            var along:Vector.<Number> = core.directions;
-            var share:Number = core.end == 3 ? along[0] * motion.x + along[1] * motion.y + along[2] * motion.z : 0;
-            for (var i:int = 0; i < core.end; i += 3)
+            var p:Vector.<Number> = shape.points;
+            if (shape.end <= SEGMENT)
             {
-                var x:Number = along[i];
-                var y:Number = along[int(i + 1)];
-                var z:Number = along[int(i + 2)];
-                addAxis(x, y, z);
-                addAxis(y * motion.z - z * motion.y, z * motion.x - x * motion.z, x * motion.y - y * motion.x);
+                var x:Number = shape.end < SEGMENT ? 0 : p[3] - p[0];
+                var y:Number = shape.end < SEGMENT ? 0 : p[4] - p[1];
+                var z:Number = shape.end < SEGMENT ? 0 : p[5] - p[2];
+                var squared:Number = x * x + y * y + z * z;
+                var share:Number = squared > 0 ? (x * motion.x + y * motion.y + z * motion.z) / squared : 0;
+                addAxis(motion.x - share * x, motion.y - share * y, motion.z - share * z);
             }
-            if (core.end < 9)
+            var edges:Vector.<int> = shape.edges;
+            for (var i:int = 1; shape.areEdgesBare && i < edges.length; i += 4)
             {
-                addAxis(motion.x - share * along[0], motion.y - share * along[1], motion.z - share * along[2]);
+                var to:int = edges[i];
+                addEdge(p[to] - p[0], p[int(to + 1)] - p[1], p[int(to + 2)] - p[2]);
             }
+            if (!shape.areEdgesBare && shape.end > SEGMENT)
+            {
+                addEdge(1, 0, 0);
+                addEdge(0, 1, 0);
+                addEdge(0, 0, 1);
+            }
+        }
+
+        private function addEdge(x:Number, y:Number, z:Number):void
+        {
+            addAxis(x, y, z);
+            addAxis(y * _motion.z - z * _motion.y, z * _motion.x - x * _motion.z, x * _motion.y - y * _motion.x);
         }
 
         private function addAxis(x:Number, y:Number, z:Number):void
@@ -55,21 +75,21 @@ package starlogo.solid
             var at:int = _end;
             var side:int = x * _motion.x + y * _motion.y + z * _motion.z < 0 ? -1 : 1;
             _axis.setTo(side * x, side * y, side * z);
-            _core.measure(_axis);
-            var radius:Number = _core.projectedRadius + _radius * _axis.length;
-            var middle:Number = _axis.x * _core.x + _axis.y * _core.y + _axis.z * _core.z;
+            _shape.project(_axis, _ofShape);
+            var radius:Number = _radius * _axis.length;
+            var origin:Number = _axis.x * _shape.x + _axis.y * _shape.y + _axis.z * _shape.z;
             var speed:Number = _axis.x * _motion.x + _axis.y * _motion.y + _axis.z * _motion.z;
             axes[at] = _axis.x;
             axes[int(at + 1)] = _axis.y;
             axes[int(at + 2)] = _axis.z;
-            axes[int(at + 3)] = middle - radius + _motion.earliest * speed;
-            axes[int(at + 4)] = middle + radius;
+            axes[int(at + 3)] = origin + _ofShape.least - radius + _motion.earliest * speed;
+            axes[int(at + 4)] = origin + _ofShape.greatest + radius;
             axes[int(at + 5)] = speed;
             _end = at + 6;
         }
 
         /**
-         * Whether an axis separates a triangle from the structure.
+         * Whether an axis separates a triangle from the shape.
          *
          * @param corners has nine numbers of the triangle
          * @param at index of the first of them
@@ -115,15 +135,17 @@ package starlogo.solid
             _axis.x = x;
             _axis.y = y;
             _axis.z = z;
-            _core.measure(_axis);
-            var radius:Number = _core.projectedRadius + _radius * Math.sqrt(x * x + y * y + z * z);
+            _shape.project(_axis, _ofShape);
+            var radius:Number = _radius * Math.sqrt(x * x + y * y + z * z);
             var edge:Number = x * ux + y * uy + z * uz;
             var apex:Number = x * (corners[r] - px) + y * (corners[int(r + 1)] - py) + z * (corners[int(r + 2)] - pz);
-            var low:Number = edge < 0 ? edge - radius : -radius;
-            low = apex - radius < low ? apex - radius : low;
-            var high:Number = edge > 0 ? edge + radius : radius;
-            high = apex + radius > high ? apex + radius : high;
-            var place:Number = x * (_core.x - px) + y * (_core.y - py) + z * (_core.z - pz);
+            var low:Number = edge < 0 ? edge : 0;
+            low = apex < low ? apex : low;
+            low -= _ofShape.greatest + radius;
+            var high:Number = edge > 0 ? edge : 0;
+            high = apex > high ? apex : high;
+            high += radius - _ofShape.least;
+            var place:Number = x * (_shape.x - px) + y * (_shape.y - py) + z * (_shape.z - pz);
             var speed:Number = x * _motion.x + y * _motion.y + z * _motion.z;
             var from:Number = place + _motion.earliest * speed;
             var to:Number = place + until.latest * speed;

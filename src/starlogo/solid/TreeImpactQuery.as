@@ -8,6 +8,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.LeafPairTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.NodeStructureTest;
@@ -33,6 +34,9 @@ package starlogo.solid
         private var _displaced:TreePair = new TreePair();
         private var _pose:RelativePose = new RelativePose();
 
+        // The second model's motion in the first model's space, from its pose on; and the time at which the two first touch.
+        private var _motion:RelativeMotion = new RelativeMotion();
+
         private var _boxes:SweptBoxTraversal;
 
         // The tests that decide about leaves.
@@ -43,7 +47,6 @@ package starlogo.solid
         // For contacts: nodes.
         private var _boxA:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         private var _boxB:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
-        private var _stopped:RelativeMotion = new RelativeMotion(0);
 
         /**
          * @param overlaps tests the two where they stand
@@ -93,7 +96,7 @@ package starlogo.solid
         public function findImpact(pair:TreePair, motion:RelativeMotion, out:ContactPoint):void
         {
             findFirstParts(pair, motion);
-            motion.time = _pose.motion.time;
+            motion.time = _motion.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
                 findContactOfParts(pair, motion, out);
@@ -110,7 +113,9 @@ package starlogo.solid
         public function findContact(pair:TreePair, motion:RelativeMotion, out:ContactPoint):void
         {
             findFirstParts(pair, motion);
-            if (_pose.motion.time <= motion.time + Tolerances.SAME_TIME)
+            var isSame:Boolean = _motion.time <= motion.time + Tolerances.SAME_TIME;
+            _motion.time = motion.time;
+            if (isSame)
             {
                 findContactOfParts(pair, motion, out);
             }
@@ -134,7 +139,7 @@ package starlogo.solid
                 out:ContactPoint):void
         {
             _pose.relate(placementA, placementB);
-            _pose.relateMotion(placementA, RelativeMotion.NONE);
+            RelativePose.relateMotion(placementA, RelativeMotion.NONE, _motion);
             findContactOf(a, placementA, b, RelativeMotion.NONE, out);
         }
 
@@ -154,7 +159,7 @@ package starlogo.solid
             _placed.z += motion.startZ + time * motion.z;
         }
 
-        // Finds the first two triangles or nodes that touch while the first model moves. Writes the time to the pose's motion.
+        // Finds the first two triangles or nodes that touch while the first model moves, and their time.
         private function findFirstParts(pair:TreePair, motion:RelativeMotion):void
         {
             var a:ModelTree = pair.a;
@@ -162,19 +167,19 @@ package starlogo.solid
             var isExact:Boolean = pair.isExact;
             placeFirst(pair, motion, 0);
             _pose.relate(_placed, pair.placementB);
-            _pose.relateMotion(pair.placementA, motion);
+            RelativePose.relateMotion(pair.placementA, motion, _motion);
             if (b != null)
             {
-                _boxes.find(_pose, a.tree, pair.depthA, b.tree, pair.depthB, isExact ? _trianglePairs.begin(a, b, _pose) : null);
-                _pose.motion.time = _boxes.bounds.least;
+                var leaves:LeafPairTest = isExact ? _trianglePairs.begin(a, b, _pose, _motion) : null;
+                _boxes.findTime(_pose, _motion, a.tree, pair.depthA, b.tree, pair.depthB, leaves);
             }
             else if (isExact)
             {
-                _triangles.findTime(a, pair.structureB, _pose);
+                _triangles.findTime(a, pair.structureB, _pose, _motion);
             }
             else
             {
-                _nodes.findTime(a.tree, pair.depthA, pair.structureB, _pose);
+                _nodes.findTime(a.tree, pair.depthA, pair.structureB, _pose, _motion);
             }
         }
 
@@ -188,14 +193,13 @@ package starlogo.solid
                 findContactOf(pair.a.tree.writeBox(a, _boxA), pair.placementA, b, motion, out);
                 return;
             }
-            _pose.motion.time = motion.time;
             if (pair.b == null)
             {
-                _triangles.findContact(out);
+                _triangles.findContact(_motion, out);
             }
             else
             {
-                _trianglePairs.findContact(out);
+                _trianglePairs.findContact(_motion, out);
             }
             moveToWorld(out, pair.placementA, motion);
         }
@@ -204,20 +208,12 @@ package starlogo.solid
         private function findContactOf(a:BoundingStructure, placementA:Placement, b:BoundingStructure, motion:RelativeMotion,
                 out:ContactPoint):void
         {
-            var time:Number = motion.time;
-            var inFirst:RelativeMotion = _pose.motion;
-            _stopped.startX = -time * inFirst.x;
-            _stopped.startY = -time * inFirst.y;
-            _stopped.startZ = -time * inFirst.z;
-            PairTable.findContact(a, _pose.place(b), _stopped, out);
-            out.x += time * inFirst.x;
-            out.y += time * inFirst.y;
-            out.z += time * inFirst.z;
+            PairTable.findContact(_pose.place(b), a, _motion, out);
             moveToWorld(out, placementA, motion);
         }
 
-        // Moves a contact from the first structure's model into the world. The placement is where the model stands without the motion; the
-        // contact is at the motion's time.
+        // Turns the contact of the second model with the first, in the first one's space, into the contact of the first with the second, in the world.
+        // The placement is where the first model stands without the motion; the contact is at the motion's time.
         private static function moveToWorld(contact:ContactPoint, a:Placement, motion:RelativeMotion):void
         {
             var time:Number = motion.time;
@@ -227,9 +223,9 @@ package starlogo.solid
             contact.x = a.r00 * x + a.r01 * y + a.r02 * z + a.x + motion.startX + time * motion.x;
             contact.y = a.r10 * x + a.r11 * y + a.r12 * z + a.y + motion.startY + time * motion.y;
             contact.z = a.r20 * x + a.r21 * y + a.r22 * z + a.z + motion.startZ + time * motion.z;
-            x = contact.normalX;
-            y = contact.normalY;
-            z = contact.normalZ;
+            x = -contact.normalX;
+            y = -contact.normalY;
+            z = -contact.normalZ;
             contact.setNormal(a.r00 * x + a.r01 * y + a.r02 * z, a.r10 * x + a.r11 * y + a.r12 * z, a.r20 * x + a.r21 * y + a.r22 * z);
             contact.depth *= a.size;
         }

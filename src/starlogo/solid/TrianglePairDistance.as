@@ -1,6 +1,7 @@
 package starlogo.solid
 {
     import starlogo.convex.ClosestPoints;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.LeafPairTest;
@@ -39,7 +40,7 @@ package starlogo.solid
          */
         public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, points:ClosestPoints):LeafPairTest
         {
-            _triangles.begin(a, b, pose);
+            _triangles.begin(a, b, pose, RelativeMotion.NONE);
             _points = points;
             _squared = Infinity;
             return this;

@@ -31,13 +31,13 @@ package starlogo.solid
         }
 
         /** Begins with two models that have triangles. The pose must relate them already. Returns this. */
-        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose):LeafPairTest
+        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, motion:RelativeMotion):LeafPairTest
         {
-            _triangles.begin(a, b, pose);
+            _triangles.begin(a, b, pose, motion);
             _triangles.meshA.preparePlanes();
-            _motion.x = pose.motion.x;
-            _motion.y = pose.motion.y;
-            _motion.z = pose.motion.z;
+            _motion.x = motion.x;
+            _motion.y = motion.y;
+            _motion.z = motion.z;
             return this;
         }
 
@@ -46,6 +46,7 @@ package starlogo.solid
         {
             var count:int = _triangles.move(treeB, b);
             _motion.latest = bounds.least < 1 ? bounds.least : 1;
+            // of leaves that touch at the same time the last ones count
             bounds.current = RelativeMotion.NEVER;
             // Higher indices come first, as in the traversal.
             for (var k:int = count - 1; k >= 0 && bounds.current > 0; k--)
@@ -112,19 +113,18 @@ package starlogo.solid
         }
 
         /**
-         * Finds the contact of the triangles that touch first, at the pose's time. It is in the first model's space.
+         * Finds the contact of the triangles that touch first, in the first model's space.
          *
-         * @param out receives the contact
+         * @param motion of the second model, which is where it is at the motion's time
+         * @param out receives the contact, with a normal from the first model to the second
          */
-        public function findContact(out:ContactPoint):void
+        public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
             var pose:RelativePose = _triangles.pose;
             pose.placement.placePoints(_triangles.meshB.corners, 9 * _firstB, 9 * _firstB + 9, _corners);
             _triangles.setFirst(_firstA);
             _triangles.b.setTriangle(_corners, 0);
-            _motion.time = pose.motion.time;
-            _triangles.pair.findContact(_triangles.b, _triangles.a, _motion, out);
-            out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
+            _triangles.pair.findContact(_triangles.b, _triangles.a, motion, out);
         }
     }
 }

@@ -25,7 +25,7 @@ package starlogo.solid
         /** Begins with two models that have triangles. The pose must relate them already. Returns this. */
         public function begin(a:ModelTree, b:ModelTree, pose:RelativePose):LeafPairTest
         {
-            _triangles.begin(a, b, pose);
+            _triangles.begin(a, b, pose, RelativeMotion.NONE);
             _triangles.meshA.preparePlanes();
             return this;
         }

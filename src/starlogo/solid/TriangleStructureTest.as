@@ -3,6 +3,8 @@ package starlogo.solid
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ContactPoint;
+    import starlogo.convex.ConvexShape;
+    import starlogo.convex.Interval;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
@@ -13,7 +15,6 @@ package starlogo.solid
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.ConvexTrianglePair;
-    import starlogo.intersection.Zonotope;
 
     use namespace engine;
 
@@ -37,15 +38,15 @@ package starlogo.solid
         // or a segment.
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        // The structure's core, and the radius around it, with the tolerance and a margin for rounding.
-        private var _core:Zonotope = new Zonotope();
+        // The radius around the structure's core, with the tolerance and a margin for rounding.
         private var _radius:Number = 0;
 
         // Separates most triangles from the moving structure.
         private var _separatingAxes:SweptAxes = new SweptAxes();
 
-        // The normal of a triangle.
+        // The normal of a triangle, and how far the core extends along it.
         private var _normal:Vector3D = new Vector3D();
+        private var _ofShape:Interval = new Interval();
 
         // Whether a triangle is touched, and the index of the first number of the one that is touched first.
         private var _isFound:Boolean = false;
@@ -75,18 +76,19 @@ package starlogo.solid
         }
 
         /**
-         * Finds when a moving structure first touches a triangle of a model. The parameters are those of <code>areTouching()</code>. The pose's
-         * motion is kept, and receives the time.
+         * Finds when a moving structure first touches a triangle of a model. The other parameters are those of <code>areTouching()</code>.
+         *
+         * @param motion of the structure, from the pose on; receives the time
          */
-        public function findTime(model:ModelTree, structure:BoundingStructure, pose:RelativePose):void
+        public function findTime(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
-            begin(model, structure, pose, pose.motion);
+            begin(model, structure, pose, motion);
             prepareMotion();
             _isMoving = true;
             least = _motion.latest;
             _boxes.find(_mesh.tree, BoxTree.NO_LIMIT, this);
             var time:Number = least > 0 ? least : 0;
-            _motion.time = _isFound ? time : RelativeMotion.NEVER;
+            motion.time = _isFound ? time : RelativeMotion.NEVER;
         }
 
         private function begin(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
@@ -109,7 +111,6 @@ package starlogo.solid
                 extents[i] += round;
                 extents[int(i + 1)] -= round;
             }
-            _core.setTo(_pair.structure);
             _sweep.x = motion.x;
             _sweep.y = motion.y;
             _sweep.z = motion.z;
@@ -119,19 +120,16 @@ package starlogo.solid
         private function prepareMotion():void
         {
             var motion:RelativeMotion = _motion;
-            var margin:Number = Tolerances.EXTENTS * (_boxes.halfX + _boxes.halfY + _boxes.halfZ + Math.abs(_core.x) + Math.abs(_core.y) + Math.abs(_core.z)
+            var margin:Number = Tolerances.EXTENTS * (_boxes.halfX + _boxes.halfY + _boxes.halfZ + Math.abs(_boxes.x) + Math.abs(_boxes.y) + Math.abs(_boxes.z)
                     + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             _radius = _pair.shape.radius + _pair.shape.margin + margin;
             widen(0, motion.x);
             widen(2, motion.y);
             widen(4, motion.z);
-            _boxes.x = _core.x;
-            _boxes.y = _core.y;
-            _boxes.z = _core.z;
             _boxes.halfX += margin;
             _boxes.halfY += margin;
             _boxes.halfZ += margin;
-            _separatingAxes.setTo(_core, _radius, motion);
+            _separatingAxes.setTo(_pair.shape, _radius, motion);
         }
 
         // Widens the extents along an axis to those of the motion from its earliest to its latest time. The travel is the whole motion's.
@@ -192,16 +190,15 @@ package starlogo.solid
         }
 
         /**
-         * Finds the contact of the triangle that is touched first, at the motion's time. It is in the model's space.
+         * Finds the contact of the triangle that is touched first, in the model's space.
          *
-         * @param out receives the contact, with a normal from the structure to the triangle
+         * @param motion of the structure, which is where it is at the motion's time
+         * @param out receives the contact, with a normal from the triangle to the structure
          */
-        public function findContact(out:ContactPoint):void
+        public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
             _pair.setTriangle(_mesh.corners, _firstCornerAt);
-            _sweep.time = _motion.time;
-            _pair.findContact(_sweep, out);
-            out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
+            _pair.findContact(motion, out);
         }
 
         // Finds when the structure first comes to a triangle's plane; it cannot touch the triangle before.
@@ -212,13 +209,14 @@ package starlogo.solid
             _normal.x = planes[at];
             _normal.y = planes[int(at + 1)];
             _normal.z = planes[int(at + 2)];
-            _core.measure(_normal);
-            var radius:Number = _core.projectedRadius + _radius + _mesh.flatness;
-            var from:Number = _normal.x * _core.x + _normal.y * _core.y + _normal.z * _core.z - planes[int(at + 3)];
+            var shape:ConvexShape = _pair.shape;
+            shape.project(_normal, _ofShape);
+            var radius:Number = _radius + _mesh.flatness;
+            var place:Number = _normal.x * shape.x + _normal.y * shape.y + _normal.z * shape.z - planes[int(at + 3)];
+            var low:Number = place + _ofShape.least - radius;
             var speed:Number = _normal.x * _motion.x + _normal.y * _motion.y + _normal.z * _motion.z;
-            var distance:Number = from < 0 ? -from : from;
-            distance -= radius;
-            var closing:Number = from < 0 ? speed : -speed;
+            var distance:Number = low > 0 ? low : -(place + _ofShape.greatest + radius);
+            var closing:Number = low > 0 ? -speed : speed;
             var earliest:Number = _motion.earliest;
             if (distance > 0)
             {

@@ -38,7 +38,6 @@ package starlogo.intersection
 
         private var _pair:ClosestPoints = new ClosestPoints();
         private var _turned:ClosestPoints = new ClosestPoints();
-        private var _displacement:RelativeMotion = new RelativeMotion(0);
         private var _touch:ContactPoint = new ContactPoint();
         private var _back:ContactPoint = new ContactPoint();
         private var _motionBack:RelativeMotion = new RelativeMotion();
@@ -160,11 +159,9 @@ package starlogo.intersection
             }
             _touches++;
             note(motions.family, "time", Math.max(Math.abs(time - motions.time), Math.abs(timeBack - motions.time)), TIME);
-            _displacement.stopAt(way);
-            PairTable.findContact(motions.a, motions.b, _displacement, _touch);
+            PairTable.findContact(motions.a, motions.b, way, _touch);
             _motionBack.setReversed(way);
-            _displacement.stopAt(_motionBack);
-            PairTable.findContact(motions.b, motions.a, _displacement, _back);
+            PairTable.findContact(motions.b, motions.a, _motionBack, _back);
             var size:Number = halfDiagonal(motions.a) + halfDiagonal(motions.b);
             note(motions.family, "depth", Math.max(Math.abs(_touch.depth - motions.depth), Math.abs(_back.depth - motions.depth)) / size, TIME);
             if (!isNaN(motions.normalX))

@@ -73,6 +73,17 @@ package starlogo.queries
         }
 
         [Test]
+        public function aPushLeadsAClearanceOut():void
+        {
+            begin("tightest fits");
+            _wall.moveTo(0.65, 0, 0);
+            _queries.update(_agents);
+            _queries.walk(_walker, 0, 0, _options, _footing);
+            var clearance:Number = _footing.pushed - 0.1;
+            assertTrue(String(clearance), clearance > 5e-11 && clearance < 1e-8);
+        }
+
+        [Test]
         public function whatIsSqueezedGoesThroughNothing():void
         {
             for each (var name:String in NAMES)

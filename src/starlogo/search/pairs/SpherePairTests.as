@@ -35,7 +35,6 @@ package starlogo.search.pairs
         // The vector from the second middle to the first. Its radius A is the largest distance of the two at which the spheres touch.
         private var _gap:CoreGap = new CoreGap();
         private var _kernel:SphereSphereKernel = new SphereSphereKernel();
-        private var _stopped:RelativeMotion = new RelativeMotion();
 
         /** Gives these tests to a narrow phase that does not have them. */
         public static function addTo(narrowPhase:NarrowPhase):void
@@ -138,8 +137,7 @@ package starlogo.search.pairs
         {
             readSphere(a, _sphereA);
             readSphere(b, _sphereB);
-            _stopped.stopAt(motion);
-            _kernel.findContact(_sphereA, _sphereB, _stopped, out);
+            _kernel.findContact(_sphereA, _sphereB, motion, out);
         }
 
         private function setTo(a:Body, b:Body):void

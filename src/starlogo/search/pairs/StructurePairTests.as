@@ -25,8 +25,6 @@ package starlogo.search.pairs
         // The number of tests since takeCounts(), by the kinds of the first and the second structure.
         private var _testCounts:Vector.<int> = new Vector.<int>(BoundingStructure.KIND_COUNT * BoundingStructure.KIND_COUNT, true);
 
-        private var _stopped:RelativeMotion = new RelativeMotion(0);
-
         private var _narrowPhase:NarrowPhase;
 
         /** @param narrowPhase tests pairs of a structure and a tree */
@@ -165,8 +163,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            _stopped.stopAt(motion);
-            PairTable.findContact(a.worldStructure(), b.worldStructure(), _stopped, out);
+            PairTable.findContact(a.worldStructure(), b.worldStructure(), motion, out);
         }
     }
 }

@@ -65,8 +65,7 @@ package starlogo.search.penetration
         public function find(first:ContactPoint, out:ContactPoint):void
         {
             var maxDistance:Number = Math.max(DirectionSearch.IMPROVED_DEPTH * _pair.extent, Math.min(first.depth, _pair.extent));
-            _pushOut.begin(first);
-            if (_pushOut.find(Math.max(first.ground.leastDepth / LEAST_SHARE_TAKEN, PushOut.ROOM * _pair.extent), out))
+            if (_pushOut.find(first, Math.max(first.ground.leastDepth / LEAST_SHARE_TAKEN, PushOut.ROOM * _pair.extent), out))
             {
                 return;
             }
@@ -74,7 +73,7 @@ package starlogo.search.penetration
             _pair.findOuterContact(_below);
             _lift.distance = _below.depth + _pair.tolerance;
             _lift.setDirection(0, 0, 1);
-            while (!findPushOrLift(out, maxDistance) && maxDistance / LEAST_SHARE_TAKEN <= _lift.distance)
+            while (!findPushOrLift(first, maxDistance, out) && maxDistance / LEAST_SHARE_TAKEN <= _lift.distance)
             {
                 maxDistance *= FARTHER;
             }
@@ -89,9 +88,9 @@ package starlogo.search.penetration
         // Looks for the shortest push, also out of sides of the ground that are at most a distance away. Tries a lift after each other push. Takes
         // a push that frees the body if it is neither much longer than the distance nor longer than the shortest lift. Returns whether it has
         // taken one.
-        private function findPushOrLift(out:ContactPoint, maxDistance:Number):Boolean
+        private function findPushOrLift(first:ContactPoint, maxDistance:Number, out:ContactPoint):Boolean
         {
-            _pushOut.restartWithTests();
+            _pushOut.begin(first);
             for (var tries:int = MOST_PUSHES; tries > 0; tries--)
             {
                 addExits(maxDistance);

@@ -100,14 +100,12 @@ package starlogo.search.penetration
                 _groundExits.find(_first, out);
                 return;
             }
-            _pushOut.begin(_first);
-            _pushOut.find(Infinity, out);
+            _pushOut.find(_first, Infinity, out);
             if (isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
             {
                 _first.pointAgainst(motion);
                 _first.depth = 0;
-                _pushOut.begin(_first);
-                _pushOut.find(DirectionSearch.GAIN * out.depth, out);
+                _pushOut.find(_first, DirectionSearch.GAIN * out.depth, out);
             }
             if (out.depth == 0)
             {

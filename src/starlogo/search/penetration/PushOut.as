@@ -8,8 +8,8 @@ package starlogo.search.penetration
      * Pushes the first of two bodies out of the second. It tries the shortest push out of all contacts so far (PushQueue). If the two still touch
      * after it, their contact there is added. So a box in a corner of floor and wall goes out of both at once.
      *
-     * <p>A search begins with <code>begin()</code>. <code>find()</code> is a whole search. Another search takes its steps itself:
-     * <code>restartWithTests()</code>, and then in each round <code>add()</code> for contacts of its own, and <code>tryNext()</code>.</p>
+     * <p><code>find()</code> is a whole search. Another search takes its steps itself: <code>begin()</code>, and then in each round <code>add()</code>
+     * for contacts of its own, and <code>tryNext()</code>.</p>
      */
     internal final class PushOut
     {
@@ -55,10 +55,9 @@ package starlogo.search.penetration
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
 
-        // The contact that a search begins with, and whether the tests have found another one since; how much farther
-        // than its depth a push leads out of each; and the displacement that is tried.
-        private var _first:ContactPoint = new ContactPoint();
-        private var _isFirstLost:Boolean = false;
+        // Whether the push out of the first contact needs no test that it is not too long; how much farther than its depth a push leads out of each
+        // contact; and the displacement that is tried.
+        private var _isFirstSure:Boolean = false;
         private var _slack:Number = 0;
         private var _tried:Displacement = new Displacement();
 
@@ -72,24 +71,28 @@ package starlogo.search.penetration
             _directions = directions;
         }
 
-        /** Takes the contact that the searches begin with. The tests have found no other one since. */
+        /** Begins where the first body touches the second, with the push out of their contact there. */
         public function begin(first:ContactPoint):void
         {
-            _first.copyFrom(first);
-            _isFirstLost = false;
+            _pushes.begin();
+            contact.copyFrom(first);
+            _isFirstSure = _pair.isSecondGround && first.ground.isSure;
+            _slack = SLACK * Tolerances.SEPARATION * _pair.extent + _pair.rounding;
+            _pair.putBack();
+            add(contact);
         }
 
         /**
-         * Looks for the shortest push that leads out of all contacts, from the first one on.
+         * Looks for the shortest push that leads out of all contacts.
          *
+         * @param first the contact of the two
          * @param most the length of the longest push that counts
          * @param out receives the normal and the depth if there is such a push
          * @return whether there is one
          */
-        public function find(most:Number, out:ContactPoint):Boolean
+        public function find(first:ContactPoint, most:Number, out:ContactPoint):Boolean
         {
-            restart();
-            add(contact);
+            begin(first);
             for (var tries:int = MOST_CONTACTS; tries > 0; tries--)
             {
                 var result:int = tryNext(most, out);
@@ -99,17 +102,6 @@ package starlogo.search.penetration
                 }
             }
             return false;
-        }
-
-        /** Begins with the first contact again, and finds it anew where the first body stands if another one has been found since. */
-        public function restartWithTests():void
-        {
-            restart();
-            if (_isFirstLost)
-            {
-                _pair.findContact(contact);
-            }
-            add(contact);
         }
 
         /** Adds the push that also leads out of a contact, which was found after the current push. */
@@ -154,15 +146,6 @@ package starlogo.search.penetration
             return BLOCKED;
         }
 
-        // Begins with the first contact again, where it was.
-        private function restart():void
-        {
-            _pushes.begin();
-            contact.copyFrom(_first);
-            _slack = SLACK * Tolerances.SEPARATION * _pair.extent + _pair.rounding;
-            _pair.putBack();
-        }
-
         // Finds the contact after a push that does not free the body. Returns whether it may be a side of a corner. It may not if it points
         // against the push, or along it after a long one, as for agents deep in each other. In the ground it always may.
         private function findCorner():Boolean
@@ -172,7 +155,6 @@ package starlogo.search.penetration
             {
                 return false;
             }
-            _isFirstLost = true;
             _pair.findContact(contact);
             var cosine:Number = contact.normalX * _tried.x + contact.normalY * _tried.y + contact.normalZ * _tried.z;
             // the body is a little farther than the push
@@ -218,7 +200,7 @@ package starlogo.search.penetration
         {
             out.setNormal(_tried.x, _tried.y, _tried.z);
             out.depth = _pushes.length;
-            if (!_isFirstLost && _pair.isSecondGround && _first.ground.isSure)
+            if (_isFirstSure && _pushes.isFirst)
             {
                 return;
             }

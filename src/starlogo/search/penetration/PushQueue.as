@@ -57,6 +57,12 @@ package starlogo.search.penetration
             push.setTo(0, 0, 0);
         }
 
+        /** Whether the current push is the one that was added first. */
+        public function get isFirst():Boolean
+        {
+            return _current == 0;
+        }
+
         /** Goes on to the shortest push that is left. Returns false if there is none. */
         public function next():Boolean
         {

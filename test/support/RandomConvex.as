@@ -75,7 +75,7 @@ package support
             out.z = shape.z + z;
             out.radius = shape.radius;
             out.margin = shape.margin;
-            out.size = shape.size;
+            out.extent = shape.extent;
             out.points = shape.points;
             out.end = shape.end;
             out.faces = shape.faces;

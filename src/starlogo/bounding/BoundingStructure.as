@@ -57,8 +57,6 @@ package starlogo.bounding
         private static const LARGEST:Number = 1e70;
         private static const SMALLEST:Number = 1e-70;
 
-        private static var sMatrix:Vector.<Number> = new Vector.<Number>(16, true);
-
         /** The kind of this structure: SPHERE, CAPSULE, BOX, HULL or OTHER. Read only. */
         public var kind:int;
 
@@ -342,8 +340,7 @@ package starlogo.bounding
         private static function placementOf(rotation:Matrix3D):Placement
         {
             requireGiven("the rotation", rotation);
-            var m:Vector.<Number> = sMatrix;
-            rotation.copyRawDataTo(m);
+            var m:Vector.<Number> = rotation.rawData;
             var isAffine:Boolean = m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
             var isCentred:Boolean = m[12] == 0 && m[13] == 0 && m[14] == 0;
             if (!isAffine || !isCentred || !isOrthonormal(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]))
@@ -386,23 +383,23 @@ package starlogo.bounding
         /**
          * The distance up to which a point outside of the structure still counts as inside.
          *
-         * @param size the largest extent from the middle
+         * @param extent the largest one from the middle
          * @param at a point of the structure
          */
-        protected static function slack(size:Number, at:Vector3D):Number
+        protected static function slack(extent:Number, at:Vector3D):Number
         {
-            return Tolerances.CONTAINMENT * size + rounding(size, at);
+            return Tolerances.CONTAINMENT * extent + rounding(extent, at);
         }
 
         /**
          * The rounding error of a position.
          *
-         * @param size the largest extent from the middle
+         * @param extent the largest one from the middle
          * @param at a point of the structure
          */
-        protected static function rounding(size:Number, at:Vector3D):Number
+        protected static function rounding(extent:Number, at:Vector3D):Number
         {
-            return Tolerances.ROUNDING * (size + Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z));
+            return Tolerances.ROUNDING * (extent + Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z));
         }
 
         /** Writes the extent between two coordinates, in either order, enlarged by a length on both sides. */

@@ -14,11 +14,10 @@ package starlogo.bounding
          *
          * @param points the corners relative to the middle, x, y, z of each
          * @param topology their faces and edges
-         * @param out overwritten with four numbers for each half-space
+         * @param out empty; receives four numbers for each half-space
          */
         public static function write(points:Vector.<Number>, topology:HullTopology, out:Vector.<Number>):void
         {
-            out.length = 0;
             switch (topology.dimension)
             {
                 case 3:

@@ -60,8 +60,8 @@ package starlogo.bounding
         // A box around the hull, a little larger than it. Its axes are the coordinate axes of the space in which the hull was made.
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
+        // Empty until it is asked for.
         private var _halfSpaces:Vector.<Number> = new Vector.<Number>();
-        private var _hasHalfSpaces:Boolean = false;
 
         /**
          * Creates the hull of points. The cost is n log n for n points.
@@ -158,7 +158,7 @@ package starlogo.bounding
             if (rotation.determinant < 0)
             {
                 topology = topology.mirrored();
-                _hasHalfSpaces = false;
+                _halfSpaces.length = 0;
             }
             return this;
         }
@@ -207,7 +207,10 @@ package starlogo.bounding
             _box.place(placement, placed._box);
             placed.radius = radius * placement.size;
             placed.topology = topology;
-            placed._hasHalfSpaces = false;
+            if (placed._halfSpaces.length > 0)
+            {
+                placed._halfSpaces.length = 0;
+            }
             return placed;
         }
 
@@ -230,10 +233,9 @@ package starlogo.bounding
          */
         override engine function get halfSpaces():Vector.<Number>
         {
-            if (!_hasHalfSpaces)
+            if (_halfSpaces.length == 0)
             {
                 HalfSpaces.write(points, topology, _halfSpaces);
-                _hasHalfSpaces = true;
             }
             return _halfSpaces;
         }
@@ -365,7 +367,7 @@ package starlogo.bounding
             }
             points = corners;
             topology = HullTopology.of(hull);
-            _hasHalfSpaces = false;
+            _halfSpaces.length = 0;
         }
 
         private function setBox():void

@@ -40,7 +40,7 @@ package starlogo.convex
                 most = along > most ? along : most;
             }
             farthest = most;
-            _slack = Tolerances.DIRECTION * shape.size;
+            _slack = Tolerances.DIRECTION * shape.extent;
             most -= _slack;
             end = 0;
             for (var k:int = 0; k < shape.end; k += 3)

@@ -84,7 +84,7 @@ package starlogo.convex
         {
             beginContact(a, b, motion);
             _distance.find(_cores, _witness);
-            if (_witness.distance > Tolerances.PERPENDICULAR_GAP * (a.size + b.size))
+            if (_witness.distance > Tolerances.PERPENDICULAR_GAP * (a.extent + b.extent))
             {
                 out.normalX = _witness.gap.x / _witness.distance;
                 out.normalY = _witness.gap.y / _witness.distance;

@@ -48,10 +48,10 @@ package starlogo.convex
         public var margin:Number = 0;
 
         /**
-         * The scale of the core, to which rounding is relative: twice the largest coordinate of a point, relative to the origin. Twice the sum of the
+         * The extent of the core, to which rounding is relative: twice the largest coordinate of a point, relative to the origin. Twice the sum of the
          * half-extents for a box, 0 for a sphere. No point is farther from the origin.
          */
-        public var size:Number = 0;
+        public var extent:Number = 0;
 
         /** The points: x, y, z of each. The list may be longer than <code>end</code>, the count of these numbers. */
         public var points:Vector.<Number>;
@@ -115,7 +115,7 @@ package starlogo.convex
             begin(3, NONE, NONE);
             points[0] = points[1] = points[2] = 0;
             radius = sphere.radius;
-            size = 0;
+            extent = 0;
         }
 
         /** Sets a capsule. */
@@ -137,7 +137,7 @@ package starlogo.convex
             setOrigin(box.center);
             begin(24, BOX_FACES, BOX_EDGES);
             isBox = true;
-            size = 2 * (box.halfX + box.halfY + box.halfZ);
+            extent = 2 * (box.halfX + box.halfY + box.halfZ);
             // half of each edge first, in the place of the corner at its end
             var p:Vector.<Number> = points;
             p[3] = box.halfX * box.axisX.x;
@@ -185,7 +185,7 @@ package starlogo.convex
             begin(points.length, faces, edges);
             this.points = points;
             measure();
-            margin = (Tolerances.TOUCHING - 1) * size / 2;
+            margin = (Tolerances.TOUCHING - 1) * extent / 2;
         }
 
         /** Returns the index of the first number of the core's point that is farthest along a direction, or against it if the side is -1. */
@@ -305,7 +305,7 @@ package starlogo.convex
                 var along:Number = points[i] < 0 ? -points[i] : points[i];
                 most = along > most ? along : most;
             }
-            size = 2 * most;
+            extent = 2 * most;
         }
     }
 }

@@ -68,7 +68,7 @@ package starlogo.convex
             balls.x = side * cores.x;
             balls.y = side * cores.y;
             balls.z = side * cores.z;
-            balls.radiusA = Tolerances.OUTER * (cores.touchingDistance + cores.a.size + cores.b.size);
+            balls.radiusA = Tolerances.OUTER * (cores.touchingDistance + cores.a.extent + cores.b.extent);
             balls.radiusB = 0;
             findSphereEntry(balls, motion);
         }

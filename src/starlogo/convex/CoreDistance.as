@@ -8,7 +8,7 @@ package starlogo.convex
      * distance from the origin. Each step adds the corner of the set that is farthest towards the origin to a simplex. Then it drops the
      * corners that the simplex does not need for its point nearest to the origin.
      *
-     * <p>The result is exact except for rounding, which is 1e-15 of the sizes, however small the distance is.</p>
+     * <p>The result is exact except for rounding, which is 1e-15 of the extents, however small the distance is.</p>
      */
     internal final class CoreDistance
     {

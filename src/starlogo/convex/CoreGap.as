@@ -26,8 +26,8 @@ package starlogo.convex
         /** The radius around the second core. */
         public var radiusB:Number = 0;
 
-        /** The size of both shapes together. The rounding error of the gap is relative to it. Only a GapFinder sets it; otherwise it is 0. */
-        public var size:Number = 0;
+        /** The extent of both shapes together. The rounding error of the gap is relative to it. Only a GapFinder sets it; otherwise it is 0. */
+        public var extent:Number = 0;
 
         /** Turns the vector out of three perpendicular axes. */
         public function rotateFrom(axisX:Vector3D, axisY:Vector3D, axisZ:Vector3D):void

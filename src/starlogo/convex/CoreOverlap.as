@@ -247,7 +247,7 @@ package starlogo.convex
             _along.z *= up;
             measure(cores, _differences);
             // rounding hides on which side they are
-            var isDown:Boolean = _differences.greatest < -_differences.least - Tolerances.ROUNDING * (cores.a.size + cores.b.size);
+            var isDown:Boolean = _differences.greatest < -_differences.least - Tolerances.ROUNDING * (cores.a.extent + cores.b.extent);
             out.depth = isDown ? _differences.greatest : -_differences.least;
             up = isDown ? -1 : 1;
             out.setNormal(up * _along.x, up * _along.y, up * _along.z);
@@ -320,7 +320,7 @@ package starlogo.convex
             along.z /= length;
             back /= length;
             forth /= length;
-            var rounding:Number = Tolerances.ROUNDING * (cores.a.size + cores.b.size);
+            var rounding:Number = Tolerances.ROUNDING * (cores.a.extent + cores.b.extent);
             var side:int = back < forth ? -1 : 1;
             if (back - forth <= rounding && forth - back <= rounding)
             {

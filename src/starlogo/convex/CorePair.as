@@ -63,7 +63,7 @@ package starlogo.convex
             y = first.y - second.y;
             z = first.z - second.z;
             maxDistance = timeLeft = Infinity;
-            touchingDistance = (first.radius + second.radius) * Tolerances.TOUCHING + (first.margin + second.margin) + Tolerances.CORES * (first.size + second.size);
+            touchingDistance = (first.radius + second.radius) * Tolerances.TOUCHING + (first.margin + second.margin) + Tolerances.CORES * (first.extent + second.extent);
         }
 
         /** Sets the motion of the shape that was asked about first, and moves a to where it is at the motion's time. */

@@ -20,8 +20,8 @@ package starlogo.convex
         /** Twice the triangle's area. If it is 0, the normal means nothing. */
         public var doubleArea:Number = 0;
 
-        // The sum of the squares of the two edges at the first corner.
-        private var _edgesSquared:Number = 0;
+        /** Whether the triangle counts as a segment, so that its normal is a rounding error. */
+        public var isFlat:Boolean = false;
 
         /** Sets it to a triangle: nine numbers of a list, from an index on. */
         public function setTriangle(p:Vector.<Number>, at:int):void
@@ -32,21 +32,16 @@ package starlogo.convex
             var vx:Number = p[int(at + 6)] - p[at];
             var vy:Number = p[int(at + 7)] - p[int(at + 1)];
             var vz:Number = p[int(at + 8)] - p[int(at + 2)];
-            _edgesSquared = ux * ux + uy * uy + uz * uz + vx * vx + vy * vy + vz * vz;
+            var edgesSquared:Number = ux * ux + uy * uy + uz * uz + vx * vx + vy * vy + vz * vz;
             x = uy * vz - uz * vy;
             y = uz * vx - ux * vz;
             z = ux * vy - uy * vx;
             doubleArea = Math.sqrt(x * x + y * y + z * z);
+            isFlat = !(doubleArea * doubleArea > Tolerances.FLAT_TRIANGLE * edgesSquared * edgesSquared);
             x /= doubleArea;
             y /= doubleArea;
             z /= doubleArea;
             offset = x * p[at] + y * p[int(at + 1)] + z * p[int(at + 2)];
-        }
-
-        /** Whether the triangle counts as a segment, so that its normal is a rounding error. */
-        public function get isFlat():Boolean
-        {
-            return !(doubleArea * doubleArea > Tolerances.FLAT_TRIANGLE * _edgesSquared * _edgesSquared);
         }
 
         /** Sets the normal and the plane to no number, so that all comparisons with them are false. */

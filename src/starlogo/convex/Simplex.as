@@ -10,7 +10,7 @@ package starlogo.convex
      */
     internal final class Simplex
     {
-        // The rounding error of a corner, as a fraction of the sizes and places: about four units in the last place.
+        // The rounding error of a corner, as a fraction of the extents and places: about four units in the last place.
         private static const CORNER_ROUNDING:Number = 4e-16;
 
         // The squared ratio of height to base below which a triangle counts as its edges.
@@ -45,7 +45,7 @@ package starlogo.convex
         /** Begins without corners. */
         public function begin(cores:CorePair):void
         {
-            rounding = CORNER_ROUNDING * (cores.a.size + cores.b.size + Math.abs(cores.x) + Math.abs(cores.y) + Math.abs(cores.z));
+            rounding = CORNER_ROUNDING * (cores.a.extent + cores.b.extent + Math.abs(cores.x) + Math.abs(cores.y) + Math.abs(cores.z));
             count = 0;
         }
 

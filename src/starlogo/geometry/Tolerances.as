@@ -138,7 +138,7 @@ package starlogo.geometry
         public static const SURFACES:Number = 1e-14;
 
         /**
-         * The rounding of the distance of two convex cores, as a fraction of the sum of their sizes. It is part of the distance at which they
+         * The rounding of the distance of two convex cores, as a fraction of the sum of their extents. It is part of the distance at which they
          * touch: see Touching. Smaller than 4e-16: shapes that touch do not collide if one of them is much larger than the gaps of the two. Larger:
          * shapes with a gap collide.
          */
@@ -186,7 +186,7 @@ package starlogo.geometry
 
         /**
          * As a length, DIRECTION for the gaps that the package convex finds. They are made perpendicular to the edges and faces that they end at, so
-         * shorter ones have a certain direction: the normal of the contact, if the cores are farther apart than this fraction of their sizes. Smaller
+         * shorter ones have a certain direction: the normal of the contact, if the cores are farther apart than this fraction of their extents. Smaller
          * than 1e-12: rounding turns the normal by more than 4e-4. Larger: depths have an error of that fraction.
          */
         public static const PERPENDICULAR_GAP:Number = 1e-11;

@@ -16,7 +16,7 @@ package starlogo.geometry
      * <li>a ray is a shape without a radius. At a sphere and a capsule the radius counts, at a box and a hull the half-extents or the distances of the
      *     faces from the centre, times Tolerances.TOUCHING; at triangles the margin of the surface. The place of a hit at a box, a hull or a triangle
      *     includes no tolerance</li>
-     * <li>where the package convex decides, Tolerances.CORES of the sizes of both cores</li>
+     * <li>where the package convex decides, Tolerances.CORES of the extents of both cores</li>
      * </ul>
      *
      * <p>The package intersection compares structures that have no place in a game, so there the margins of places and surfaces are 0. Its

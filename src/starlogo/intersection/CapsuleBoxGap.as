@@ -20,9 +20,6 @@ package starlogo.intersection
         /** For <code>capsuleBox()</code>. */
         public static const STANDING:CapsuleBoxGap = new CapsuleBoxGap();
 
-        private var _capsule:Capsule = null;
-        private var _box:Box = null;
-
         // The segment as seen from the box's middle: its start, and the vector from there to its end. -1 for each axis that is mirrored.
         private var _x:Number = 0;
         private var _y:Number = 0;
@@ -73,8 +70,6 @@ package starlogo.intersection
         {
             var capsule:Capsule = a as Capsule;
             var box:Box = b as Box;
-            _capsule = capsule;
-            _box = box;
             setSegment(capsule, box);
             var axis:Vector3D = box.axisX;
             localMotion.startX = _x + _signX * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
@@ -87,7 +82,7 @@ package starlogo.intersection
             localMotion.z = _signZ * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             out.radiusA = capsule.radius;
             out.radiusB = 0;
-            out.size = _alongX + _alongY + _alongZ + box.halfX + box.halfY + box.halfZ + out.radiusA;
+            out.extent = _alongX + _alongY + _alongZ + box.halfX + box.halfY + box.halfZ + out.radiusA;
         }
 
         /**
@@ -95,9 +90,9 @@ package starlogo.intersection
          *
          * @inheritDoc
          */
-        override public function find(localMotion:RelativeMotion, out:CoreGap):void
+        override public function find(b:BoundingStructure, localMotion:RelativeMotion, out:CoreGap):void
         {
-            var box:Box = _box;
+            var box:Box = b as Box;
             var time:Number = localMotion.time;
             _x = localMotion.startX + time * localMotion.x;
             _y = localMotion.startY + time * localMotion.y;
@@ -125,17 +120,18 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function finish(out:CoreGap):void
+        override public function finish(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
         {
-            var start:Vector3D = _capsule.start;
-            var end:Vector3D = _capsule.end;
+            var start:Vector3D = (a as Capsule).start;
+            var end:Vector3D = (a as Capsule).end;
             out.pointX = start.x + _share * (end.x - start.x);
             out.pointY = start.y + _share * (end.y - start.y);
             out.pointZ = start.z + _share * (end.z - start.z);
             out.x *= _signX;
             out.y *= _signY;
             out.z *= _signZ;
-            out.rotateFrom(_box.axisX, _box.axisY, _box.axisZ);
+            var box:Box = b as Box;
+            out.rotateFrom(box.axisX, box.axisY, box.axisZ);
         }
 
         private function setSegment(capsule:Capsule, box:Box):void

@@ -13,8 +13,6 @@ package starlogo.intersection
         /** For <code>capsuleCapsule()</code>. */
         public static const STANDING:CapsuleCapsuleGap = new CapsuleCapsuleGap();
 
-        private var _a:Capsule = null;
-
         // The axis of a, u, and that of b, v, each from its start to its end. The vector from v's start to u's.
         private var _uX:Number = 0;
         private var _uY:Number = 0;
@@ -60,7 +58,6 @@ package starlogo.intersection
             var capsule:Capsule = a as Capsule;
             var other:Capsule = b as Capsule;
             setAxes(capsule, other);
-            _a = capsule;
             localMotion.startX = _x + motion.startX;
             localMotion.startY = _y + motion.startY;
             localMotion.startZ = _z + motion.startZ;
@@ -69,11 +66,11 @@ package starlogo.intersection
             localMotion.z = motion.z;
             out.radiusA = capsule.radius;
             out.radiusB = other.radius;
-            out.size = Math.abs(_uX) + Math.abs(_uY) + Math.abs(_uZ) + (Math.abs(_vX) + Math.abs(_vY) + Math.abs(_vZ)) + (out.radiusA + out.radiusB);
+            out.extent = Math.abs(_uX) + Math.abs(_uY) + Math.abs(_uZ) + (Math.abs(_vX) + Math.abs(_vY) + Math.abs(_vZ)) + (out.radiusA + out.radiusB);
         }
 
         /** @inheritDoc */
-        override public function find(localMotion:RelativeMotion, out:CoreGap):void
+        override public function find(b:BoundingStructure, localMotion:RelativeMotion, out:CoreGap):void
         {
             var time:Number = localMotion.time;
             _x = localMotion.startX + time * localMotion.x;
@@ -86,10 +83,10 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function finish(out:CoreGap):void
+        override public function finish(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
         {
-            var start:Vector3D = _a.start;
-            var end:Vector3D = _a.end;
+            var start:Vector3D = (a as Capsule).start;
+            var end:Vector3D = (a as Capsule).end;
             out.pointX = start.x + _shareOfU * (end.x - start.x);
             out.pointY = start.y + _shareOfU * (end.y - start.y);
             out.pointZ = start.z + _shareOfU * (end.z - start.z);

@@ -199,7 +199,7 @@ package starlogo.intersection
             face.measure(_triangle.points, 0, 9, _ofTriangle);
             face.measure(shape.points, 0, shape.end, _ofShape);
             var touchingDistance:Number = (shape.radius + shape.margin) * Tolerances.OUTER
-                + Tolerances.ROUNDING * (shape.size + _triangle.size + Math.abs(place) + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+                + Tolerances.ROUNDING * (shape.extent + _triangle.extent + Math.abs(place) + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             return place + _ofShape.least + Math.min(travel, 0) - _ofTriangle.greatest > touchingDistance
                 || _ofTriangle.least - place - _ofShape.greatest - Math.max(travel, 0) > touchingDistance;
         }

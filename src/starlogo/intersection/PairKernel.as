@@ -71,7 +71,7 @@ package starlogo.intersection
          * Finds the distance of two structures and their closest points. If the structures overlap, the distance is 0, and both points are one
          * point inside of both.
          *
-         * <p>The result is exact except for rounding, which is 1e-15 of their sizes and of the distance. So structures that just touch may have
+         * <p>The result is exact except for rounding, which is 1e-15 of their extents and of the distance. So structures that just touch may have
          * a distance as small as that. Symmetric to the last bit.</p>
          *
          * @param a of the pair's first kind

@@ -69,7 +69,7 @@ package starlogo.intersection
                 localMotion.time = (distance - radii) * distance / closing;
                 if (localMotion.time <= motion.latest)
                 {
-                    findZero(motion);
+                    findZero(b, motion);
                 }
             }
         }
@@ -81,10 +81,10 @@ package starlogo.intersection
             begin(a, b, motion);
             var gap:CoreGap = _gap;
             // If the gap is longer than this, it has a direction in spite of rounding.
-            var least:Number = Tolerances.DIRECTION * gap.size;
+            var least:Number = Tolerances.DIRECTION * gap.extent;
             if (gap.x * gap.x + gap.y * gap.y + gap.z * gap.z > least * least)
             {
-                _finder.finish(gap);
+                _finder.finish(a, b, gap);
                 out.setFromGap(gap, motion);
             }
             else
@@ -97,9 +97,11 @@ package starlogo.intersection
         override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
             var areSwapped:Boolean = _finder.areSwapped(a, b);
+            var first:BoundingStructure = areSwapped ? b : a;
+            var second:BoundingStructure = areSwapped ? a : b;
             _localMotion.time = 0;
-            begin(areSwapped ? b : a, areSwapped ? a : b, RelativeMotion.NONE);
-            _finder.finish(_gap);
+            begin(first, second, RelativeMotion.NONE);
+            _finder.finish(first, second, _gap);
             out.setFromGap(_gap);
             if (areSwapped)
             {
@@ -111,7 +113,7 @@ package starlogo.intersection
         private function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             _finder.begin(a, b, motion, _localMotion, _gap);
-            _finder.find(_localMotion, _gap);
+            _finder.find(b, _localMotion, _gap);
         }
 
         /*
@@ -124,21 +126,21 @@ package starlogo.intersection
          * it goes through this distance and that of the step before, and does not step over the first zero either. A step that went too far because
          * of rounding is halved.
          */
-        private function findZero(motion:RelativeMotion):void
+        private function findZero(b:BoundingStructure, motion:RelativeMotion):void
         {
             var gap:CoreGap = _gap;
             var localMotion:RelativeMotion = _localMotion;
             var radii:Number = gap.radiusA + gap.radiusB;
             // A gap that is no longer than this has no certain direction.
-            var uncertain:Number = Tolerances.DIRECTION * gap.size;
-            var rounding:Number = radii < uncertain ? Tolerances.ROUNDING * gap.size : 0;
+            var uncertain:Number = Tolerances.DIRECTION * gap.extent;
+            var rounding:Number = radii < uncertain ? Tolerances.ROUNDING * gap.extent : 0;
             var touchingDistance:Number = radii * Tolerances.TOUCHING + motion.margin + rounding;
             var lastTime:Number = 0;
             var lastDistance:Number = Math.sqrt(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z);
             var hasOvershot:Boolean = false;
             for (var step:int = 1; step < MOST_STEPS; step++)
             {
-                _finder.find(localMotion, gap);
+                _finder.find(b, localMotion, gap);
                 var time:Number = localMotion.time;
                 var squared:Number = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
                 if (4 * squared < radii * radii)

@@ -10,9 +10,6 @@ package starlogo.intersection
     /** Finds the gap between a sphere's centre and a box, in the box's axes. */
     internal final class SphereBoxGap extends GapFinder
     {
-        private var _sphere:Sphere = null;
-        private var _box:Box = null;
-
         /** @inheritDoc */
         override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
         {
@@ -29,8 +26,6 @@ package starlogo.intersection
             var x:Number = center.x - middle.x + motion.startX;
             var y:Number = center.y - middle.y + motion.startY;
             var z:Number = center.z - middle.z + motion.startZ;
-            _sphere = sphere;
-            _box = box;
             var axis:Vector3D = box.axisX;
             localMotion.startX = axis.x * x + axis.y * y + axis.z * z;
             localMotion.x = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
@@ -42,13 +37,13 @@ package starlogo.intersection
             localMotion.z = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
             out.radiusA = sphere.radius;
             out.radiusB = 0;
-            out.size = box.halfX + box.halfY + box.halfZ + out.radiusA;
+            out.extent = box.halfX + box.halfY + box.halfZ + out.radiusA;
         }
 
         /** @inheritDoc */
-        override public function find(localMotion:RelativeMotion, out:CoreGap):void
+        override public function find(b:BoundingStructure, localMotion:RelativeMotion, out:CoreGap):void
         {
-            var box:Box = _box;
+            var box:Box = b as Box;
             var time:Number = localMotion.time;
             var x:Number = localMotion.startX + time * localMotion.x;
             var y:Number = localMotion.startY + time * localMotion.y;
@@ -62,13 +57,14 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function finish(out:CoreGap):void
+        override public function finish(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
         {
-            var center:Vector3D = _sphere.center;
+            var center:Vector3D = (a as Sphere).center;
             out.pointX = center.x;
             out.pointY = center.y;
             out.pointZ = center.z;
-            out.rotateFrom(_box.axisX, _box.axisY, _box.axisZ);
+            var box:Box = b as Box;
+            out.rotateFrom(box.axisX, box.axisY, box.axisZ);
         }
     }
 }

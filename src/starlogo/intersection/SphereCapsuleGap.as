@@ -10,8 +10,6 @@ package starlogo.intersection
     /** Finds the gap between a sphere's centre and a capsule's axis, as seen from the start of the axis. */
     internal final class SphereCapsuleGap extends GapFinder
     {
-        private var _sphere:Sphere = null;
-
         // The vector from the start of the capsule's axis to its end.
         private var _axisX:Number = 0;
         private var _axisY:Number = 0;
@@ -31,7 +29,6 @@ package starlogo.intersection
             var center:Vector3D = sphere.center;
             var start:Vector3D = capsule.start;
             var end:Vector3D = capsule.end;
-            _sphere = sphere;
             _axisX = end.x - start.x;
             _axisY = end.y - start.y;
             _axisZ = end.z - start.z;
@@ -43,11 +40,11 @@ package starlogo.intersection
             localMotion.z = motion.z;
             out.radiusA = sphere.radius;
             out.radiusB = capsule.radius;
-            out.size = Math.abs(_axisX) + Math.abs(_axisY) + Math.abs(_axisZ) + (out.radiusA + out.radiusB);
+            out.extent = Math.abs(_axisX) + Math.abs(_axisY) + Math.abs(_axisZ) + (out.radiusA + out.radiusB);
         }
 
         /** @inheritDoc */
-        override public function find(localMotion:RelativeMotion, out:CoreGap):void
+        override public function find(b:BoundingStructure, localMotion:RelativeMotion, out:CoreGap):void
         {
             var time:Number = localMotion.time;
             var x:Number = localMotion.startX + time * localMotion.x;
@@ -63,9 +60,9 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function finish(out:CoreGap):void
+        override public function finish(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
         {
-            var center:Vector3D = _sphere.center;
+            var center:Vector3D = (a as Sphere).center;
             out.pointX = center.x;
             out.pointY = center.y;
             out.pointZ = center.z;

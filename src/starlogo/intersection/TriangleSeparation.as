@@ -16,7 +16,7 @@ package starlogo.intersection
         // The first triangle is beside the second one's plane.
         private static const BESIDE:int = -1;
 
-        // How far apart triangles have to be, as a multiple of the second one's margin. ConvexPair adds Tolerances.CORES of the sizes to the margin,
+        // How far apart triangles have to be, as a multiple of the second one's margin. ConvexPair adds Tolerances.CORES of the extents to the margin,
         // which is less than half of Tolerances.SURFACES.
         private static const MARGINS:Number = 1.5;
 

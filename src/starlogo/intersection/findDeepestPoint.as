@@ -8,17 +8,17 @@ package starlogo.intersection
     /**
      * Finds the point of a convex shape that is farthest against a normal. If there are several, it is their middle. NaN if the normal is NaN.
      *
-     * @param extent receives how far the shape's core extends along the normal, relative to the shape's origin
+     * @param interval receives how far the shape's core extends along the normal, relative to the shape's origin
      * @param out receives the point
      * @private
      */
-    public function findDeepestPoint(shape:ConvexShape, normal:FaceNormal, extent:Interval, out:Vector3D):void
+    public function findDeepestPoint(shape:ConvexShape, normal:FaceNormal, interval:Interval, out:Vector3D):void
     {
         // Points of the core are equally deep if their depths differ by less than this fraction.
         const LEVEL:Number = 1e-12;
         var p:Vector.<Number> = shape.points;
-        normal.measure(p, 0, shape.end, extent);
-        var most:Number = extent.least + LEVEL * (extent.greatest - extent.least);
+        normal.measure(p, 0, shape.end, interval);
+        var most:Number = interval.least + LEVEL * (interval.greatest - interval.least);
         var count:int = 0;
         var x:Number = 0;
         var y:Number = 0;

@@ -44,10 +44,10 @@ class Halves extends GapFinder
     override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, localMotion:RelativeMotion, out:CoreGap):void
     {
         localMotion.x = -1;
-        out.size = 1e-300;
+        out.extent = 1e-300;
     }
 
-    override public function find(localMotion:RelativeMotion, out:CoreGap):void
+    override public function find(b:BoundingStructure, localMotion:RelativeMotion, out:CoreGap):void
     {
         out.x = length;
         localMotion.x = count == 0 ? -1 : -length * 1e3;

@@ -35,7 +35,7 @@ package starlogo.intersection.ray
             _shape.setStructure(structure);
             // the part of the line that may be inside
             var middle:Number = (_shape.x - ray.x) * ray.directionX + (_shape.y - ray.y) * ray.directionY + (_shape.z - ray.z) * ray.directionZ;
-            var boundingRadius:Number = 2 * (_shape.size + _shape.radius) + Number.MIN_VALUE;
+            var boundingRadius:Number = 2 * (_shape.extent + _shape.radius) + Number.MIN_VALUE;
             ray.near = middle - boundingRadius + 2 * boundingRadius * timeFrom(ray, middle - boundingRadius, 2 * boundingRadius);
             if (ray.near > ray.from && ray.near < Infinity)
             {

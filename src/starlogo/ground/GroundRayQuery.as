@@ -6,6 +6,7 @@ package starlogo.ground
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
+    import starlogo.intersection.ray.RayEntry;
     import starlogo.solid.RayTriangleTest;
 
     use namespace engine;
@@ -24,6 +25,7 @@ package starlogo.ground
         private var _triangles:GroundTriangles = new GroundTriangles();
         private var _test:RayTriangleTest = new RayTriangleTest();
         private var _outside:FaceNormal = new FaceNormal();
+        private var _entry:RayEntry = new RayEntry();
 
         // Bounds of all heights, and a size that no triangle between them has.
         private var _whole:HeightRange = new HeightRange();
@@ -35,16 +37,17 @@ package starlogo.ground
         }
 
         /**
-         * Narrows a ray to the part behind its first hit.
+         * Finds where a ray first meets the ground.
          *
-         * @param ray in the world; its beginning becomes the hit, with the normal there, which points out of the ground
-         * @return whether there is a hit
+         * @param ray in the world
+         * @param out receives the place and the normal
+         * @return whether it meets the ground
          */
-        public function find(grid:HeightGrid, ray:Ray):Boolean
+        public function find(grid:HeightGrid, ray:Ray, out:RayEntry):Boolean
         {
+            out.begin(ray);
             if (beginsInside(grid, ray))
             {
-                ray.faceBack();
                 return true;
             }
             begin(grid, ray, null);
@@ -62,8 +65,8 @@ package starlogo.ground
             }
             if (isHit)
             {
-                ray.from = _test.least;
-                ray.setNormal(_outside.x, _outside.y, _outside.z);
+                out.place = _test.least;
+                out.setNormal(ray, _outside.x, _outside.y, _outside.z);
             }
             return isHit;
         }
@@ -71,15 +74,15 @@ package starlogo.ground
         /**
          * Adds all crossings of a ray with the ground. A ray that begins in it crosses it where it begins, and where it comes out.
          *
-         * @param ray in the world; its normal is overwritten
+         * @param ray in the world
          * @param out the crossings are added to it
          */
         public function findAll(grid:HeightGrid, ray:Ray, out:RayCrossings):void
         {
             if (beginsInside(grid, ray))
             {
-                ray.faceBack();
-                out.addBeginning(ray, 0, RayCrossings.INSIDE);
+                _entry.begin(ray);
+                out.addEntry(_entry, 0, RayCrossings.INSIDE);
             }
             begin(grid, ray, out);
             while (_triangles.next())
@@ -89,8 +92,8 @@ package starlogo.ground
                 if (out.count > before)
                 {
                     _outside.setTriangle(_triangles.triangle.corners, 0);
-                    ray.setNormal(_outside.x, _outside.y, _outside.z);
-                    out.setNormal(before, ray);
+                    _entry.setNormal(ray, _outside.x, _outside.y, _outside.z);
+                    out.setNormal(before, _entry);
                     out.triangles[before] = -1;
                 }
             }

@@ -5,6 +5,7 @@ package starlogo.hierarchy
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
+    import starlogo.intersection.ray.RayEntry;
     import starlogo.intersection.ray.crossStructure;
     import starlogo.intersection.ray.rayBox;
 
@@ -20,8 +21,9 @@ package starlogo.hierarchy
     public final class NodeRayTest extends LeafTest
     {
         private var _tree:BoxTree;
-        private var _ray:Ray;
-        private var _part:Ray = new Ray();
+        private var _ray:Ray = new Ray();
+        private var _reversed:Ray = new Ray();
+        private var _entry:RayEntry = new RayEntry();
         private var _all:RayCrossings = null;
         private var _slack:Number = 0;
         private var _boxes:BoxSearch = new BoxSearch();
@@ -33,30 +35,22 @@ package starlogo.hierarchy
         public function NodeRayTest()
         {
             // Nodes are enlarged as it is. A node that is only touched would be entered before a larger node around it.
-            _part.touchingFactor = 1;
+            _ray.touchingFactor = 1;
         }
 
         /**
-         * Narrows a ray to the part behind its first hit.
+         * Finds where a ray first enters a node that decides.
          *
          * @param tree the tree
          * @param depth how many of its levels are visited
-         * @param ray in the tree's space; its beginning becomes the hit, with the normal there
-         * @return whether there is a hit; if not, the ray stays as it was
+         * @param ray in the tree's space
+         * @param out receives the place and the normal
+         * @return whether there is such a place
          */
-        public function findHit(tree:BoxTree, depth:int, ray:Ray):Boolean
+        public function findHit(tree:BoxTree, depth:int, ray:Ray, out:RayEntry):Boolean
         {
             search(tree, depth, ray, 0, null);
-            if (_first < 0)
-            {
-                return false;
-            }
-            _part.copyFrom(ray);
-            _part.faceBack();
-            rayBox(_part, tree.writeBox(_first, _box));
-            ray.from = _part.from;
-            ray.setNormal(_part.normalX, _part.normalY, _part.normalZ);
-            return true;
+            return _first >= 0 && rayBox(_ray, tree.writeBox(_first, _box), out);
         }
 
         /**
@@ -64,7 +58,7 @@ package starlogo.hierarchy
          *
          * @param tree the tree
          * @param depth how many of its levels are visited
-         * @param ray in the tree's space; it is not changed
+         * @param ray in the tree's space
          * @param slack how far a place may be wrong because of rounding
          * @param out the crossings are added to it
          */
@@ -76,7 +70,7 @@ package starlogo.hierarchy
         private function search(tree:BoxTree, depth:int, ray:Ray, slack:Number, all:RayCrossings):void
         {
             _tree = tree;
-            _ray = ray;
+            _ray.copyFrom(ray);
             _slack = slack;
             _all = all;
             _first = -1;
@@ -91,15 +85,14 @@ package starlogo.hierarchy
             _tree.writeBox(node, _box);
             if (_all != null)
             {
-                crossStructure(_ray, _box, _slack, _part, null, _all);
+                crossStructure(_ray, _box, _slack, _reversed, _entry, null, _all);
                 return;
             }
-            _part.copyFrom(_ray);
-            if (rayBox(_part, _box) && (_part.from < least || _first < 0))
+            if (rayBox(_ray, _box, _entry) && (_entry.place < least || _first < 0))
             {
                 _first = node;
                 // no node can be met before the ray's beginning
-                least = _part.from > _ray.from ? _part.from : -Infinity;
+                least = _entry.place > _ray.from ? _entry.place : -Infinity;
             }
         }
     }

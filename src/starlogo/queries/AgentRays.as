@@ -8,6 +8,7 @@ package starlogo.queries
     import starlogo.geometry.requireInWorld;
     import starlogo.intersection.isAfter;
     import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayEntry;
     import starlogo.queries.rays.RowRays;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
@@ -25,6 +26,7 @@ package starlogo.queries
         private var _search:SweptBoxSearch = new SweptBoxSearch();
         private var _rowRays:RowRays;
         private var _ray:Ray = new Ray();
+        private var _entry:RayEntry = new RayEntry();
         private var _hits:Hits;
 
         // For the line between two agents.
@@ -122,14 +124,14 @@ package starlogo.queries
             begin(1, from, towards, distance, filter);
             for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
             {
-                if (row != rowA && row != rowB && _rowRays.findHit(row, _ray))
+                if (row != rowA && row != rowB && _rowRays.findHit(row, _ray, _entry))
                 {
                     if (_found.filter.accepts == null)
                     {
                         // any row will do
                         return false;
                     }
-                    _found.add(row, _ray.from);
+                    _found.add(row, _entry.place);
                 }
             }
             return _found.end() == 0;
@@ -178,9 +180,9 @@ package starlogo.queries
             var ray:Ray = _ray;
             for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
             {
-                if (_rowRays.findHit(row, ray) && _found.add(row, ray.from))
+                if (_rowRays.findHit(row, ray, _entry) && _found.add(row, _entry.place))
                 {
-                    _hits.addRay(row, ray);
+                    _hits.addEntry(row, ray, _entry);
                     ray.to = _found.limit;
                 }
             }

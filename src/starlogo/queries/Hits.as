@@ -3,6 +3,7 @@ package starlogo.queries
     import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayEntry;
     import starlogo.queries.rays.TriangleOfHit;
     import starlogo.queries.trees.Collector;
     import starlogo.search.KeyedList;
@@ -84,14 +85,14 @@ package starlogo.queries
             return _contacts[index];
         }
 
-        /** Adds the hit where a ray begins at a row's surface, with the normal and the triangle there. */
-        public function addRay(row:int, ray:Ray):void
+        /** Adds the hit where a ray enters a row, with the normal and the triangle there. */
+        public function addEntry(row:int, ray:Ray, entry:RayEntry):void
         {
-            var contact:ContactPoint = add(row, ray.from, ray.triangle);
-            contact.x = ray.x + ray.from * ray.directionX;
-            contact.y = ray.y + ray.from * ray.directionY;
-            contact.z = ray.z + ray.from * ray.directionZ;
-            contact.setNormal(ray.normalX, ray.normalY, ray.normalZ);
+            var contact:ContactPoint = add(row, entry.place, entry.triangle);
+            contact.x = ray.x + entry.place * ray.directionX;
+            contact.y = ray.y + entry.place * ray.directionY;
+            contact.z = ray.z + entry.place * ray.directionZ;
+            contact.setNormal(entry.normalX, entry.normalY, entry.normalZ);
         }
 
         /** The distance or time of the first hit of a row that has one. */

@@ -8,6 +8,7 @@ package starlogo.queries
     import starlogo.geometry.Trigonometry;
     import starlogo.geometry.requireInWorld;
     import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayEntry;
     import starlogo.queries.motion.MotionPlanner;
     import starlogo.queries.motion.MotionResult;
     import starlogo.queries.motion.Mover;
@@ -57,6 +58,7 @@ package starlogo.queries
         private var _overlap:ContactPoint = new ContactPoint();
         private var _limits:SlideLimits = new SlideLimits();
         private var _ray:Ray = new Ray();
+        private var _entry:RayEntry = new RayEntry();
 
         // How a slide along the ground ends.
         private var _slide:SlideResult = new SlideResult();
@@ -402,12 +404,12 @@ package starlogo.queries
             _origin.setTo(contact.x - behind * contact.normalX / across, contact.y - behind * contact.normalY / across, contact.z + above);
             _ray.aim(_origin, DOWN);
             _ray.to = 2 * above;
-            if (!_rowRays.findHit(row, _ray) || _ray.from == 0 || !(_ray.normalZ >= walk.cosine))
+            if (!_rowRays.findHit(row, _ray, _entry) || _entry.place == 0 || !(_entry.normalZ >= walk.cosine))
             {
                 return false;
             }
             walk.floorRow = row;
-            walk.floorNormal.setTo(_ray.normalX, _ray.normalY, _ray.normalZ);
+            walk.floorNormal.setTo(_entry.normalX, _entry.normalY, _entry.normalZ);
             return true;
         }
     }

@@ -9,6 +9,7 @@ package starlogo.solid
     import starlogo.hierarchy.NodeRayTest;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
+    import starlogo.intersection.ray.RayEntry;
 
     use namespace engine;
 
@@ -24,9 +25,6 @@ package starlogo.solid
      */
     public final class ModelRayQuery
     {
-        /** The number of the triangle that the last ray of <code>find()</code> meets, as the model counts them; or -1. */
-        public var triangle:int = -1;
-
         private var _nodes:NodeRayTest = new NodeRayTest();
         private var _boxes:BoxSearch = new BoxSearch();
         private var _triangles:RayTriangleTest = new RayTriangleTest();
@@ -35,43 +33,44 @@ package starlogo.solid
         // The normal of the triangle that the ray meets.
         private var _face:FaceNormal = new FaceNormal();
 
+        private var _entry:RayEntry = new RayEntry();
+
         /**
-         * Narrows a ray to the part behind its first hit.
+         * Finds where a ray first meets a model.
          *
          * @param model the model
          * @param depth how many of its levels are visited
          * @param exact whether the triangles decide, or the leaves if there are none; the depth has no meaning then
-         * @param ray in the model's space; its beginning becomes the hit, and its normal becomes the normal there, against the ray
+         * @param ray in the model's space
+         * @param out receives the place, the normal and the triangle
          * @return whether there is a hit
          */
-        public function find(model:ModelTree, depth:int, exact:Boolean, ray:Ray):Boolean
+        public function find(model:ModelTree, depth:int, exact:Boolean, ray:Ray, out:RayEntry):Boolean
         {
-            triangle = -1;
+            out.begin(ray);
             if (beginsInside(model, ray))
             {
-                ray.faceBack();
                 return true;
             }
             if (exact && model.hasTriangles)
             {
-                return findTriangle(model, ray);
+                return findTriangle(model, ray, out);
             }
-            return _nodes.findHit(model.tree, exact ? BoxTree.NO_LIMIT : depth, ray);
+            return _nodes.findHit(model.tree, exact ? BoxTree.NO_LIMIT : depth, ray, out);
         }
 
         /**
          * Adds all crossings of a ray with the surface of a model. The parameters are those of <code>find()</code>.
          *
-         * @param ray in the model's space; its normal is overwritten
          * @param out the crossings are added to it
          * @return whether they are those of triangles, otherwise those of nodes
          */
         public function findAll(model:ModelTree, depth:int, exact:Boolean, ray:Ray, out:RayCrossings):Boolean
         {
-            ray.faceBack();
+            _entry.begin(ray);
             if (beginsInside(model, ray))
             {
-                out.addBeginning(ray, 0, RayCrossings.INSIDE);
+                out.addEntry(_entry, 0, RayCrossings.INSIDE);
             }
             if (!exact || !model.hasTriangles)
             {
@@ -82,8 +81,9 @@ package starlogo.solid
             searchTriangles(model, ray, out);
             for (var i:int = first; i < out.count; i++)
             {
-                setNormal(model.mesh, out.triangles[i], ray);
-                out.setNormal(i, ray);
+                _entry.begin(ray);
+                setNormal(model.mesh, out.triangles[i], ray, _entry);
+                out.setNormal(i, _entry);
                 out.triangles[i] = model.tree.order[out.triangles[i]];
             }
             return true;
@@ -95,7 +95,7 @@ package starlogo.solid
             return model.isInside(_start, 0);
         }
 
-        private function findTriangle(model:ModelTree, ray:Ray):Boolean
+        private function findTriangle(model:ModelTree, ray:Ray, out:RayEntry):Boolean
         {
             searchTriangles(model, ray, null);
             var found:int = _triangles.triangle;
@@ -103,9 +103,9 @@ package starlogo.solid
             {
                 return false;
             }
-            triangle = model.tree.order[found];
-            ray.from = _triangles.least;
-            setNormal(model.mesh, found, ray);
+            out.triangle = model.tree.order[found];
+            out.place = _triangles.least;
+            setNormal(model.mesh, found, ray, out);
             return true;
         }
 
@@ -118,15 +118,13 @@ package starlogo.solid
             _boxes.find(mesh.tree, BoxTree.NO_LIMIT, _triangles);
         }
 
-        // Sets the normal of a ray to that of a triangle, against the ray. A triangle without area has no normal; then it is the opposite of the
-        // ray's direction.
-        private function setNormal(mesh:TriangleMesh, index:int, ray:Ray):void
+        // Sets the normal to that of a triangle, against the ray. A triangle without area has none; then it stays the opposite of the ray's direction.
+        private function setNormal(mesh:TriangleMesh, index:int, ray:Ray, out:RayEntry):void
         {
-            ray.faceBack();
             _face.setTriangle(mesh.corners, 9 * index);
             if (_face.doubleArea > 0)
             {
-                ray.setNormal(_face.x, _face.y, _face.z);
+                out.setNormal(ray, _face.x, _face.y, _face.z);
             }
         }
     }

@@ -10,6 +10,7 @@ package starlogo.ground
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
+    import starlogo.intersection.ray.RayEntry;
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentQueries;
     import starlogo.queries.RayHit;
@@ -101,8 +102,9 @@ package starlogo.ground
                 var direction:Vector3D = new Vector3D(0, random.pick([-1, 1]), random.between(-1, 1));
                 direction.normalize();
                 var ray:Ray = new Ray();
+                var entry:RayEntry = new RayEntry();
                 ray.aim(new Vector3D(to.x - high * direction.x, to.y - high * direction.y, to.z - high * direction.z), direction);
-                missed += query.find(terrain.grid, ray) && Math.abs(ray.from - high) < 1 ? 0 : 1;
+                missed += query.find(terrain.grid, ray, entry) && Math.abs(entry.place - high) < 1 ? 0 : 1;
             }
             assertEquals(missed + " of " + count, 0, missed);
         }

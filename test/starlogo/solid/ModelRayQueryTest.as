@@ -6,11 +6,11 @@ package starlogo.solid
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayEntry;
     import starlogo.intersection.ray.rayStructure;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ColladaModel;
@@ -32,6 +32,7 @@ package starlogo.solid
         private static const DEPTHS:Array = [1, 2, 3, 5, 8, 40];
 
         private var _rays:ModelRayQuery = new ModelRayQuery();
+        private var _entry:RayEntry = new RayEntry();
         private var _random:SeededRandom = new SeededRandom(2211);
         private var _structures:RandomStructures = new RandomStructures(_random);
 
@@ -111,12 +112,12 @@ package starlogo.solid
                 {
                     var ray:Ray = randomRay();
                     var depth:int = DEPTHS[i % DEPTHS.length];
-                    var expected:Number = nearestEnd(hierarchy.root, depth, ray, 0, Infinity);
+                    var expected:Number = nearestEnd(hierarchy.root, depth, ray, 0);
                     var found:Number = distanceAt(hierarchy, depth, false, ray);
                     hits += found < Infinity ? 1 : 0;
                     if (found > 0 && found < Infinity)
                     {
-                        checkNodeNormal(model.name + ", depth " + depth, ray);
+                        checkNodeNormal(model.name + ", depth " + depth, ray, _entry);
                     }
                     assertTrue(model.name + ", depth " + depth + ": " + expected + ", not " + found, expected == found || Math.abs(expected - found) < 1e-12);
                 }
@@ -125,9 +126,9 @@ package starlogo.solid
         }
 
         // Out of a structure's surface, which no ray meets at a right angle by chance.
-        private static function checkNodeNormal(message:String, ray:Ray):void
+        private static function checkNodeNormal(message:String, ray:Ray, entry:RayEntry):void
         {
-            var normal:Vector3D = new Vector3D(ray.normalX, ray.normalY, ray.normalZ);
+            var normal:Vector3D = new Vector3D(entry.normalX, entry.normalY, entry.normalZ);
             var along:Number = normal.dotProduct(directionOf(ray));
             assertTrue(message + ": " + normal, Math.abs(normal.length - 1) < 1e-12 && along < 0 && along > -1 + 1e-12);
             assertEquals(message + ": " + normal, 1, Math.abs(normal.x) + Math.abs(normal.y) + Math.abs(normal.z));
@@ -185,7 +186,7 @@ package starlogo.solid
             var corner:ModelTree = hierarchyOf(new Model("corner", bent, new <uint>[0, 1, 2, 0, 2, 3, 0, 3, 5, 0, 5, 4], Model.AS_GIVEN));
             ray.aim(new Vector3D(-3, 0.1, 0), new Vector3D(1, 0, 0));
             assertTrue(Math.abs(distanceAt(corner, 1, true, ray) - 2.5) < 1e-12);
-            assertEquals("its normal", -1, ray.normalX);
+            assertEquals("its normal", -1, _entry.normalX);
         }
 
         [Test]
@@ -212,14 +213,14 @@ package starlogo.solid
                 direction.normalize();
                 var ray:Ray = new Ray();
                 ray.aim(new Vector3D(target.x - 4 * direction.x, target.y - 4 * direction.y, target.z - 4 * direction.z), direction);
-                if (!_rays.find(hierarchyOf(new Model("one", vertices, new <uint>[0, 1, 2], Model.AS_GIVEN)), 1, true, ray))
+                if (!_rays.find(hierarchyOf(new Model("one", vertices, new <uint>[0, 1, 2], Model.AS_GIVEN)), 1, true, ray, _entry))
                 {
                     continue;
                 }
                 met++;
-                var x:Number = ray.x + ray.from * ray.directionX;
-                var y:Number = ray.y + ray.from * ray.directionY;
-                var z:Number = ray.z + ray.from * ray.directionZ;
+                var x:Number = ray.x + _entry.place * ray.directionX;
+                var y:Number = ray.y + _entry.place * ray.directionY;
+                var z:Number = ray.z + _entry.place * ray.directionZ;
                 var gap:Number = PlainDistance.ofTriangles(new <Number>[x, y, z, x, y, z, x, y, z], 0, vertices, 0);
                 assertTrue(i + ": " + gap + " beside " + corners, gap < 1e-9);
             }
@@ -252,28 +253,26 @@ package starlogo.solid
         }
 
         // All end nodes, one after the other, with what is inside of their ancestors.
-        private static function nearestEnd(node:HierarchyNode, depth:int, ray:Ray, from:Number, to:Number):Number
+        private static function nearestEnd(node:HierarchyNode, depth:int, ray:Ray, from:Number):Number
         {
             var part:Ray = new Ray();
-            part.bringInto(new Placement(), ray);
+            var entry:RayEntry = new RayEntry();
+            part.copyFrom(ray);
             part.from = from;
-            part.to = to;
-            if (!rayStructure(part, node.bounds))
+            if (!rayStructure(part, node.bounds, null, entry))
             {
                 return Infinity;
             }
             if (node.isLeaf || depth == 1)
             {
-                return part.from;
+                return entry.place;
             }
-            return Math.min(nearestEnd(node.left, depth - 1, ray, part.from, part.to), nearestEnd(node.right, depth - 1, ray, part.from, part.to));
+            return Math.min(nearestEnd(node.left, depth - 1, ray, entry.place), nearestEnd(node.right, depth - 1, ray, entry.place));
         }
 
         private function distanceAt(hierarchy:ModelTree, depth:int, exact:Boolean, ray:Ray):Number
         {
-            ray.from = 0;
-            ray.to = Infinity;
-            return _rays.find(hierarchy, depth, exact, ray) ? ray.from : Infinity;
+            return _rays.find(hierarchy, depth, exact, ray, _entry) ? _entry.place : Infinity;
         }
 
         private function pointInside(hierarchy:ModelTree):Vector3D

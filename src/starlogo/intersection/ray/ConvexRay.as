@@ -9,7 +9,7 @@ package starlogo.intersection.ray
     import starlogo.convex.RelativeMotion;
 
     /**
-     * Narrows rays to the part inside of any convex structure. A point that moves along the ray meets the structure where the ray enters it, and a
+     * Finds where rays enter any convex structure. A point that moves along the ray meets the structure where the ray enters it, and a
      * point that moves back meets it where the ray leaves it. Hulls, boxes and round structures have faster functions.
      *
      * @private
@@ -24,26 +24,29 @@ package starlogo.intersection.ray
         private var _contact:ContactPoint = new ContactPoint();
 
         /**
-         * Narrows a ray. Its factor of touching does not count.
+         * Finds where a ray enters a structure. Its factor of touching does not count.
          *
-         * @param ray in the space of the structure; its part is narrowed, and its normal is set if it enters the structure
+         * @param ray in the space of the structure
          * @param structure convex
+         * @param out receives the place and the normal
          * @return whether the ray meets the structure
          */
-        public function narrow(ray:Ray, structure:BoundingStructure):Boolean
+        public function enter(ray:Ray, structure:BoundingStructure, out:RayEntry):Boolean
         {
             _shape.setStructure(structure);
             // the part of the line that may be inside
             var middle:Number = (_shape.x - ray.x) * ray.directionX + (_shape.y - ray.y) * ray.directionY + (_shape.z - ray.z) * ray.directionZ;
             var boundingRadius:Number = 2 * (_shape.extent + _shape.radius) + Number.MIN_VALUE;
-            ray.near = middle - boundingRadius + 2 * boundingRadius * timeFrom(ray, middle - boundingRadius, 2 * boundingRadius);
-            if (ray.near > ray.from && ray.near < Infinity)
+            var near:Number = middle - boundingRadius + 2 * boundingRadius * timeFrom(ray, middle - boundingRadius, 2 * boundingRadius);
+            out.begin(ray);
+            if (near > ray.from && near < Infinity)
             {
                 _pair.findContact(_point, _shape, _motion, _contact);
-                ray.setNormal(_contact.normalX, _contact.normalY, _contact.normalZ);
+                out.place = near;
+                out.setNormal(ray, _contact.normalX, _contact.normalY, _contact.normalZ);
             }
-            ray.far = middle + boundingRadius - 2 * boundingRadius * timeFrom(ray, middle + boundingRadius, -2 * boundingRadius);
-            return ray.narrow();
+            var far:Number = middle + boundingRadius - 2 * boundingRadius * timeFrom(ray, middle + boundingRadius, -2 * boundingRadius);
+            return near < Infinity && out.place <= far && out.place <= ray.to;
         }
 
         // When a point first meets the shape, if it moves by a length from a place on the ray.

@@ -51,19 +51,29 @@ package starlogo.intersection.ray
             count++;
         }
 
-        /** Adds a crossing where a ray begins, with the ray's normal. No triangle decides about it. */
-        public function addBeginning(ray:Ray, slack:Number, side:int):void
+        /** Adds a crossing where a ray enters a shape, or leaves it. No triangle decides about it. */
+        public function addEntry(entry:RayEntry, slack:Number, side:int):void
         {
-            add(ray.from, slack, ray.from, side, -1);
-            setNormal(count - 1, ray);
+            add(entry.place, slack, entry.place, side, -1);
+            setNormal(count - 1, entry);
         }
 
-        /** Sets the normal of a crossing to a ray's. */
-        public function setNormal(index:int, ray:Ray):void
+        /** Reads where a crossing is, with the normal and the triangle there. */
+        public function readEntry(index:int, out:RayEntry):void
         {
-            normals[3 * index] = ray.normalX;
-            normals[3 * index + 1] = ray.normalY;
-            normals[3 * index + 2] = ray.normalZ;
+            out.place = places[index];
+            out.triangle = triangles[index];
+            out.normalX = normals[3 * index];
+            out.normalY = normals[3 * index + 1];
+            out.normalZ = normals[3 * index + 2];
+        }
+
+        /** Sets the normal of a crossing. */
+        public function setNormal(index:int, entry:RayEntry):void
+        {
+            normals[3 * index] = entry.normalX;
+            normals[3 * index + 1] = entry.normalY;
+            normals[3 * index + 2] = entry.normalZ;
         }
     }
 }

@@ -7,15 +7,17 @@ package starlogo.intersection.ray
     use namespace engine;
 
     /**
-     * Narrows a ray to the part inside of a hull, which is the part inside of all its half-spaces. Touching counts, to within
-     * <code>ray.touchingFactor</code> of a plane's distance from the centre. Allocates nothing, except at the first ray that meets the hull where it is.
+     * Finds where a ray enters a hull: where it is inside of all its half-spaces. Touching counts, to within <code>ray.touchingFactor</code> of a
+     * plane's distance from the centre, but the place is on the hull itself, unless the line only touches. Allocates nothing, except at the first
+     * ray that meets the hull where it is.
      *
-     * @param ray in the space of the hull; its part is narrowed, and its normal is set if it enters the hull
+     * @param ray in the space of the hull
      * @param hull may be flat
+     * @param out receives the place and the normal
      * @return whether the ray meets the hull
      * @private
      */
-    public function rayHull(ray:Ray, hull:Hull):Boolean
+    public function rayHull(ray:Ray, hull:Hull, out:RayEntry):Boolean
     {
         var center:Vector3D = hull.center;
         var x:Number = ray.x - center.x;
@@ -24,35 +26,39 @@ package starlogo.intersection.ray
         var planes:Vector.<Number> = hull.halfSpaces;
         var end:int = planes.length;
         var entered:int = -1;
-        ray.near = ray.entry = -Infinity;
-        ray.far = Infinity;
+        // where the line is inside of the hull or touches it, and where it enters the hull itself
+        var near:Number = -Infinity;
+        var far:Number = ray.to;
+        var exact:Number = -Infinity;
         for (var i:int = 0; i < end; i += 4)
         {
             var height:Number = planes[i] * x + planes[int(i + 1)] * y + planes[int(i + 2)] * z - planes[int(i + 3)] - hull.radius;
             var speed:Number = planes[i] * ray.directionX + planes[int(i + 1)] * ray.directionY + planes[int(i + 2)] * ray.directionZ;
-            if (speed < 0 && -height / speed > ray.entry)
+            if (speed < 0 && -height / speed > exact)
             {
-                ray.entry = -height / speed;
+                exact = -height / speed;
             }
             height -= (ray.touchingFactor - 1) * planes[int(i + 3)];
-            if (speed < 0 && -height / speed > ray.near)
+            if (speed < 0 && -height / speed > near)
             {
-                ray.near = -height / speed;
+                near = -height / speed;
                 entered = i;
             }
-            else if (speed > 0 && -height / speed < ray.far)
+            else if (speed > 0 && -height / speed < far)
             {
-                ray.far = -height / speed;
+                far = -height / speed;
             }
             else if (speed == 0 && height > 0)
             {
-                ray.far = -Infinity;
+                far = -Infinity;
             }
         }
-        if (ray.near > ray.from)
+        out.begin(ray);
+        if (near > ray.from)
         {
-            ray.setNormal(planes[entered], planes[int(entered + 1)], planes[int(entered + 2)]);
+            out.place = exact > near && exact <= far ? exact : near;
+            out.setNormal(ray, planes[entered], planes[int(entered + 1)], planes[int(entered + 2)]);
         }
-        return ray.narrowExactly();
+        return out.place <= far;
     }
 }

@@ -4,31 +4,47 @@ package starlogo.intersection.ray
     import starlogo.bounding.Sphere;
 
     /**
-     * Narrows a ray to the part inside of a sphere. Touching counts, to within <code>ray.touchingFactor</code>. The distance of the centre is computed
+     * Finds where a ray enters a sphere. Touching counts, to within <code>ray.touchingFactor</code>. The distance of the centre is computed
      * perpendicular to the line, so that no digits cancel. Allocates nothing.
      *
-     * @param ray in the space of the sphere; its part is narrowed, and its normal is set if it enters the sphere
+     * @param ray in the space of the sphere
      * @param sphere a radius of 0 makes it a point
+     * @param out receives the place and the normal
      * @return whether the ray meets the sphere
      * @private
      */
-    public function raySphere(ray:Ray, sphere:Sphere):Boolean
+    public function raySphere(ray:Ray, sphere:Sphere, out:RayEntry):Boolean
     {
         var center:Vector3D = sphere.center;
-        ray.near = Infinity;
-        ray.far = -Infinity;
-        ray.addBall(center, sphere.radius * ray.touchingFactor);
-        var at:Number = ray.near;
-        if (at > ray.from && at < Infinity && sphere.radius > 0)
+        var radius:Number = sphere.radius * ray.touchingFactor;
+        var x:Number = center.x - ray.x;
+        var y:Number = center.y - ray.y;
+        var z:Number = center.z - ray.z;
+        var closest:Number = x * ray.directionX + y * ray.directionY + z * ray.directionZ;
+        x -= closest * ray.directionX;
+        y -= closest * ray.directionY;
+        z -= closest * ray.directionZ;
+        var half:Number = radius * radius - (x * x + y * y + z * z);
+        if (!(half >= 0))
         {
-            var x:Number = ray.x + at * ray.directionX - center.x;
-            var y:Number = ray.y + at * ray.directionY - center.y;
-            var z:Number = ray.z + at * ray.directionZ - center.z;
-            var length:Number = Math.sqrt(x * x + y * y + z * z);
-            ray.normalX = x / length;
-            ray.normalY = y / length;
-            ray.normalZ = z / length;
+            return false;
         }
-        return ray.narrow();
+        half = Math.sqrt(half);
+        out.begin(ray);
+        if (closest - half > ray.from)
+        {
+            out.place = closest - half;
+            if (sphere.radius > 0)
+            {
+                x = ray.x + out.place * ray.directionX - center.x;
+                y = ray.y + out.place * ray.directionY - center.y;
+                z = ray.z + out.place * ray.directionZ - center.z;
+                var length:Number = Math.sqrt(x * x + y * y + z * z);
+                out.normalX = x / length;
+                out.normalY = y / length;
+                out.normalZ = z / length;
+            }
+        }
+        return out.place <= closest + half && out.place <= ray.to;
     }
 }

@@ -10,34 +10,35 @@ package starlogo.intersection.ray
     use namespace engine;
 
     /**
-     * Narrows a ray to the part inside of a structure. Allocates nothing, except at the first ray that meets a hull where it is.
+     * Finds where a ray enters a structure. Allocates nothing, except at the first ray that meets a hull where it is.
      *
-     * @param ray in the space of the structure; its part is narrowed, and its normal is set if it enters the structure
+     * @param ray in the space of the structure
      * @param structure a sphere, a capsule, a box, a hull, or another convex structure
      * @param convex tests convex structures without half-spaces, which are further structures of the engine; null if there are none
+     * @param out receives the place and the normal
      * @return whether the ray meets the structure
      * @throws ArgumentError for any other structure
      * @private
      */
-    public function rayStructure(ray:Ray, structure:BoundingStructure, convex:ConvexRay = null):Boolean
+    public function rayStructure(ray:Ray, structure:BoundingStructure, convex:ConvexRay, out:RayEntry):Boolean
     {
         switch (structure.kind)
         {
             case BoundingStructure.SPHERE:
-                return raySphere(ray, Sphere(structure));
+                return raySphere(ray, Sphere(structure), out);
             case BoundingStructure.CAPSULE:
-                return rayCapsule(ray, Capsule(structure));
+                return rayCapsule(ray, Capsule(structure), out);
             case BoundingStructure.BOX:
-                return rayBox(ray, Box(structure));
+                return rayBox(ray, Box(structure), out);
             case BoundingStructure.HULL:
                 // "is Hull" would bring the search for hulls into every game with rays
                 if (structure.halfSpaces != null)
                 {
-                    return rayHull(ray, Hull(structure));
+                    return rayHull(ray, Hull(structure), out);
                 }
                 if (convex != null)
                 {
-                    return convex.narrow(ray, structure);
+                    return convex.enter(ray, structure, out);
                 }
                 break;
         }

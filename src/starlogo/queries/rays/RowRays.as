@@ -6,6 +6,7 @@ package starlogo.queries.rays
     import starlogo.intersection.ray.crossStructure;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
+    import starlogo.intersection.ray.RayEntry;
     import starlogo.intersection.ray.rayStructure;
     import starlogo.queries.Hits;
     import starlogo.queries.SeenAgents;
@@ -34,10 +35,11 @@ package starlogo.queries.rays
         private var _inModel:Ray = new Ray();
         private var _solid:ModelRayQuery = new ModelRayQuery();
 
-        // The crossings with a row's shape, their order, and a scratch ray.
+        // The crossings with a row's shape, their order, one of them, and a scratch ray.
         private var _crossings:RayCrossings = new RayCrossings();
         private var _order:CrossingOrder = new CrossingOrder();
-        private var _part:Ray = new Ray();
+        private var _entry:RayEntry = new RayEntry();
+        private var _reversed:Ray = new Ray();
 
         /** @param seen has the rows */
         public function RowRays(seen:SeenAgents)
@@ -48,31 +50,28 @@ package starlogo.queries.rays
         /**
          * Finds where a ray first meets a row that has a shape.
          *
-         * @param ray the ray in the world. A row at exactly <code>to</code> is met. After a hit, <code>from</code> is the hit's distance, 0 if the
-         *     origin is inside, and the ray has the normal and the triangle there
+         * @param ray the ray in the world. A row at exactly <code>to</code> is met
+         * @param out receives the distance of the hit, 0 if the origin is inside, and the normal and the triangle there
          * @return whether it meets the row
          */
-        public function findHit(row:int, ray:Ray):Boolean
+        public function findHit(row:int, ray:Ray, out:RayEntry):Boolean
         {
             var body:Body = _seen.table.bodyOf(row);
-            ray.from = 0;
-            ray.triangle = -1;
             if (body.form == ModelShape.GROUND)
             {
-                return _seen.narrowPhase.groundTestsOf(body).isMet(body, ray);
+                return _seen.narrowPhase.groundTestsOf(body).findHit(body, ray, out);
             }
             var placement:Placement = body.placement;
             var line:Ray = _inModel;
             var ahead:Number = aheadOf(ray, placement);
             bringIntoModel(ray, placement, ahead, line);
-            var start:Number = line.from;
-            return line.isFinite && findHitOfShape(body, line) && bringBack(line, start, placement, ahead, ray);
+            return line.isFinite && findHitOfShape(body, line, out) && bringBack(out, line, placement, ahead, ray);
         }
 
         /**
          * Finds all surfaces of a row that a ray crosses.
          *
-         * @param ray the ray in the world. A surface at exactly <code>to</code> is crossed. Its beginning and its normal are overwritten
+         * @param ray the ray in the world. A surface at exactly <code>to</code> is crossed
          * @param out receives a hit for each surface, in the order of the ray
          * @return whether it crosses any
          */
@@ -85,7 +84,6 @@ package starlogo.queries.rays
             var areTriangles:Boolean = true;
             var isMet:Boolean = false;
             var ahead:Number = 0;
-            ray.from = 0;
             crossings.count = 0;
             if (isGround)
             {
@@ -97,27 +95,17 @@ package starlogo.queries.rays
                 bringIntoModel(ray, body.placement, ahead, line);
                 areTriangles = line.isFinite && cross(body, line, crossings);
             }
-            var start:Number = line.from;
             _order.arrange(crossings, areTriangles);
             for (var i:int = 0; i < _order.left.count; i++)
             {
-                takeCrossing(crossings, _order.left.numbers[i], isGround ? ray : line);
-                if (isGround ? ray.from <= ray.to : bringBack(line, start, body.placement, ahead, ray))
+                crossings.readEntry(_order.left.numbers[i], _entry);
+                if (isGround ? _entry.place <= ray.to : bringBack(_entry, line, body.placement, ahead, ray))
                 {
-                    out.addRay(row, ray);
+                    out.addEntry(row, ray, _entry);
                     isMet = true;
                 }
             }
-            ray.from = 0;
             return isMet;
-        }
-
-        // Lets a ray begin at a crossing, with the normal and the triangle there.
-        private static function takeCrossing(crossings:RayCrossings, crossing:int, ray:Ray):void
-        {
-            ray.from = crossings.places[crossing];
-            ray.triangle = crossings.triangles[crossing];
-            ray.setNormal(crossings.normals[3 * crossing], crossings.normals[3 * crossing + 1], crossings.normals[3 * crossing + 2]);
         }
 
         // Adds the crossings of a ray in the model's space with a body's shape. Returns whether they are those of triangles.
@@ -128,7 +116,7 @@ package starlogo.queries.rays
             {
                 return _solid.findAll(shape.hierarchy, _seen.narrowPhase.treeLimits.depthOf(body), _seen.narrowPhase.treeLimits.exact, line, out);
             }
-            crossStructure(line, shape.structure, 0, _part, _seen.narrowPhase.convexRay, out);
+            crossStructure(line, shape.structure, 0, _reversed, _entry, _seen.narrowPhase.convexRay, out);
             return false;
         }
 
@@ -152,37 +140,30 @@ package starlogo.queries.rays
             line.from = -ahead / size;
             // because of rounding this end is a little too far; hits beyond the exact end are refused later
             line.to = (ray.to - ahead + Tolerances.ROUNDING * (ray.to + Math.abs(ahead))) / size;
-            line.faceBack();
-            line.triangle = -1;
         }
 
-        // Writes where a ray in a model's space begins now, its normal and its triangle to the ray in the world. It began at the start before.
-        // Returns whether that is not beyond the ray's end.
-        private static function bringBack(line:Ray, start:Number, placement:Placement, ahead:Number, ray:Ray):Boolean
+        // Moves where a ray enters a shape from the model's space into the world. Returns whether that is not beyond the ray's end.
+        private static function bringBack(entry:RayEntry, line:Ray, placement:Placement, ahead:Number, ray:Ray):Boolean
         {
-            ray.from = 0;
-            if (line.from > start)
-            {
-                ray.from = Math.max(0, line.from * placement.size + ahead);
-            }
-            ray.triangle = line.triangle;
-            ray.normalX = placement.r00 * line.normalX + placement.r01 * line.normalY + placement.r02 * line.normalZ;
-            ray.normalY = placement.r10 * line.normalX + placement.r11 * line.normalY + placement.r12 * line.normalZ;
-            ray.normalZ = placement.r20 * line.normalX + placement.r21 * line.normalY + placement.r22 * line.normalZ;
-            return ray.from <= ray.to;
+            var x:Number = entry.normalX;
+            var y:Number = entry.normalY;
+            var z:Number = entry.normalZ;
+            entry.normalX = placement.r00 * x + placement.r01 * y + placement.r02 * z;
+            entry.normalY = placement.r10 * x + placement.r11 * y + placement.r12 * z;
+            entry.normalZ = placement.r20 * x + placement.r21 * y + placement.r22 * z;
+            entry.place = entry.place > line.from ? Math.max(0, entry.place * placement.size + ahead) : 0;
+            return entry.place <= ray.to;
         }
 
-        private function findHitOfShape(body:Body, found:Ray):Boolean
+        private function findHitOfShape(body:Body, line:Ray, out:RayEntry):Boolean
         {
             var shape:ModelShape = body.shape;
             if (shape.hierarchy != null)
             {
                 var limits:TreeLimits = _seen.narrowPhase.treeLimits;
-                var isMet:Boolean = _solid.find(shape.hierarchy, limits.depthOf(body), limits.exact, found);
-                found.triangle = _solid.triangle;
-                return isMet;
+                return _solid.find(shape.hierarchy, limits.depthOf(body), limits.exact, line, out);
             }
-            return rayStructure(found, shape.structure, _seen.narrowPhase.convexRay);
+            return rayStructure(line, shape.structure, _seen.narrowPhase.convexRay, out);
         }
     }
 }

@@ -12,6 +12,7 @@ package starlogo.search.pairs
     import starlogo.ground.HeightGrid;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
+    import starlogo.intersection.ray.RayEntry;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
@@ -70,10 +71,10 @@ package starlogo.search.pairs
             return found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && queryOf(a, b).overlapsAt(RelativeMotion.NONE, 0);
         }
 
-        /** Whether a ray meets the ground. If it does, the ray begins there, and has the normal. */
-        public function isMet(b:Body, ray:Ray):Boolean
+        /** Finds where a ray first meets the ground. Returns whether it does. */
+        public function findHit(b:Body, ray:Ray, out:RayEntry):Boolean
         {
-            return _rays.find(gridOf(b), ray);
+            return _rays.find(gridOf(b), ray, out);
         }
 
         /** Adds all crossings of a ray with the ground's surface. */

@@ -40,7 +40,8 @@ package starlogo.intersection.ray
                     var direction:Vector3D = towards(structure, origin, random, structures);
                     var ray:Ray = rayOf(origin, direction);
                     var expected:Number = RayReference.firstTouch(structure, origin, direction, 50, 1e-13);
-                    var isMet:Boolean = rayStructure(ray, structure, new ConvexRay());
+                    var entry:RayEntry = new RayEntry();
+                    var isMet:Boolean = rayStructure(ray, structure, new ConvexRay(), entry);
                     if (isNaN(expected))
                     {
                         counts[2]++;
@@ -51,8 +52,8 @@ package starlogo.intersection.ray
                     counts[isMet ? 1 : 0]++;
                     if (isMet)
                     {
-                        assertTrue(message + ": " + expected + ", not " + ray.from, Math.abs(expected - ray.from) < 1e-7);
-                        assertNormal(message, ray, structure, origin, direction);
+                        assertTrue(message + ": " + expected + ", not " + entry.place, Math.abs(expected - entry.place) < 1e-7);
+                        assertNormal(message, entry, structure, origin, direction);
                     }
                 }
                 assertTrue("kind " + kind + ", not met, met, not clear: " + counts, counts[0] > 100 && counts[1] > 300 && counts[2] < 0.05 * i);
@@ -171,7 +172,7 @@ package starlogo.intersection.ray
         [Test]
         public function refusesCylindersAndDirectionsThatAreNone():void
         {
-            assertThrows(ArgumentError, /no test of rays/, rayStructure, new Ray(), new Cylinder(new Vector3D(), new Vector3D(1, 0, 0), 1));
+            assertThrows(ArgumentError, /no test of rays/, rayStructure, new Ray(), new Cylinder(new Vector3D(), new Vector3D(1, 0, 0), 1), null, new RayEntry());
             var ray:Ray = rayOf(new Vector3D(), new Vector3D(0, 3, 0));
             for each (var direction:Vector3D in [new Vector3D(), new Vector3D(NaN, 0, 1), new Vector3D(0, Infinity, 1), new Vector3D(1, 0, NaN)])
             {
@@ -217,17 +218,17 @@ package starlogo.intersection.ray
             return direction;
         }
 
-        private static function assertNormal(message:String, ray:Ray, structure:BoundingStructure, origin:Vector3D, direction:Vector3D):void
+        private static function assertNormal(message:String, entry:RayEntry, structure:BoundingStructure, origin:Vector3D, direction:Vector3D):void
         {
-            var normal:Vector3D = new Vector3D(ray.normalX, ray.normalY, ray.normalZ);
+            var normal:Vector3D = new Vector3D(entry.normalX, entry.normalY, entry.normalZ);
             assertTrue(message + ": length of " + normal, Math.abs(normal.length - 1) < 1e-9);
             assertTrue(message + ": against the ray", normal.dotProduct(direction) < 1e-6);
-            if (ray.from > 0)
+            if (entry.place > 0)
             {
                 // a step out along it leads as far away
                 normal.scaleBy(1e-3);
                 var at:Vector3D = direction.clone();
-                at.scaleBy(ray.from);
+                at.scaleBy(entry.place);
                 var gap:Number = RayReference.distance(structure, origin.add(at).add(normal));
                 assertTrue(message + ": out of it, " + gap, Math.abs(gap - 1e-3) < 1e-6);
             }
@@ -235,8 +236,8 @@ package starlogo.intersection.ray
 
         private static function distanceTo(structure:BoundingStructure, origin:Vector3D, direction:Vector3D):Number
         {
-            var ray:Ray = rayOf(origin, direction);
-            return rayStructure(ray, structure, new ConvexRay()) ? ray.from : Infinity;
+            var entry:RayEntry = new RayEntry();
+            return rayStructure(rayOf(origin, direction), structure, new ConvexRay(), entry) ? entry.place : Infinity;
         }
 
         private static function rayOf(origin:Vector3D, direction:Vector3D):Ray

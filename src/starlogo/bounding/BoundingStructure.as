@@ -79,7 +79,7 @@ package starlogo.bounding
         /** The volume in cubic patches. 0 for a structure that is a rectangle, a segment or a point. */
         public function get volume():Number
         {
-            throw missing("volume");
+            throw new IllegalOperationError(this + " does not implement volume");
         }
 
         /**
@@ -146,13 +146,13 @@ package starlogo.bounding
          */
         public function contains(point:Vector3D):Boolean
         {
-            throw missing("contains");
+            throw new IllegalOperationError(this + " does not implement contains");
         }
 
         /** Returns a copy that shares nothing with this structure. */
         public function clone():BoundingStructure
         {
-            throw missing("clone");
+            throw new IllegalOperationError(this + " does not implement clone");
         }
 
         /**
@@ -166,7 +166,7 @@ package starlogo.bounding
          */
         public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
         {
-            throw missing("place");
+            throw new IllegalOperationError(this + " does not implement place");
         }
 
         /**
@@ -190,7 +190,7 @@ package starlogo.bounding
          */
         engine function widen(by:Number):void
         {
-            throw missing("widen");
+            throw new IllegalOperationError(this + " does not implement widen");
         }
 
         /**
@@ -214,7 +214,7 @@ package starlogo.bounding
          */
         public function extentsInto(out:Vector.<Number>, offset:int = 0):void
         {
-            throw missing("extentsInto");
+            throw new IllegalOperationError(this + " does not implement extentsInto");
         }
 
         /**
@@ -229,7 +229,7 @@ package starlogo.bounding
          */
         engine function rotatedBoxInto(placement:Placement, out:Vector.<Number>):void
         {
-            throw missing("rotatedBoxInto");
+            throw new IllegalOperationError(this + " does not implement rotatedBoxInto");
         }
 
         /**
@@ -240,7 +240,7 @@ package starlogo.bounding
          */
         engine function roundedHullInto(out:RoundedHull):void
         {
-            throw missing("roundedHullInto");
+            throw new IllegalOperationError(this + " does not implement roundedHullInto");
         }
 
         /**
@@ -271,7 +271,7 @@ package starlogo.bounding
          */
         engine function numbers():Vector.<Number>
         {
-            throw missing("numbers");
+            throw new IllegalOperationError(this + " does not implement numbers");
         }
 
         /**
@@ -281,7 +281,7 @@ package starlogo.bounding
          */
         engine function setNumbers(numbers:Vector.<Number>):void
         {
-            throw missing("setNumbers");
+            throw new IllegalOperationError(this + " does not implement setNumbers");
         }
 
         /**
@@ -413,11 +413,6 @@ package starlogo.bounding
         {
             var difference:Number = value - expected;
             return difference <= Tolerances.ORTHONORMALITY && difference >= -Tolerances.ORTHONORMALITY;
-        }
-
-        private function missing(method:String):Error
-        {
-            return new IllegalOperationError(this + " does not implement " + method);
         }
     }
 }

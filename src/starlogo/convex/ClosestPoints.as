@@ -122,12 +122,6 @@ package starlogo.convex
         public function copyFrom(other:ClosestPoints):void
         {
             distance = other.distance;
-            copyPoints(other);
-        }
-
-        /** Copies the points of another pair, but not the distance. */
-        public function copyPoints(other:ClosestPoints):void
-        {
             aX = other.aX;
             aY = other.aY;
             aZ = other.aZ;

@@ -1,5 +1,6 @@
 package starlogo.hierarchy
 {
+    import flash.errors.IllegalOperationError;
     import starlogo.engine;
 
     use namespace engine;
@@ -141,11 +142,13 @@ package starlogo.hierarchy
         /** Prepares the traversal of two trees. The nodes of later calls are theirs. @param pose as for <code>find()</code> */
         protected function begin(pose:RelativePose, a:BoxTree, b:BoxTree):void
         {
+            throw new IllegalOperationError(this + " does not implement begin");
         }
 
         /** Sets <code>out.current</code> for a pair of nodes. A bound that is not less than <code>out.least</code> need not be exact. */
         protected function estimate(a:int, b:int, out:NodePairBounds):void
         {
+            throw new IllegalOperationError(this + " does not implement estimate");
         }
 
         /**
@@ -154,6 +157,7 @@ package starlogo.hierarchy
          */
         protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafPairTest, out:NodePairBounds):void
         {
+            throw new IllegalOperationError(this + " does not implement settle");
         }
     }
 }

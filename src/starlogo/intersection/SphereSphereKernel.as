@@ -51,20 +51,15 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
-            var center:Vector3D = (a as Sphere).center;
-            var other:Vector3D = (b as Sphere).center;
+            var first:Sphere = a as Sphere;
+            var second:Sphere = b as Sphere;
             // one order for both, so that rounding is the same
-            var areSwapped:Boolean = isAfter(center, other);
+            var areSwapped:Boolean = isAfter(first.center, second.center);
+            setGap(areSwapped ? second : first, areSwapped ? first : second, RelativeMotion.NONE);
+            out.setFromGap(_gap);
             if (areSwapped)
             {
-                setGap(b as Sphere, a as Sphere, RelativeMotion.NONE);
-                out.setFromGap(_gap);
                 out.swap();
-            }
-            else
-            {
-                setGap(a as Sphere, b as Sphere, RelativeMotion.NONE);
-                out.setFromGap(_gap);
             }
         }
 

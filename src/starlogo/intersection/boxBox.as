@@ -38,22 +38,12 @@ package starlogo.intersection
         var toZ:Number = (centerB.z - centerA.z) / touching;
 
         // The vector between the centres, in a's axes.
-        var axis:Vector3D;
-        axis = a.axisX;
-        var aXx:Number = axis.x;
-        var aXy:Number = axis.y;
-        var aXz:Number = axis.z;
-        var x:Number = toX * aXx + toY * aXy + toZ * aXz;
+        var axis:Vector3D = a.axisX;
+        var x:Number = toX * axis.x + toY * axis.y + toZ * axis.z;
         axis = a.axisY;
-        var aYx:Number = axis.x;
-        var aYy:Number = axis.y;
-        var aYz:Number = axis.z;
-        var y:Number = toX * aYx + toY * aYy + toZ * aYz;
+        var y:Number = toX * axis.x + toY * axis.y + toZ * axis.z;
         axis = a.axisZ;
-        var aZx:Number = axis.x;
-        var aZy:Number = axis.y;
-        var aZz:Number = axis.z;
-        var z:Number = toX * aZx + toY * aZy + toZ * aZz;
+        var z:Number = toX * axis.x + toY * axis.y + toZ * axis.z;
         var halfX:Number = a.halfX;
         var halfY:Number = a.halfY;
         var halfZ:Number = a.halfZ;
@@ -89,15 +79,18 @@ package starlogo.intersection
         var bZz:Number = axis.z;
 
         // The cosines of the angles between the axes, and their absolute values.
-        var m00:Number = aXx * bXx + aXy * bXy + aXz * bXz;
-        var m01:Number = aXx * bYx + aXy * bYy + aXz * bYz;
-        var m02:Number = aXx * bZx + aXy * bZy + aXz * bZz;
-        var m10:Number = aYx * bXx + aYy * bXy + aYz * bXz;
-        var m11:Number = aYx * bYx + aYy * bYy + aYz * bYz;
-        var m12:Number = aYx * bZx + aYy * bZy + aYz * bZz;
-        var m20:Number = aZx * bXx + aZy * bXy + aZz * bXz;
-        var m21:Number = aZx * bYx + aZy * bYy + aZz * bYz;
-        var m22:Number = aZx * bZx + aZy * bZy + aZz * bZz;
+        axis = a.axisX;
+        var m00:Number = axis.x * bXx + axis.y * bXy + axis.z * bXz;
+        var m01:Number = axis.x * bYx + axis.y * bYy + axis.z * bYz;
+        var m02:Number = axis.x * bZx + axis.y * bZy + axis.z * bZz;
+        axis = a.axisY;
+        var m10:Number = axis.x * bXx + axis.y * bXy + axis.z * bXz;
+        var m11:Number = axis.x * bYx + axis.y * bYy + axis.z * bYz;
+        var m12:Number = axis.x * bZx + axis.y * bZy + axis.z * bZz;
+        axis = a.axisZ;
+        var m20:Number = axis.x * bXx + axis.y * bXy + axis.z * bXz;
+        var m21:Number = axis.x * bYx + axis.y * bYy + axis.z * bYz;
+        var m22:Number = axis.x * bZx + axis.y * bZy + axis.z * bZz;
         var abs00:Number = m00 < 0 ? -m00 : m00;
         var abs01:Number = m01 < 0 ? -m01 : m01;
         var abs02:Number = m02 < 0 ? -m02 : m02;

@@ -28,6 +28,18 @@ package starlogo.intersection.ray
             triangle = -1;
         }
 
+        /** Sets the normal to the direction of a vector, which points out of the shape. If its length is 0, the normal stays. */
+        public function setOutwards(x:Number, y:Number, z:Number):void
+        {
+            var length:Number = Math.sqrt(x * x + y * y + z * z);
+            if (length > 0)
+            {
+                normalX = x / length;
+                normalY = y / length;
+                normalZ = z / length;
+            }
+        }
+
         /** Sets the normal to a unit vector, or to its opposite if the vector points along the ray. */
         public function setNormal(ray:Ray, x:Number, y:Number, z:Number):void
         {

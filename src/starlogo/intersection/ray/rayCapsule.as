@@ -88,12 +88,9 @@ package starlogo.intersection.ray
             y = ray.y - start.y + near * ray.directionY;
             z = ray.z - start.z + near * ray.directionZ;
             include "../../geometry/pointToSegment.inc";
-            var length:Number = Math.sqrt(x * x + y * y + z * z);
-            if (length > 0 && capsule.radius > 0)
+            if (capsule.radius > 0)
             {
-                out.normalX = x / length;
-                out.normalY = y / length;
-                out.normalZ = z / length;
+                out.setOutwards(x, y, z);
             }
         }
         return out.place <= far && out.place <= ray.to;

@@ -39,10 +39,7 @@ package starlogo.intersection.ray
                 x = ray.x + out.place * ray.directionX - center.x;
                 y = ray.y + out.place * ray.directionY - center.y;
                 z = ray.z + out.place * ray.directionZ - center.z;
-                var length:Number = Math.sqrt(x * x + y * y + z * z);
-                out.normalX = x / length;
-                out.normalY = y / length;
-                out.normalZ = z / length;
+                out.setOutwards(x, y, z);
             }
         }
         return out.place <= closest + half && out.place <= ray.to;

@@ -61,11 +61,8 @@ package starlogo.queries.rays
             {
                 return _seen.narrowPhase.groundTestsOf(body).findHit(body, ray, out);
             }
-            var placement:Placement = body.placement;
-            var line:Ray = _inModel;
-            var ahead:Number = aheadOf(ray, placement);
-            bringIntoModel(ray, placement, ahead, line);
-            return line.isFinite && findHitOfShape(body, line, out) && bringBack(out, line, placement, ahead, ray);
+            bringIntoModel(ray, body.placement, _inModel);
+            return _inModel.isFinite && findHitOfShape(body, _inModel, out) && bringBack(out, _inModel, body.placement, ray);
         }
 
         /**
@@ -83,7 +80,6 @@ package starlogo.queries.rays
             var isGround:Boolean = body.form == ModelShape.GROUND;
             var areTriangles:Boolean = true;
             var isMet:Boolean = false;
-            var ahead:Number = 0;
             crossings.count = 0;
             if (isGround)
             {
@@ -91,15 +87,14 @@ package starlogo.queries.rays
             }
             else
             {
-                ahead = aheadOf(ray, body.placement);
-                bringIntoModel(ray, body.placement, ahead, line);
+                bringIntoModel(ray, body.placement, line);
                 areTriangles = line.isFinite && cross(body, line, crossings);
             }
             _order.arrange(crossings, areTriangles);
             for (var i:int = 0; i < _order.left.count; i++)
             {
                 crossings.readEntry(_order.left.numbers[i], _entry);
-                if (isGround ? _entry.place <= ray.to : bringBack(_entry, line, body.placement, ahead, ray))
+                if (isGround ? _entry.place <= ray.to : bringBack(_entry, line, body.placement, ray))
                 {
                     out.addEntry(row, ray, _entry);
                     isMet = true;
@@ -127,8 +122,9 @@ package starlogo.queries.rays
         }
 
         // Moves a ray into the space of a row's model. The last argument receives it.
-        private static function bringIntoModel(ray:Ray, placement:Placement, ahead:Number, line:Ray):void
+        private static function bringIntoModel(ray:Ray, placement:Placement, line:Ray):void
         {
+            var ahead:Number = aheadOf(ray, placement);
             line.directionX = ray.directionX;
             line.directionY = ray.directionY;
             line.directionZ = ray.directionZ;
@@ -143,7 +139,7 @@ package starlogo.queries.rays
         }
 
         // Moves where a ray enters a shape from the model's space into the world. Returns whether that is not beyond the ray's end.
-        private static function bringBack(entry:RayEntry, line:Ray, placement:Placement, ahead:Number, ray:Ray):Boolean
+        private static function bringBack(entry:RayEntry, line:Ray, placement:Placement, ray:Ray):Boolean
         {
             var x:Number = entry.normalX;
             var y:Number = entry.normalY;
@@ -151,7 +147,7 @@ package starlogo.queries.rays
             entry.normalX = placement.r00 * x + placement.r01 * y + placement.r02 * z;
             entry.normalY = placement.r10 * x + placement.r11 * y + placement.r12 * z;
             entry.normalZ = placement.r20 * x + placement.r21 * y + placement.r22 * z;
-            entry.place = entry.place > line.from ? Math.max(0, entry.place * placement.size + ahead) : 0;
+            entry.place = entry.place > line.from ? Math.max(0, entry.place * placement.size + aheadOf(ray, placement)) : 0;
             return entry.place <= ray.to;
         }
 

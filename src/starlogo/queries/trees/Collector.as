@@ -144,8 +144,7 @@ package starlogo.queries.trees
         // Takes a row in place of the last one if it comes before it.
         private function replace(row:int, key:Number):Boolean
         {
-            var ranks:Vector.<int> = _seen.table.list.ranks;
-            if (_rows.count > 0 && (key > _rows.keys[0] || (key == _rows.keys[0] && ranks[row] > ranks[_rows.numbers[0]])))
+            if (_rows.count > 0 && (key > _rows.keys[0] || (key == _rows.keys[0] && isAfter(row, _rows.numbers[0]))))
             {
                 return false;
             }
@@ -153,6 +152,12 @@ package starlogo.queries.trees
             _rows.add(row, key);
             limit = key;
             return true;
+        }
+
+        // Whether a row comes after another one in the list.
+        private function isAfter(row:int, other:int):Boolean
+        {
+            return _seen.table.list.ranks[row] > _seen.table.list.ranks[other];
         }
 
         // Sorts the rows, and keeps those that are wanted.

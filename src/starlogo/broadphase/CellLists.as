@@ -19,9 +19,6 @@ package starlogo.broadphase
         private var _levels:BinLevels;
         private var _extents:Extents;
 
-        // Whether a member needs a level that has no cells.
-        private var _needCells:Boolean = false;
-
         // By counter: the first row of the cell's list. By row: the counter of its cell, or NONE; the level's index; the next row in the list.
         private var _heads:Vector.<int> = new Vector.<int>();
         private var _cells:Vector.<int> = new Vector.<int>();
@@ -46,7 +43,6 @@ package starlogo.broadphase
         {
             _extents = extents;
             this.count = count;
-            _needCells = false;
             var end:int = 0;
             for (var i:int = 0; i < _levels.byWidth.length; i++)
             {
@@ -100,14 +96,13 @@ package starlogo.broadphase
             return _cells[row] != NONE;
         }
 
-        /** Puts a row into the cell of its extents, and makes it a member if it is none. */
-        public function place(row:int):void
+        /** Puts a row into the cell of its extents, and makes it a member if it is none. Returns false if its level has no cells. */
+        public function place(row:int):Boolean
         {
             var level:BinLevel = _levels.byIndex[_extents.level[row]];
             if (!level.hasCells)
             {
-                _needCells = true;
-                return;
+                return false;
             }
             var cell:int = level.base + level.cellAt(_extents.x[row], _extents.y[row]);
             if (_cells[row] != cell)
@@ -117,6 +112,7 @@ package starlogo.broadphase
                 level.addMember();
                 count++;
             }
+            return true;
         }
 
         /** From now on a row is no member. */
@@ -145,7 +141,7 @@ package starlogo.broadphase
             count--;
         }
 
-        /** Whether all members have cells, and each level with members has as many cells as the bins would give it now. */
+        /** Whether each level with members has as many cells as the bins would give it now. */
         public function areCellsValid():Boolean
         {
             for (var i:int = 0; i < _levels.byWidth.length; i++)
@@ -155,7 +151,7 @@ package starlogo.broadphase
                     return false;
                 }
             }
-            return !_needCells;
+            return true;
         }
 
         /**

@@ -22,7 +22,7 @@ package starlogo.search
         public static const ANY_BREED:String = "*";
 
         /** @private Whether all pairs of the breeds of agents that are told apart are of interest. */
-        engine var areAll:Boolean = true;
+        engine var includesAll:Boolean = true;
 
         // The pairs, in both orders, and by the number of a breed whether a pair names it. ANY is a member like the others, so a breed with
         // ANY_BREED costs no more than a breed with one other.
@@ -60,7 +60,7 @@ package starlogo.search
                 _agentPairs += number > Breeds.ANY && other > Breeds.ANY ? 1 : 0;
             }
             // the breeds that no pair names are told apart from the others once a pair has ANY_BREED
-            areAll = isNamed(Breeds.ANY) ? has(Breeds.ANY, Breeds.ANY) : 2 * _agentPairs == _agentBreeds * (_agentBreeds + 1);
+            includesAll = isNamed(Breeds.ANY) ? has(Breeds.ANY, Breeds.ANY) : 2 * _agentPairs == _agentBreeds * (_agentBreeds + 1);
         }
 
         /**
@@ -80,7 +80,7 @@ package starlogo.search
             }
             var isOfAgents:Boolean = !Breeds.isReserved(number);
             var isOtherOfAgents:Boolean = !Breeds.isReserved(otherNumber);
-            return has(number, otherNumber) || isOfAgents && isOtherOfAgents && areAll || isOtherOfAgents && has(number, Breeds.ANY)
+            return has(number, otherNumber) || isOfAgents && isOtherOfAgents && includesAll || isOtherOfAgents && has(number, Breeds.ANY)
                 || isOfAgents && has(otherNumber, Breeds.ANY);
         }
 

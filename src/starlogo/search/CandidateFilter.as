@@ -63,7 +63,7 @@ package starlogo.search
         override public function onCandidates(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
             var interests:BreedInterests = _conditions.interests;
-            if (interests != null && !interests.areAll)
+            if (interests != null && !interests.includesAll)
             {
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }

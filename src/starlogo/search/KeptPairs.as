@@ -121,8 +121,7 @@ package starlogo.search
             {
                 _motions.findMotions(_table, _levels, _changed);
             }
-            placeChanged(conditions);
-            if (!_cells.areCellsValid())
+            if (!placeChanged(conditions) || !_cells.areCellsValid())
             {
                 return false;
             }
@@ -157,7 +156,7 @@ package starlogo.search
         private function areFew(changes:int, conditions:SearchConditions):Boolean
         {
             var interests:BreedInterests = conditions.interests;
-            var among:int = conditions.areSpheres || interests != null && !interests.areAll ? ONE_IN_IF_FAST : ONE_IN;
+            var among:int = conditions.areSpheres || interests != null && !interests.includesAll ? ONE_IN_IF_FAST : ONE_IN;
             return among * changes <= _table.list.rows.count;
         }
 
@@ -220,21 +219,22 @@ package starlogo.search
             }
         }
 
-        // Puts the changed rows to their cells.
-        private function placeChanged(conditions:SearchConditions):void
+        // Puts the changed rows to their cells. Returns false if one of them needs a level without cells.
+        private function placeChanged(conditions:SearchConditions):Boolean
         {
             for (var i:int = 0; i < _changed.count; i++)
             {
                 var row:int = _changed.numbers[i];
-                if (_table.list.agents[row] != null && conditions.isMember(_table, row))
-                {
-                    _cells.place(row);
-                }
-                else
+                if (_table.list.agents[row] == null || !conditions.isMember(_table, row))
                 {
                     _cells.remove(row);
                 }
+                else if (!_cells.place(row))
+                {
+                    return false;
+                }
             }
+            return true;
         }
 
         // The pairs of changed rows with the ground or the edges; of all rows, if the ground or the edges have changed themselves.

@@ -12,7 +12,6 @@ package starlogo.search.pairs
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.TreeLimits;
-    import starlogo.search.WorldAgent;
 
     use namespace engine;
 
@@ -32,11 +31,9 @@ package starlogo.search.pairs
     {
         private var _limits:TreeLimits;
 
-        // By edge: the direction out of the world, the edge's place in this direction, and how far the body is beyond it (less than 0 if the body is
-        // before it). _deepest is the edge that the body of the last contact is furthest beyond.
+        // By edge: the direction out of the world, and how far the body is beyond the edge (less than 0 if the body is before it). _deepest is the edge that the body of the last contact is furthest beyond.
         private var _outwards:Vector.<Vector3D> = new <Vector3D>[new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), new Vector3D(0, -1, 0),
                 new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
-        private var _places:Vector.<Number> = new Vector.<Number>(6, true);
         private var _penetration:Vector.<Number> = new Vector.<Number>(6, true);
         private var _deepest:int = 0;
 
@@ -121,7 +118,7 @@ package starlogo.search.pairs
                 var one:int = _penetration[edge] >= _penetration[int(edge + 1)] ? edge : edge + 1;
                 if (_penetration[one] >= -toleranceOf(a) || one == _deepest)
                 {
-                    addEdge(one, a.largestHalf, out);
+                    addEdge(one, a, b, out);
                 }
             }
             _halfSpaces.solve(3, 0, _shortest);
@@ -161,20 +158,25 @@ package starlogo.search.pairs
         // tolerance.
         private function read(body:Body, edges:Body, motion:RelativeMotion, tolerance:Number):void
         {
-            var worldAgent:WorldAgent = edges.shape.worldAgent;
             for (var edge:int = 0; edge < 6; edge++)
             {
-                // along(edge, 1, 1, 1) is 1 or -1: whether the direction out of the world is the axis or against it
-                _places[edge] = along(edge, 1, 1, 1) * worldAgent.edges[edge];
+                var place:Number = placeOf(edges, edge);
                 var radius:Number = Math.abs(along(edge, body.halfX, body.halfY, body.halfZ));
-                var beyond:Number = radius + (along(edge, body.x, body.y, body.z) - _places[edge]);
+                var beyond:Number = radius + (along(edge, body.x, body.y, body.z) - place);
                 _penetration[edge] = beyond;
                 if (body.form == ModelShape.TREE && (beyond >= -tolerance || beyond - along(edge, motion.x, motion.y, motion.z) >= -tolerance))
                 {
                     _supportSearch.find(body, _limits, _outwards[edge], _farthest);
-                    _penetration[edge] = _farthest.support - _places[edge];
+                    _penetration[edge] = _farthest.support - place;
                 }
             }
+        }
+
+        // The place of an edge in the direction out of the world.
+        private function placeOf(edges:Body, edge:int):Number
+        {
+            // the first number is 1 or -1: whether the direction is the axis or against it
+            return along(edge, 1, 1, 1) * edges.shape.worldAgent.edges[edge];
         }
 
         // The length of a vector in the direction out of the world.
@@ -186,11 +188,11 @@ package starlogo.search.pairs
         // Adds the half-space before an edge, and moves the point into the middle of the overlap. For edges other than the nearest, the
         // way is longer by a tenth of the tolerance of a contact's depth, so that it leads away from each of the edges. For the nearest one it
         // is at least as long as that. A point has no extent; the patch counts in its place.
-        private function addEdge(edge:int, largestHalf:Number, out:ContactPoint):void
+        private function addEdge(edge:int, body:Body, edges:Body, out:ContactPoint):void
         {
             var outwards:Vector3D = _outwards[edge];
             // the extents of a tree are larger than its shape
-            var extent:Number = largestHalf;
+            var extent:Number = body.largestHalf;
             if (extent == 0)
             {
                 extent = 1;
@@ -199,7 +201,7 @@ package starlogo.search.pairs
             var by:Number = Math.max(0, _penetration[edge]);
             by = edge == _deepest ? Math.max(by, least) : by + least;
             _halfSpaces.add(-outwards.x, -outwards.y, -outwards.z, by);
-            var place:Number = _places[edge] + _penetration[edge] / 2 - along(edge, out.x, out.y, out.z);
+            var place:Number = placeOf(edges, edge) + _penetration[edge] / 2 - along(edge, out.x, out.y, out.z);
             if (isFinite(place))
             {
                 out.x += place * outwards.x;

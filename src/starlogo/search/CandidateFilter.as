@@ -20,6 +20,7 @@ package starlogo.search
         private var _table:AgentTable;
         private var _narrowPhase:NarrowPhase;
         private var _motions:RowMotions;
+        private var _order:PairOrder = new PairOrder();
         // The conditions of the search under way.
         private var _conditions:SearchConditions = null;
 
@@ -53,10 +54,12 @@ package starlogo.search
             _out = out;
         }
 
-        /** Ends the search. */
-        public function end():void
+        /** Ends the search: puts the pairs into order. Returns how many of them touch before the end of their motions: see PairOrder. */
+        public function end():int
         {
+            var found:FoundPairs = _out;
             _out = null;
+            return _order.sort(found, _conditions.isSwept);
         }
 
         /** @inheritDoc */

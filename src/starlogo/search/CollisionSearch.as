@@ -37,7 +37,6 @@ package starlogo.search
         private var _conditions:SearchConditions = new SearchConditions();
         private var _motions:RowMotions;
         private var _candidates:CandidateFilter;
-        private var _order:PairOrder = new PairOrder();
 
         // Finds the pairs of a search in which little has changed.
         private var _keptPairs:KeptPairs;
@@ -57,9 +56,9 @@ package starlogo.search
             _narrowPhase = narrowPhase;
             _shapes = new ModelShapes(narrowPhase.choice, narrowPhase);
             table = new AgentTable(_shapes, _bins.levels);
-            _motions = new RowMotions(narrowPhase);
+            _motions = new RowMotions(narrowPhase, _bins.levels);
             _candidates = new CandidateFilter(table, narrowPhase, _motions);
-            _keptPairs = new KeptPairs(table, _candidates, _motions, _bins.levels, _order);
+            _keptPairs = new KeptPairs(table, _candidates, _motions, _bins.levels);
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
@@ -92,7 +91,6 @@ package starlogo.search
             // tests since the last search, as those of questions, do not count
             _narrowPhase.takeCounts(counts);
             var memberCount:int = findPairs(mayKeep, out);
-            _candidates.end();
             _narrowPhase.takeCounts(counts);
             counts.agents = table.list.rows.count;
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
@@ -126,7 +124,7 @@ package starlogo.search
             var extents:Extents = table.extents;
             if (_conditions.isSwept)
             {
-                _motions.findMotions(table, _bins.levels, table.list.rows);
+                _motions.findMotions(table, table.list.rows);
                 extents = _motions.extents;
             }
             _candidates.begin(_conditions, out);
@@ -135,7 +133,7 @@ package starlogo.search
             {
                 _candidates.findPairsOfWorldAgent(row, members);
             }
-            _order.sort(out, _conditions.isSwept);
+            _candidates.end();
             return members;
         }
 

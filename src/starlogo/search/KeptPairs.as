@@ -28,8 +28,6 @@ package starlogo.search
         private var _table:AgentTable;
         private var _candidates:CandidateFilter;
         private var _motions:RowMotions;
-        private var _levels:BinLevels;
-        private var _order:PairOrder;
 
         // The pairs of the last search, or null, and their revision. They are void if somebody else has written other pairs there.
         private var _pairs:FoundPairs = null;
@@ -54,15 +52,12 @@ package starlogo.search
          * @param candidates finds the pairs among candidates
          * @param motions of the rows, if an agent sweeps
          * @param levels of the bins
-         * @param order sorts pairs
          */
-        public function KeptPairs(table:AgentTable, candidates:CandidateFilter, motions:RowMotions, levels:BinLevels, order:PairOrder)
+        public function KeptPairs(table:AgentTable, candidates:CandidateFilter, motions:RowMotions, levels:BinLevels)
         {
             _table = table;
             _candidates = candidates;
             _motions = motions;
-            _levels = levels;
-            _order = order;
             _cells = new CellLists(levels);
         }
 
@@ -119,7 +114,7 @@ package starlogo.search
             }
             if (conditions.isSwept)
             {
-                _motions.findMotions(_table, _levels, _changed);
+                _motions.findMotions(_table, _changed);
             }
             if (!placeChanged(conditions) || !_cells.areCellsValid())
             {
@@ -136,7 +131,7 @@ package starlogo.search
             findPairsOfWorldAgent(ListedAgents.GROUND);
             findPairsOfWorldAgent(ListedAgents.EDGES);
             pairs.drop(_table.list, _changedIn, _searchNumber);
-            pairs.merge(_found, _order.sort(_found, conditions.isSwept));
+            pairs.merge(_found, _candidates.end());
             rememberPairs(pairs);
             return true;
         }

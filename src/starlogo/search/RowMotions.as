@@ -28,15 +28,20 @@ package starlogo.search
         internal var extents:Extents = new Extents();
 
         private var _narrowPhase:NarrowPhase;
+        private var _levels:BinLevels;
 
         // When the extents of a pair overlap.
         private var _interval:ContactInterval = new ContactInterval();
         private var _axisMotion:AxisMotion = new AxisMotion();
 
-        /** @param narrowPhase tests which rows touch */
-        public function RowMotions(narrowPhase:NarrowPhase)
+        /**
+         * @param narrowPhase tests which rows touch
+         * @param levels of the bins
+         */
+        public function RowMotions(narrowPhase:NarrowPhase, levels:BinLevels)
         {
             _narrowPhase = narrowPhase;
+            _levels = levels;
         }
 
         /** Whether any agent in a list sweeps. */
@@ -57,7 +62,7 @@ package starlogo.search
          *
          * @param rows the rows; those without an agent are left out
          */
-        public function findMotions(table:AgentTable, levels:BinLevels, rows:NumberList):void
+        public function findMotions(table:AgentTable, rows:NumberList):void
         {
             if (table.list.agents.length > _isSwept.length)
             {
@@ -93,7 +98,7 @@ package starlogo.search
                 swept.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
                 if (table.shapes[row] != null)
                 {
-                    levels.assignLevel(swept, row);
+                    _levels.assignLevel(swept, row);
                 }
             }
         }

@@ -95,89 +95,57 @@ package starlogo.intersection
             return first * second > 0 ? 2 : first * third > 0 ? 1 : 0;
         }
 
-        // Whether a direction perpendicular to an edge of each keeps the triangles apart. The edges u and v begin at a corner of a, f and g at one of
-        // b.
+        // Whether a direction perpendicular to an edge of each keeps the triangles apart. The edges are those at a corner of each.
         private static function areEdgesApart(a:Vector.<Number>, at:int, cornerA:int, b:ConvexShape, cornerB:int):Boolean
         {
-            var p:Vector.<Number> = b.points;
             var i:int = at + 3 * cornerA;
             var j:int = cornerA == 2 ? at : i + 3;
             var k:int = cornerA == 0 ? at + 6 : i - 3;
-            var x:Number = a[i];
-            var y:Number = a[int(i + 1)];
-            var z:Number = a[int(i + 2)];
-            var ux:Number = a[j] - x;
-            var uy:Number = a[int(j + 1)] - y;
-            var uz:Number = a[int(j + 2)] - z;
-            var vx:Number = a[k] - x;
-            var vy:Number = a[int(k + 1)] - y;
-            var vz:Number = a[int(k + 2)] - z;
-            i = 3 * cornerB;
-            j = cornerB == 2 ? 0 : i + 3;
-            k = cornerB == 0 ? 6 : i - 3;
-            var dx:Number = b.x - x + p[i];
-            var dy:Number = b.y - y + p[int(i + 1)];
-            var dz:Number = b.z - z + p[int(i + 2)];
-            var fx:Number = p[j] - p[i];
-            var fy:Number = p[int(j + 1)] - p[int(i + 1)];
-            var fz:Number = p[int(j + 2)] - p[int(i + 2)];
-            var gx:Number = p[k] - p[i];
-            var gy:Number = p[int(k + 1)] - p[int(i + 1)];
-            var gz:Number = p[int(k + 2)] - p[int(i + 2)];
+            var p:int = 3 * cornerB;
+            var q:int = cornerB == 2 ? 0 : p + 3;
+            var r:int = cornerB == 0 ? 6 : p - 3;
+            return isApartAcross(a, i, j, k, b, p, q, r) || isApartAcross(a, i, j, k, b, p, r, q)
+                || isApartAcross(a, i, k, j, b, p, r, q) || isApartAcross(a, i, k, j, b, p, q, r);
+        }
+
+        // Whether the direction perpendicular to a's edge from corner i to j, u, and b's edge from p to q, f, keeps the triangles apart. The other
+        // edges at i and p are v and g.
+        private static function isApartAcross(a:Vector.<Number>, i:int, j:int, k:int, b:ConvexShape, p:int, q:int, r:int):Boolean
+        {
+            var points:Vector.<Number> = b.points;
+            var aX:Number = a[i];
+            var aY:Number = a[int(i + 1)];
+            var aZ:Number = a[int(i + 2)];
+            var bX:Number = points[p];
+            var bY:Number = points[int(p + 1)];
+            var bZ:Number = points[int(p + 2)];
+            var ux:Number = a[j] - aX;
+            var uy:Number = a[int(j + 1)] - aY;
+            var uz:Number = a[int(j + 2)] - aZ;
+            var fx:Number = points[q] - bX;
+            var fy:Number = points[int(q + 1)] - bY;
+            var fz:Number = points[int(q + 2)] - bZ;
+            var x:Number = uy * fz - uz * fy;
+            var y:Number = uz * fx - ux * fz;
+            var z:Number = ux * fy - uy * fx;
+            var alongU:Number = x * ux + y * uy + z * uz;
+            var alongV:Number = x * (a[k] - aX) + y * (a[int(k + 1)] - aY) + z * (a[int(k + 2)] - aZ);
+            var low:Number = alongU < alongV ? alongU : alongV;
+            var high:Number = alongU < alongV ? alongV : alongU;
+            low = low < 0 ? low : 0;
+            high = high > 0 ? high : 0;
+            var alongF:Number = x * fx + y * fy + z * fz;
+            var alongG:Number = x * (points[r] - bX) + y * (points[int(r + 1)] - bY) + z * (points[int(r + 2)] - bZ);
+            var lowB:Number = alongF < alongG ? alongF : alongG;
+            var highB:Number = alongF < alongG ? alongG : alongF;
+            lowB = lowB < 0 ? lowB : 0;
+            highB = highB > 0 ? highB : 0;
+            var between:Number = x * (b.x - aX + bX) + y * (b.y - aY + bY) + z * (b.z - aZ + bZ);
+            low -= between + highB;
+            high -= between + lowB;
+            var distance:Number = low > 0 ? low : -high;
             var least:Number = MARGINS * b.margin;
-            least *= least;
-            for (var pair:int = 0; pair < 4; pair++)
-            {
-                x = uy * fz - uz * fy;
-                y = uz * fx - ux * fz;
-                z = ux * fy - uy * fx;
-                var alongU:Number = x * ux + y * uy + z * uz;
-                var alongV:Number = x * vx + y * vy + z * vz;
-                var low:Number = alongU < alongV ? alongU : alongV;
-                var high:Number = alongU < alongV ? alongV : alongU;
-                low = low < 0 ? low : 0;
-                high = high > 0 ? high : 0;
-                var alongF:Number = x * fx + y * fy + z * fz;
-                var alongG:Number = x * gx + y * gy + z * gz;
-                var lowB:Number = alongF < alongG ? alongF : alongG;
-                var highB:Number = alongF < alongG ? alongG : alongF;
-                lowB = lowB < 0 ? lowB : 0;
-                highB = highB > 0 ? highB : 0;
-                var between:Number = x * dx + y * dy + z * dz;
-                low -= between + highB;
-                high -= between + lowB;
-                var distance:Number = low > 0 ? low : -high;
-                if (distance > 0 && distance * distance > least * (x * x + y * y + z * z))
-                {
-                    return true;
-                }
-                // the next pair: u and g, v and g, v and f
-                if (pair == 1)
-                {
-                    x = ux;
-                    y = uy;
-                    z = uz;
-                    ux = vx;
-                    uy = vy;
-                    uz = vz;
-                    vx = x;
-                    vy = y;
-                    vz = z;
-                }
-                else
-                {
-                    x = fx;
-                    y = fy;
-                    z = fz;
-                    fx = gx;
-                    fy = gy;
-                    fz = gz;
-                    gx = x;
-                    gy = y;
-                    gz = z;
-                }
-            }
-            return false;
+            return distance > 0 && distance * distance > least * least * (x * x + y * y + z * z);
         }
     }
 }

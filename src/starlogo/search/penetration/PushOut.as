@@ -55,10 +55,8 @@ package starlogo.search.penetration
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
 
-        // Whether the push out of the first contact needs no test that it is not too long; how much farther than its depth a push leads out of each
-        // contact; and the displacement that is tried.
+        // Whether the push out of the first contact needs no test that it is not too long; and the displacement that is tried.
         private var _isFirstSure:Boolean = false;
-        private var _slack:Number = 0;
         private var _tried:Displacement = new Displacement();
 
         /**
@@ -77,7 +75,6 @@ package starlogo.search.penetration
             _pushes.begin();
             contact.copyFrom(first);
             _isFirstSure = _pair.isSecondGround && first.ground.isSure;
-            _slack = SLACK * Tolerances.SEPARATION * _pair.extent + _pair.rounding;
             _pair.putBack();
             add(contact);
         }
@@ -107,7 +104,7 @@ package starlogo.search.penetration
         /** Adds the push that also leads out of a contact, which was found after the current push. */
         public function add(found:ContactPoint):void
         {
-            _pushes.add(found, _slack);
+            _pushes.add(found, SLACK * Tolerances.SEPARATION * _pair.extent + _pair.rounding);
         }
 
         /** The push that was tried last; 0 at the beginning. Do not change it. */

@@ -4,6 +4,7 @@ package starlogo
     import starlogo.bounding.BoundingStructure;
     import starlogo.geometry.requireGiven;
     import starlogo.libraries.BoundingStructuresLibrary;
+    import starlogo.libraries.FitSettings;
     import starlogo.libraries.FitStore;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.libraries.ModelEntry;
@@ -157,7 +158,7 @@ package starlogo
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model
                     var entry:ModelEntry = _models.entryToWrite(model.name);
-                    entry.setTree(results.tree, results.buildingTree);
+                    entry.setTree(results.modelTree, results.buildingTree);
                     entry.setStructures(results.structures);
                     entry.setModel(model);
                 });
@@ -179,7 +180,7 @@ package starlogo
             requireGiven("model", model);
             var results:ModelResults = newResults(model, null);
             finish(results);
-            return results.toCooked(CookedFile.settingsOfLoad(upAxis, model.data.scaling, usesTransforms));
+            return results.toCooked(new FitSettings(wantedStructures, wantedHierarchies), CookedFile.settingsOfLoad(upAxis, model.data.scaling, usesTransforms));
         }
 
         /** @inheritDoc */
@@ -263,7 +264,17 @@ package starlogo
         /** @private The work that finds the results that the flags ask for. None of its steps is done yet. @param store null for none */
         engine function newResults(model:Model, store:FitStore):ModelResults
         {
-            return new ModelResults(model, loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null, store);
+            return new ModelResults(model, wantedStructures, wantedHierarchies, store);
+        }
+
+        private function get wantedStructures():BoundingStructuresLibrary
+        {
+            return loadTightestFit ? _boundingStructures : null;
+        }
+
+        private function get wantedHierarchies():HierarchiesLibrary
+        {
+            return loadHierarchies ? _hierarchies : null;
         }
     }
 }

@@ -104,7 +104,7 @@ package starlogo.ground
         private function testTriangle():void
         {
             _test.setRadius(Math.min(_triangles.triangle.size, _largest));
-            _test.testLeaf(0, 0, 1);
+            _test.testTriangles(0, 1);
         }
 
         private static function beginsInside(grid:HeightGrid, ray:Ray):Boolean

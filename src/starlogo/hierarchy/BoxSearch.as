@@ -154,7 +154,7 @@ package starlogo.hierarchy
                 visits++;
                 if (stop[node] >= depth)
                 {
-                    test.testLeaf(node, tree.first[node], tree.end[node]);
+                    test.testLeaf(tree, node);
                     latest = test.least < latest ? test.least : latest;
                 }
                 else
@@ -251,7 +251,7 @@ package starlogo.hierarchy
                 _counts.nodeVisits++;
                 if (tree.stop[node] >= depth)
                 {
-                    test.testLeaf(node, tree.first[node], tree.end[node]);
+                    test.testLeaf(tree, node);
                     continue;
                 }
                 node = tree.left[node];

@@ -1,10 +1,12 @@
 package starlogo.hierarchy
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.VertexBounds;
-    import flash.geom.Vector3D;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.finish;
 
     use namespace engine;
 
@@ -30,6 +32,8 @@ package starlogo.hierarchy
 
         /** The largest depth limit. A visit with it ends at the thesis's leaves. */
         public static const LARGEST_DEPTH:int = int.MAX_VALUE - 1;
+
+        private static const NODES_PER_STEP:int = 300;
 
         // A node with more triangles is divided.
         private static const LEAF_SIZE:int = 8;
@@ -237,12 +241,9 @@ package starlogo.hierarchy
             out[int(at + 5)] = maxZ;
         }
 
-        /**
-         * For makers of trees: writes the extents of a node's part. The extents of its children must be there already.
-         *
-         * @param extents six numbers for each node, in the order of the nodes: minX, maxX, minY, maxY, minZ, maxZ
-         */
-        engine function measure(node:int, extents:Vector.<Number>):void
+        // Writes the extents of a node's part: minX, maxX, minY, maxY, minZ, maxZ, after those of the nodes before. The extents of its children
+        // must be there already.
+        private function measure(node:int, extents:Vector.<Number>):void
         {
             var at:int = 6 * node;
             var child:int = 6 * left[node];
@@ -264,27 +265,45 @@ package starlogo.hierarchy
 
         /**
          * Gives all nodes boxes around the places where the vertices are now. The division of the items stays. The boxes are those that a
-         * maker of the tree gives to this division, to the last bit. Cost: linear in the number of items.
+         * BoxTreeBuilder gives to this division, to the last bit. Cost: linear in the number of items.
          */
         engine function refit():void
         {
-            var extents:Vector.<Number> = sExtents;
+            sExtents.length = Math.max(sExtents.length, 6 * left.length);
+            finish(refitting(sExtents));
+        }
+
+        /** The work of <code>refit()</code>, for makers of trees too. @param extents room for six numbers for each node */
+        engine function refitting(extents:Vector.<Number>):StepSequence
+        {
             var count:int = left.length;
-            if (extents.length < 6 * count)
-            {
-                extents.length = 6 * count;
-            }
-            // Children come after their parents.
-            for (var node:int = count - 1; node >= 0; node--)
+            return new StepSequence().slices(count, NODES_PER_STEP, function(first:int, end:int):void
+                {
+                    measureNodes(count - end, count - first, extents);
+                }).call(function():void
+                {
+                    measureRadiusAboutOrigin(extents);
+                }).slices(count, NODES_PER_STEP, function(first:int, end:int):void
+                {
+                    encloseNodes(first, end, extents);
+                }).call(measureRadius);
+        }
+
+        // Children come after their parents.
+        private function measureNodes(first:int, end:int, extents:Vector.<Number>):void
+        {
+            for (var node:int = end - 1; node >= first; node--)
             {
                 measure(node, extents);
             }
-            measureRadiusAboutOrigin(extents);
-            for (node = 0; node < count; node++)
+        }
+
+        private function encloseNodes(first:int, end:int, extents:Vector.<Number>):void
+        {
+            for (var node:int = first; node < end; node++)
             {
                 enclose(node, extents, 6 * node);
             }
-            measureRadius();
         }
 
         /** For makers of trees: adds the root, without children. */
@@ -363,7 +382,7 @@ package starlogo.hierarchy
         }
 
         /** For makers of trees: ends the making. The columns are copied, because lists that grew have room to spare. */
-        engine function finish():void
+        engine function complete():void
         {
             boxes = boxes.slice();
             left = left.slice();

@@ -74,7 +74,7 @@ package starlogo.hierarchy
 
         private function finish():void
         {
-            _tree.finish();
+            _tree.complete();
         }
 
         private function beginRoot():void

@@ -16,13 +16,12 @@ package starlogo.hierarchy
         public var least:Number = 0;
 
         /**
-         * Tests a leaf. Its items are a range in the tree's order. They are triangles, or vertices if the model has no triangles.
+         * Tests a leaf: its box, or its items.
          *
-         * @param node the leaf's number
-         * @param first the first item's index
-         * @param end the index after the last one
+         * @param tree the tree
+         * @param node the leaf
          */
-        public function testLeaf(node:int, first:int, end:int):void
+        public function testLeaf(tree:BoxTree, node:int):void
         {
             throw new IllegalOperationError(this + " does not implement testLeaf");
         }

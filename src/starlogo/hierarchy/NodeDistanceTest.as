@@ -15,7 +15,6 @@ package starlogo.hierarchy
         // Finds the nodes near the structure.
         private var _boxes:BoxSearch;
 
-        private var _tree:BoxTree;
         private var _structure:BoundingStructure;
         private var _radii:Number = 0;
         private var _measured:ClosestPoints = new ClosestPoints();
@@ -39,7 +38,6 @@ package starlogo.hierarchy
          */
         public function find(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, out:ClosestPoints):void
         {
-            _tree = tree;
             _structure = pose.placeWidened(structure);
             _structure.extentsInto(_extents);
             _boxes.setExtents(_extents, 0);
@@ -50,10 +48,10 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override public function testLeaf(node:int, first:int, end:int):void
+        override public function testLeaf(tree:BoxTree, node:int):void
         {
-            PairTable.findClosest(_tree.writeBox(node, _box), _structure, _measured);
-            BoxDistanceTraversal.reduce(_measured, _tree.levelOf(node), 0, _radii);
+            PairTable.findClosest(tree.writeBox(node, _box), _structure, _measured);
+            BoxDistanceTraversal.reduce(_measured, tree.levelOf(node), 0, _radii);
             if (_measured.distance < least)
             {
                 least = _measured.distance;

@@ -20,7 +20,6 @@ package starlogo.hierarchy
      */
     public final class NodeRayTest extends LeafTest
     {
-        private var _tree:BoxTree;
         private var _ray:Ray = new Ray();
         private var _reversed:Ray = new Ray();
         private var _entry:RayEntry = new RayEntry();
@@ -49,7 +48,7 @@ package starlogo.hierarchy
          */
         public function findHit(tree:BoxTree, depth:int, ray:Ray, out:RayEntry):Boolean
         {
-            search(tree, depth, ray, 0, null);
+            findAll(tree, depth, ray, 0, null);
             return _first >= 0 && rayBox(_ray, tree.writeBox(_first, _box), out);
         }
 
@@ -60,19 +59,13 @@ package starlogo.hierarchy
          * @param depth how many of its levels are visited
          * @param ray in the tree's space
          * @param slack how far a place may be wrong because of rounding
-         * @param out the crossings are added to it
+         * @param out the crossings are added to it. Null if only the first node is wanted
          */
         public function findAll(tree:BoxTree, depth:int, ray:Ray, slack:Number, out:RayCrossings):void
         {
-            search(tree, depth, ray, slack, out);
-        }
-
-        private function search(tree:BoxTree, depth:int, ray:Ray, slack:Number, all:RayCrossings):void
-        {
-            _tree = tree;
             _ray.copyFrom(ray);
             _slack = slack;
-            _all = all;
+            _all = out;
             _first = -1;
             least = ray.to;
             _boxes.setRay(ray);
@@ -80,9 +73,9 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override public function testLeaf(node:int, first:int, end:int):void
+        override public function testLeaf(tree:BoxTree, node:int):void
         {
-            _tree.writeBox(node, _box);
+            tree.writeBox(node, _box);
             if (_all != null)
             {
                 crossStructure(_ray, _box, _slack, _reversed, _entry, null, _all);

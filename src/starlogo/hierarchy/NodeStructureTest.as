@@ -22,10 +22,8 @@ package starlogo.hierarchy
         // Finds the nodes near the structure.
         private var _boxes:BoxSearch;
 
-        private var _tree:BoxTree;
         private var _structure:BoundingStructure;
         private var _motion:RelativeMotion;
-        private var _isMoving:Boolean = false;
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
@@ -45,7 +43,6 @@ package starlogo.hierarchy
         public function areTouching(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose):Boolean
         {
             least = 0;
-            _isMoving = false;
             search(tree, depth, structure, pose, RelativeMotion.NONE);
             return firstNode >= 0;
         }
@@ -58,7 +55,6 @@ package starlogo.hierarchy
         public function findTime(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
             least = motion.latest;
-            _isMoving = true;
             search(tree, depth, structure, pose, motion);
             var time:Number = least > 0 ? least : 0;
             motion.time = firstNode < 0 ? RelativeMotion.NEVER : time;
@@ -66,7 +62,6 @@ package starlogo.hierarchy
 
         private function search(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
-            _tree = tree;
             _structure = pose.placeWidened(structure);
             _motion = motion;
             firstNode = -1;
@@ -77,11 +72,11 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override public function testLeaf(node:int, first:int, end:int):void
+        override public function testLeaf(tree:BoxTree, node:int):void
         {
-            _tree.writeBox(node, _box);
+            tree.writeBox(node, _box);
             var time:Number = 0;
-            if (_isMoving)
+            if (_motion !== RelativeMotion.NONE)
             {
                 PairTable.findTime(_structure, _box, _motion);
                 time = _motion.time;

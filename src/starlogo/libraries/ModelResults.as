@@ -32,15 +32,18 @@ package starlogo.libraries
         public var structures:ModelStructures = null;
 
         /** The tree of the hierarchy; null if none is wanted. It may have no nodes yet when this work has no step left. */
-        public var tree:ModelTree = null;
+        public var modelTree:ModelTree = null;
 
         /** The work that makes the tree, which may have steps left then. */
         public var buildingTree:Steps = null;
 
         private var _model:Model;
-        private var _settings:FitSettings;
+        // For stored results; null if there are none.
+        private var _settings:FitSettings = null;
+
         private var _structuresBuilder:StructuresBuilder;
         private var _maxDepth:int = 0;
+        private var _wantsSurface:Boolean = false;
         private var _store:FitStore;
 
         // Makes the tree again from a stored division; null for none.
@@ -59,13 +62,17 @@ package starlogo.libraries
         public function ModelResults(model:Model, structuresLibrary:BoundingStructuresLibrary, hierarchiesLibrary:HierarchiesLibrary, store:FitStore)
         {
             _model = model;
-            _settings = new FitSettings(structuresLibrary, hierarchiesLibrary);
+            if (store != null || model.data.cooked != null)
+            {
+                _settings = new FitSettings(structuresLibrary, hierarchiesLibrary);
+            }
             _structuresBuilder = structuresLibrary == null ? null : structuresLibrary.newBuilder(model.name, model.vertices);
             if (hierarchiesLibrary != null)
             {
-                tree = new ModelTree(new BoxTree(model.vertices, model.triangles));
-                buildingTree = hierarchiesLibrary.building(tree, restoringTree);
+                modelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
+                buildingTree = hierarchiesLibrary.building(modelTree, restoringTree);
                 _maxDepth = hierarchiesLibrary.maxDepth;
+                _wantsSurface = hierarchiesLibrary.prepareExact;
             }
             if (model.data.cooked != null)
             {
@@ -92,23 +99,24 @@ package starlogo.libraries
         /**
          * Makes a cooked file of the model, including the surface. Call it when no step is left. A surface that is missing is prepared now.
          *
-         * @param settings of the model's section: see <code>CookedFile.settingsOfLoad()</code>
+         * @param settings the settings of the results
+         * @param load the settings of the model's section: see <code>CookedFile.settingsOfLoad()</code>
          */
-        public function toCooked(settings:Fingerprint):ByteArray
+        public function toCooked(settings:FitSettings, load:Fingerprint):ByteArray
         {
-            if (tree != null)
+            if (modelTree != null)
             {
                 finish(buildingTree);
-                tree.prepare();
+                modelTree.prepare();
             }
-            return newFile(settings, CookedWriter.of(_model));
+            return newFile(settings, load, CookedWriter.of(_model));
         }
 
         // Whether all results that are wanted are there, or stored.
         private function get isComplete():Boolean
         {
-            return (_structuresBuilder == null || structures != null) && (tree == null || isTreeStored)
-                && (!_settings.wantsSurface || _model.triangles == null || tree.surface != null);
+            return (_structuresBuilder == null || structures != null) && (modelTree == null || isTreeStored)
+                && (!_wantsSurface || _model.triangles == null || modelTree.surface != null);
         }
 
         private function readingStored():Steps
@@ -141,16 +149,16 @@ package starlogo.libraries
 
         private function beginningTree():Steps
         {
-            return isTreeStored && !_settings.wantsSurface ? null : buildingTree;
+            return isTreeStored && !_wantsSurface ? null : buildingTree;
         }
 
         // Stores the results, unless all have come from the store.
         private function keepResults():void
         {
-            var isKept:Boolean = _isStored && (tree == null || isTreeStored);
-            if (!isKept && _store.hasRoomFor(_model, tree != null))
+            var isKept:Boolean = _isStored && (modelTree == null || isTreeStored);
+            if (!isKept && _store.hasRoomFor(_model, modelTree != null))
             {
-                _store.keep(_geometry, _settings, newFile(_geometry, null));
+                _store.keep(_geometry, _settings, newFile(_settings, _geometry, null));
             }
         }
 
@@ -168,7 +176,7 @@ package starlogo.libraries
             {
                 readStructures(file, size);
             }
-            if (tree != null)
+            if (modelTree != null)
             {
                 readTree(file);
             }
@@ -194,15 +202,16 @@ package starlogo.libraries
             var division:ByteArray = _settings.sectionOf(file, CookedFile.HIERARCHY);
             var bytes:ByteArray = _settings.sectionOf(file, CookedFile.SURFACE);
             var surface:SurfaceTopology = bytes == null || _model.triangles == null ? null : SurfaceTopology.read(bytes, _model.triangles.length / 3);
-            if (division != null && (_cookedTree == null || surface != null && tree.surface == null))
+            if (division != null && (_cookedTree == null || surface != null && modelTree.surface == null))
             {
-                _cookedTree = new CookedTree(division, tree.tree, _maxDepth);
-                tree.surface = surface;
+                _cookedTree = new CookedTree(division, modelTree.tree, _maxDepth);
+                modelTree.surface = surface;
             }
         }
 
-        // Makes a file of the results. The model's section has these settings and bytes; null if the file is for the store.
-        private function newFile(settings:Fingerprint, model:ByteArray):ByteArray
+        // Makes a file of the results. The load's settings and the bytes are those of the model's section. For the store, these are the
+        // fingerprint of the geometry, and null.
+        private function newFile(settings:FitSettings, load:Fingerprint, model:ByteArray):ByteArray
         {
             var contents:Vector.<ByteArray> = new Vector.<ByteArray>(CookedFile.SECTIONS, true);
             contents[CookedFile.MODEL] = model;
@@ -211,17 +220,17 @@ package starlogo.libraries
                 contents[CookedFile.STRUCTURES] = CookedStructures.write(structures.smallest);
                 contents[CookedFile.HULL] = structures.hull == null ? null : CookedStructures.write(new <BoundingStructure>[structures.hull]);
             }
-            if (tree != null)
+            if (modelTree != null)
             {
                 finish(buildingTree);
-                contents[CookedFile.HIERARCHY] = CookedTree.write(tree.tree);
-                if (tree.isPrepared)
+                contents[CookedFile.HIERARCHY] = CookedTree.write(modelTree.tree);
+                if (modelTree.isPrepared)
                 {
                     contents[CookedFile.SURFACE] = CookedFile.newBytes();
-                    tree.surface.writeTo(contents[CookedFile.SURFACE]);
+                    modelTree.surface.writeTo(contents[CookedFile.SURFACE]);
                 }
             }
-            return _settings.newFile(settings, contents);
+            return settings.newFile(load, contents);
         }
     }
 }

@@ -74,17 +74,13 @@ package starlogo.models
         /** Reverses the order of the triangles. @param count the number of triangles */
         public function reverse(count:int):void
         {
-            var before:Vector.<int> = starts;
-            var ofBefore:Vector.<int> = numbers;
+            var before:Vector.<int> = list(count);
+            _list = null;
             starts = new Vector.<int>();
             numbers = new Vector.<int>();
-            for (var run:int = before.length - 1; run >= 0; run--)
+            for (var i:int = 0; i < count; i++)
             {
-                beginRun(ofBefore[run], count - (run + 1 < before.length ? before[run + 1] : count));
-            }
-            if (before.length > 0 && before[0] > 0)
-            {
-                beginRun(-1, count - before[0]);
+                beginRun(before[count - 1 - i], i);
             }
         }
 
@@ -94,14 +90,9 @@ package starlogo.models
             if (_list == null)
             {
                 _list = new Vector.<int>(count, true);
-                var run:int = -1;
                 for (var i:int = 0; i < count; i++)
                 {
-                    while (run + 1 < starts.length && starts[run + 1] <= i)
-                    {
-                        run++;
-                    }
-                    _list[i] = run < 0 ? -1 : numbers[run];
+                    _list[i] = numberOf(this, i);
                 }
             }
             return _list;

@@ -37,7 +37,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function testLeaf(node:int, first:int, end:int):void
+        override public function testLeaf(tree:BoxTree, node:int):void
         {
             least = -Infinity;
         }

@@ -22,10 +22,16 @@ package starlogo.solid
         // After so many windings of shells for each triangle, the parts that are left stay as they are. The answers are the same.
         private static const WINDINGS_PER_TRIANGLE:int = 20;
 
-        private var _model:ModelTree;
+        /** The triangles, when no step is left. */
+        public var mesh:TriangleMesh;
+
+        /** The surface that they make, when no step is left. */
+        public var surface:SurfaceTopology;
+
+        /** What is inside of it, when no step is left. */
+        public var interior:Interior = null;
+
         private var _tree:BoxTree;
-        private var _mesh:TriangleMesh;
-        private var _surface:SurfaceTopology;
         private var _welding:Welding;
         private var _windingCounter:WindingCounter;
 
@@ -41,24 +47,27 @@ package starlogo.solid
         private var _joined:DisjointSets;
         private var _windingCount:int = 0;
 
-        /** @param model has triangles; receives the triangles, their inside and the surface */
-        public function InteriorBuilder(model:ModelTree)
+        /**
+         * @param tree of triangles
+         * @param knownMesh its triangles if they are prepared; otherwise null
+         * @param knownSurface the surface if it is known; otherwise null
+         */
+        public function InteriorBuilder(tree:BoxTree, knownMesh:TriangleMesh, knownSurface:SurfaceTopology)
         {
-            _model = model;
-            _tree = model.tree;
-            _mesh = model.mesh || new TriangleMesh(_tree);
-            _surface = model.surface || new SurfaceTopology(_tree.itemCount);
-            if (model.mesh == null)
+            _tree = tree;
+            mesh = knownMesh || new TriangleMesh(tree);
+            surface = knownSurface || new SurfaceTopology(tree.itemCount);
+            if (knownMesh == null)
             {
-                sliced(_mesh.placeCorners).call(keepMesh);
+                sliced(mesh.placeCorners);
             }
-            sliced(_mesh.placePlanes);
-            if (model.surface == null || _surface.widestSeam > 0)
+            sliced(mesh.placePlanes);
+            if (knownSurface == null || surface.widestSeam > 0)
             {
-                _welding = new Welding(_tree.vertices);
+                _welding = new Welding(tree.vertices);
                 add(_welding);
             }
-            if (model.surface == null)
+            if (knownSurface == null)
             {
                 addShells(new EdgeMatcher(_tree.triangles, _welding), new DisjointSets(_tree.vertices.length / 3));
             }
@@ -70,17 +79,12 @@ package starlogo.solid
             return slices(_tree.itemCount, TRIANGLES_PER_STEP, work);
         }
 
-        private function keepMesh():void
-        {
-            _model.mesh = _mesh;
-        }
-
         // Finds the parts, which are the sets of connected vertices, and the shells.
         private function addShells(edges:EdgeMatcher, sets:DisjointSets):void
         {
             // For the representative of a set, one more than its part's number, or 0.
             var numbers:Vector.<int> = new Vector.<int>(_tree.vertices.length / 3, true);
-            _shells = new ShellFinder(_surface, edges);
+            _shells = new ShellFinder(surface, edges);
             sliced(function(first:int, end:int):void
                 {
                     joinVertices(first, end, sets);
@@ -104,32 +108,32 @@ package starlogo.solid
 
         private function numberSets(first:int, end:int, sets:DisjointSets, numbers:Vector.<int>):void
         {
-            _surface.widestSeam = _welding.widestSeam;
+            surface.widestSeam = _welding.widestSeam;
             for (var i:int = first; i < end; i++)
             {
                 var root:int = sets.rootOf(_welding.welded[_tree.triangles[3 * i]]);
                 if (numbers[root] == 0)
                 {
-                    numbers[root] = ++_surface.partNumberEnd;
+                    numbers[root] = ++surface.partNumberEnd;
                 }
-                _surface.parts[i] = numbers[root] - 1;
+                surface.parts[i] = numbers[root] - 1;
             }
         }
 
         private function beginWindings():void
         {
-            _windingCounter = new WindingCounter(_mesh, _surface);
-            _partOf = new Vector.<int>(_surface.shellStates.length, true);
-            if (_surface.widestSeam > 0)
+            _windingCounter = new WindingCounter(mesh, surface);
+            _partOf = new Vector.<int>(surface.shellStates.length, true);
+            if (surface.widestSeam > 0)
             {
                 _windingCounter.placesAt = new Vector.<int>(_tree.itemCount, true);
                 sliced(weld);
             }
             if (_shells != null)
             {
-                _joined = new DisjointSets(_surface.partNumberEnd);
+                _joined = new DisjointSets(surface.partNumberEnd);
                 begin(newCavities);
-                addMeasuring().slices(_surface.isClosed && _surface.partNumberEnd > 1 ? _surface.partNumberEnd : 0, PARTS_PER_STEP, joinParts);
+                addMeasuring().slices(surface.isClosed && surface.partNumberEnd > 1 ? surface.partNumberEnd : 0, PARTS_PER_STEP, joinParts);
                 sliced(numberParts);
             }
             addMeasuring().call(conclude);
@@ -141,9 +145,9 @@ package starlogo.solid
             var places:Vector.<Number> = _windingCounter.places;
             for (var i:int = first; i < end; i++)
             {
-                _mesh.writeCorners(i, i + 1, _welding.welded, places, _placeCount);
+                mesh.writeCorners(i, i + 1, _welding.welded, places, _placeCount);
                 var same:int = 0;
-                while (same < 9 && places[_placeCount + same] == _mesh.corners[9 * i + same])
+                while (same < 9 && places[_placeCount + same] == mesh.corners[9 * i + same])
                 {
                     same++;
                 }
@@ -166,14 +170,14 @@ package starlogo.solid
 
         private function beginMeasuring():void
         {
-            _extremes = new PartExtremes(_mesh.corners, _surface.partNumberEnd);
+            _extremes = new PartExtremes(mesh.corners, surface.partNumberEnd);
         }
 
         private function measure(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
-                var part:int = _surface.parts[_tree.order[i]];
+                var part:int = surface.parts[_tree.order[i]];
                 var side:int = _windingCounter.sideOf(i);
                 if (side != 0)
                 {
@@ -210,14 +214,13 @@ package starlogo.solid
         {
             for (var i:int = first; i < end; i++)
             {
-                _surface.parts[i] = _joined.rootOf(_surface.parts[i]);
+                surface.parts[i] = _joined.rootOf(surface.parts[i]);
             }
         }
 
         private function conclude():void
         {
-            _model.interior = new Interior(_windingCounter, _extremes);
-            _model.surface = _surface;
+            interior = new Interior(_windingCounter, _extremes);
         }
     }
 }

@@ -74,7 +74,13 @@ package starlogo.solid
 
         private function newInterior():Steps
         {
-            return new InteriorBuilder(this);
+            var builder:InteriorBuilder = new InteriorBuilder(tree, mesh, surface);
+            return new StepSequence().add(builder).call(function():void
+                {
+                    mesh = builder.mesh;
+                    surface = builder.surface;
+                    interior = builder.interior;
+                });
         }
 
         /** @private Whether the tree is one of triangles; otherwise it is one of vertices. */

@@ -1,6 +1,7 @@
 package starlogo.solid
 {
     import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.LeafTest;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
@@ -32,10 +33,6 @@ package starlogo.solid
         private var _ray:Ray = null;
         private var _all:RayCrossings = null;
         private var _corners:Vector.<Number>;
-
-        // The ray's point and its direction.
-        private var _place:Vector.<Number> = new Vector.<Number>(3, true);
-        private var _direction:Vector.<Number> = new Vector.<Number>(3, true);
 
         // The axes, ordered so that the ray goes fastest along the last.
         private var _u:int;
@@ -77,12 +74,6 @@ package starlogo.solid
             _corners = corners;
             least = _latest = ray.to;
             triangle = -1;
-            _place[0] = ray.x;
-            _place[1] = ray.y;
-            _place[2] = ray.z;
-            _direction[0] = ray.directionX;
-            _direction[1] = ray.directionY;
-            _direction[2] = ray.directionZ;
             var absX:Number = Math.abs(ray.directionX);
             var absY:Number = Math.abs(ray.directionY);
             var absZ:Number = Math.abs(ray.directionZ);
@@ -90,13 +81,19 @@ package starlogo.solid
             _w = absX > absY && absX > absZ ? 0 : _w;
             _u = (_w + 1) % 3;
             _v = (_w + 2) % 3;
-            _x = _place[_u];
-            _y = _place[_v];
-            _z = _place[_w];
-            _stretch = 1 / _direction[_w];
-            _shearX = _direction[_u] / _direction[_w];
-            _shearY = _direction[_v] / _direction[_w];
+            _x = along(_u, ray.x, ray.y, ray.z);
+            _y = along(_v, ray.x, ray.y, ray.z);
+            _z = along(_w, ray.x, ray.y, ray.z);
+            var speed:Number = along(_w, ray.directionX, ray.directionY, ray.directionZ);
+            _stretch = 1 / speed;
+            _shearX = along(_u, ray.directionX, ray.directionY, ray.directionZ) / speed;
+            _shearY = along(_v, ray.directionX, ray.directionY, ray.directionZ) / speed;
             setRadius(radius);
+        }
+
+        private static function along(axis:int, x:Number, y:Number, z:Number):Number
+        {
+            return axis == 0 ? x : (axis == 1 ? y : z);
         }
 
         /** Changes the radius of a sphere around all triangles that come next. Their rounding errors are relative to it. */
@@ -107,13 +104,22 @@ package starlogo.solid
             _sliver = 6 * _margin * radius;
         }
 
+        /** @inheritDoc */
+        override public function testLeaf(tree:BoxTree, node:int):void
+        {
+            testTriangles(tree.first[node], tree.end[node]);
+        }
+
         /**
-         * @inheritDoc
+         * Tests some triangles.
          *
-         * <p>For each triangle, it shears the corners as seen from the line, finds the sides on which the ray passes the edges, and finds where
+         * <p>For each one, it shears the corners as seen from the line, finds the sides on which the ray passes the edges, and finds where
          * the ray crosses the plane.</p>
+         *
+         * @param first the first triangle's number
+         * @param end the number after the last one
          */
-        override public function testLeaf(node:int, first:int, end:int):void
+        public function testTriangles(first:int, end:int):void
         {
             var corners:Vector.<Number> = _corners;
             var u:int = _u;

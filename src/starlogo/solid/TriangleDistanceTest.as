@@ -60,9 +60,10 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function testLeaf(node:int, first:int, end:int):void
+        override public function testLeaf(tree:BoxTree, node:int):void
         {
-            for (var i:int = first; i < end && least > 0; i++)
+            var end:int = tree.end[node];
+            for (var i:int = tree.first[node]; i < end && least > 0; i++)
             {
                 if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) < least * least)
                 {

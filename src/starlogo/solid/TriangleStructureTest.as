@@ -30,7 +30,6 @@ package starlogo.solid
 
         private var _mesh:TriangleMesh;
         private var _motion:RelativeMotion;
-        private var _isMoving:Boolean = false;
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _pair:ConvexTrianglePair = new ConvexTrianglePair();
 
@@ -69,7 +68,6 @@ package starlogo.solid
         public function areTouching(model:ModelTree, structure:BoundingStructure, pose:RelativePose):Boolean
         {
             begin(model, structure, pose, RelativeMotion.NONE);
-            _isMoving = false;
             least = 0;
             _boxes.find(_mesh.tree, BoxTree.NO_LIMIT, this);
             return _isFound;
@@ -84,7 +82,6 @@ package starlogo.solid
         {
             begin(model, structure, pose, motion);
             prepareMotion();
-            _isMoving = true;
             least = _motion.latest;
             _boxes.find(_mesh.tree, BoxTree.NO_LIMIT, this);
             var time:Number = least > 0 ? least : 0;
@@ -144,10 +141,11 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function testLeaf(node:int, first:int, end:int):void
+        override public function testLeaf(tree:BoxTree, node:int):void
         {
-            var isMoving:Boolean = _isMoving;
-            for (var i:int = first; i < end; i++)
+            var isMoving:Boolean = _motion !== RelativeMotion.NONE;
+            var end:int = tree.end[node];
+            for (var i:int = tree.first[node]; i < end; i++)
             {
                 if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) > _radius * _radius)
                 {

@@ -126,9 +126,10 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function testLeaf(node:int, first:int, end:int):void
+        override public function testLeaf(tree:BoxTree, node:int):void
         {
-            for (var i:int = first; i < end; i++)
+            var end:int = tree.end[node];
+            for (var i:int = tree.first[node]; i < end; i++)
             {
                 cross(i);
             }

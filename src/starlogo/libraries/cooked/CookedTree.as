@@ -179,30 +179,12 @@ package starlogo.libraries.cooked
             return true;
         }
 
-        // The steps that compute the boxes. They go from the last node to the first, because children come after their parents.
+        // The steps that compute the boxes.
         private function measuring():Steps
         {
-            var tree:BoxTree = _tree;
-            var last:int = tree.left.length - 1;
-            var extents:Vector.<Number> = new Vector.<Number>(6 * tree.left.length, true);
-            return new StepSequence().slices(last + 1, NODES_PER_STEP, function(first:int, end:int):void
+            return _tree.refitting(new Vector.<Number>(6 * _tree.left.length, true)).call(function():void
                 {
-                    for (var i:int = last - first; i > last - end; i--)
-                    {
-                        tree.measure(i, extents);
-                    }
-                }).call(function():void
-                {
-                    tree.measureRadiusAboutOrigin(extents);
-                }).slices(last + 1, NODES_PER_STEP, function(first:int, end:int):void
-                {
-                    for (var i:int = last - first; i > last - end; i--)
-                    {
-                        tree.enclose(i, extents, 6 * i);
-                    }
-                }).call(function():void
-                {
-                    tree.finish();
+                    _tree.complete();
                 });
         }
     }

@@ -1,13 +1,21 @@
 package starlogo.models.collada
 {
     import starlogo.geometry.AffineTransform;
+    import starlogo.models.ModelError;
+    import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
 
-    /** An element of a COLLADA document. Its name and its attributes' names have no namespace prefix. */
+    /**
+     * An element of a COLLADA document. It finds other elements, reads its own numbers, and names its place in errors. Its name and its
+     * attributes' names have no namespace prefix.
+     */
     internal final class ColladaElement
     {
         /** The element's name. */
         public var name:String;
+
+        /** What all elements of the document share. */
+        public var document:ColladaDocument;
 
         /** The element around this one; null for the root. */
         public var parent:ColladaElement;
@@ -28,11 +36,13 @@ package starlogo.models.collada
         private var _first:Object = null;
 
         /**
+         * @param document what all elements of the document share
          * @param name the element's name
          * @param parent the element around it, which takes it as a child; null for the root
          */
-        public function ColladaElement(name:String, parent:ColladaElement)
+        public function ColladaElement(document:ColladaDocument, name:String, parent:ColladaElement)
         {
+            this.document = document;
             this.name = name;
             this.parent = parent;
             if (parent != null)
@@ -79,6 +89,14 @@ package starlogo.models.collada
             return first("<" + name);
         }
 
+        /** The first child element with a name. @throws ModelError if there is none */
+        public function requiredChild(name:String):ColladaElement
+        {
+            var found:ColladaElement = child(name);
+            refuseIf(found == null, "expected a <" + name + "> in it");
+            return found;
+        }
+
         /** The first child element with a name and an id, or null. */
         public function childWithId(name:String, id:String):ColladaElement
         {
@@ -108,10 +126,112 @@ package starlogo.models.collada
             return _first[key];
         }
 
+        /**
+         * The element that an attribute refers to.
+         *
+         * @param attributeName "url" or "source"
+         * @param names the names that the target may have, the wanted one first
+         * @param scope is searched first, because some exporters repeat ids in each mesh; null for no scope
+         * @throws ModelError if there is none
+         */
+        public function target(attributeName:String, names:Array, scope:ColladaElement = null):ColladaElement
+        {
+            var url:String = attribute(attributeName);
+            refuseIf(url.charAt(0) != "#", "expected a " + attributeName + " like \"#id\", of an element in this file, but found \"" +
+                    TextWords.shorten(url) + "\"");
+            for each (var targetName:String in names)
+            {
+                var found:ColladaElement = (scope == null ? null : scope.childWithId(targetName, url.substr(1))) || document.elementsById[targetName + url];
+                if (found != null)
+                {
+                    return found;
+                }
+            }
+            throw error("there is no <" + names[0] + "> with the id \"" + TextWords.shorten(url.substr(1)) + "\"");
+        }
+
+        /** The material that this instance of a geometry binds to a symbol; null if it binds none, or one that is not in this file. */
+        public function materialOf(symbol:String):ColladaElement
+        {
+            var binding:ColladaElement = child("bind_material");
+            var technique:ColladaElement = binding == null ? null : binding.child("technique_common");
+            for each (var bound:ColladaElement in technique == null ? null : technique.childrenNamed("instance_material"))
+            {
+                if (bound.attribute("symbol") == symbol)
+                {
+                    return document.elementsById["material" + bound.attribute("target")];
+                }
+            }
+            return null;
+        }
+
         /** Splits the element's own text into words. For long texts, ColladaWords does the same in steps. */
         public function splitText():Array
         {
             return TextWords.of(texts.join(" "));
+        }
+
+        /**
+         * The numbers in the element's text. @throws ModelError if one is not finite
+         *
+         * @param count the number of numbers that there must be
+         */
+        public function numbers(count:int):Vector.<Number>
+        {
+            var all:Array = splitText();
+            refuseIf(all.length != count, "expected " + count + " numbers, but found " + all.length);
+            var result:Vector.<Number> = new Vector.<Number>(count);
+            for (var i:int = 0; i < count; i++)
+            {
+                result[i] = toNumber(all[i]);
+            }
+            return result;
+        }
+
+        /** The number that a word of the element's text stands for. @throws ModelError if it is not finite */
+        public function toNumber(word:String):Number
+        {
+            var number:Number = TextWords.toNumber(word);
+            if (number - number != 0)
+            {
+                throw error("expected finite numbers, but found \"" + TextWords.shorten(word) + "\"");
+            }
+            return number;
+        }
+
+        /**
+         * The value of an attribute that must be a whole number, 0 or more.
+         *
+         * @param missing the result if there is no such attribute
+         */
+        public function integer(attributeName:String, missing:Number):Number
+        {
+            var text:String = attribute(attributeName);
+            var number:Number = text == "" ? missing : Decimal.of(TextWords.of(text).join(" "));
+            refuseIf(!(number >= 0 && number == Math.floor(number) && number < Infinity), "expected " +
+                    attributeName + " to be a whole number, not negative, but found \"" + TextWords.shorten(text) + "\"");
+            return number;
+        }
+
+        /** Checks the attribute <code>count</code>, if there is one. @param counted the value that it must have */
+        public function checkCount(counted:int, what:String):void
+        {
+            refuseIf(integer("count", counted) != counted, "its count is " + TextWords.shorten(attribute("count")) + ", but it has " + counted + " " + what);
+        }
+
+        /** Throws a ModelError if something is wrong with the element. The message is built in any case, so long loops throw an error(). */
+        public function refuseIf(isWrong:Boolean, problem:String):void
+        {
+            if (isWrong)
+            {
+                throw error(problem);
+            }
+        }
+
+        /** The error for something that is wrong with the element. */
+        public function error(problem:String):ModelError
+        {
+            return new ModelError(document.budget.name, String(this), problem);
         }
 
         /** The path from the root: names, with ids. Elements without an id that have siblings of the same name get numbers from 1. */

@@ -24,20 +24,15 @@ package starlogo.models.collada
         /** When all is read: the symbol of the material of each triangle. */
         public var symbols:TriangleLabels = new TriangleLabels();
 
-        private var _document:ColladaDocument;
         private var _mesh:ColladaElement;
         private var _points:Object = {}; // of positions; the key is "#" and the source's id
 
-        /**
-         * @param document the document
-         * @param geometry the geometry's element
-         */
-        public function ColladaMesh(document:ColladaDocument, geometry:ColladaElement)
+        /** @param geometry the geometry's element */
+        public function ColladaMesh(geometry:ColladaElement)
         {
-            _document = document;
             this.geometry = geometry;
             _mesh = geometry.child("mesh") || geometry.child("convex_mesh");
-            addSteps(new Triangulator(document.budget, vertices, triangles));
+            addSteps(new Triangulator(geometry.document.budget, vertices, triangles));
         }
 
         private function addSteps(triangulator:Triangulator):void
@@ -71,11 +66,11 @@ package starlogo.models.collada
                     var work:StepSequence = new StepSequence();
                     var symbol:String = element.attribute("material");
                     symbols.beginRun(symbol == "" ? -1 : symbols.numberFor(symbol, symbol), triangles.length / 3);
-                    var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(_document, element)), work);
+                    var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(element)), work);
                     return work.call(function():void
                         {
                             isUsed.length = vertices.length / 3;
-                        }).add(new ColladaPrimitive(_document, element, points, isUsed, triangles, triangulator));
+                        }).add(new ColladaPrimitive(element, points, isUsed, triangles, triangulator));
                 });
         }
 
@@ -93,15 +88,15 @@ package starlogo.models.collada
         // The source that an input refers to, directly or through an element "vertices".
         private function positionSource(input:ColladaElement):ColladaElement
         {
-            var target:ColladaElement = _document.target(input, "source", ["vertices", "source"], _mesh);
+            var target:ColladaElement = input.target("source", ["vertices", "source"], _mesh);
             return target.name == "source" ? target : sourceOfVertices(target);
         }
 
         private function sourceOfVertices(vertices:ColladaElement):ColladaElement
         {
             var input:ColladaElement = vertices.input("POSITION");
-            _document.refuseIf(input == null, "expected an <input> with the semantic POSITION", vertices);
-            return _document.target(input, "source", ["source"], _mesh);
+            vertices.refuseIf(input == null, "expected an <input> with the semantic POSITION");
+            return input.target("source", ["source"], _mesh);
         }
 
         // The points of a source. If the source is new, adds the work of reading it. Several primitives may share a source.
@@ -111,7 +106,7 @@ package starlogo.models.collada
             var points:ColladaSource = _points[key];
             if (points == null)
             {
-                points = _points[key] = new ColladaSource(_document, source, vertices);
+                points = _points[key] = new ColladaSource(source, vertices);
                 work.add(points);
             }
             return points;

@@ -1,6 +1,5 @@
 package starlogo.models.collada
 {
-    import starlogo.models.ModelError;
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
@@ -16,7 +15,6 @@ package starlogo.models.collada
         private static const MAX_OFFSET:int = 255;
         private static const NAMES:Array = ["triangles", "polylist", "polygons", "tristrips", "trifans"];
 
-        private var _document:ColladaDocument;
         private var _element:ColladaElement;
         private var _positions:ColladaSource;
         private var _isUsed:Vector.<uint>;
@@ -28,17 +26,15 @@ package starlogo.models.collada
         private var _offset:int;
 
         /**
-         * @param document the document
          * @param element the primitive's element
          * @param positions its points; their steps come before this one's
          * @param isUsed a number for each point of the mesh; set to 1 for points that have a corner
          * @param triangles takes the triangles
          * @param triangulator cuts polygons, and adds their triangles
          */
-        public function ColladaPrimitive(document:ColladaDocument, element:ColladaElement, positions:ColladaSource,
+        public function ColladaPrimitive(element:ColladaElement, positions:ColladaSource,
                 isUsed:Vector.<uint>, triangles:Vector.<uint>, triangulator:Triangulator)
         {
-            _document = document;
             _element = element;
             _positions = positions;
             _isUsed = isUsed;
@@ -73,10 +69,10 @@ package starlogo.models.collada
          *
          * @throws ModelError if there is none
          */
-        internal static function positionInput(document:ColladaDocument, element:ColladaElement):ColladaElement
+        internal static function positionInput(element:ColladaElement):ColladaElement
         {
             var input:ColladaElement = element.input("VERTEX") || element.input("POSITION");
-            document.refuseIf(input == null, "expected an <input> with the semantic VERTEX", element);
+            element.refuseIf(input == null, "expected an <input> with the semantic VERTEX");
             return input;
         }
 
@@ -84,11 +80,11 @@ package starlogo.models.collada
         {
             for each (var input:ColladaElement in _element.childrenNamed("input"))
             {
-                var offset:Number = _document.integer(input, "offset", 0);
-                _document.refuseIf(offset > MAX_OFFSET, "expected an offset of at most " + MAX_OFFSET + ", but found " + offset, input);
+                var offset:Number = input.integer("offset", 0);
+                input.refuseIf(offset > MAX_OFFSET, "expected an offset of at most " + MAX_OFFSET + ", but found " + offset);
                 _stride = Math.max(_stride, offset + 1);
             }
-            _offset = _document.integer(positionInput(_document, _element), "offset", 0);
+            _offset = positionInput(_element).integer("offset", 0);
         }
 
         private function addTriangles(reader:ColladaWords):void
@@ -97,8 +93,8 @@ package starlogo.models.collada
                 {
                     var indices:Array = reader.words;
                     var count:int = cornersIn(indices);
-                    _document.refuseIf(count % 3 != 0, "expected three corners for each triangle, but found " + count, _element);
-                    _document.checkCount(_element, count / 3, "triangles");
+                    _element.refuseIf(count % 3 != 0, "expected three corners for each triangle, but found " + count);
+                    _element.checkCount(count / 3, "triangles");
                     return new Slices(count, CORNERS_PER_STEP, function(first:int, end:int):void
                         {
                             readTriangles(indices, first, end);
@@ -128,12 +124,12 @@ package starlogo.models.collada
         {
             var sum:Number = 0;
             var next:int = 0;
-            _document.checkCount(_element, sizes.length, "numbers in <vcount>");
+            _element.checkCount(sizes.length, "numbers in <vcount>");
             return new StepSequence().slices(sizes.length, SIZES_PER_STEP, function(first:int, end:int):void
                 {
                     sum += sumOfSizes(sizes, first, end, indices.length);
-                    _document.refuseIf(end == sizes.length && sum != cornersIn(indices), "its <vcount> adds up to " + sum +
-                            " corners, but <p> has " + cornersIn(indices), _element);
+                    _element.refuseIf(end == sizes.length && sum != cornersIn(indices), "its <vcount> adds up to " + sum +
+                            " corners, but <p> has " + cornersIn(indices));
                 }).add(_triangulator.addingEach(sizes.length, function(index:int):int
                     {
                         var count:int = Number(sizes[index]);
@@ -155,8 +151,7 @@ package starlogo.models.collada
                 var size:Number = Decimal.ofIndex(sizes[i]);
                 if (!(size >= 0 && size <= most && size == int(size)))
                 {
-                    throw new ModelError(_document.budget.name, String(_element.child("vcount")), "expected the number of a polygon's corners, but found \"" +
-                            TextWords.shorten(sizes[i]) + "\"");
+                    throw _element.child("vcount").error("expected the number of a polygon's corners, but found \"" + TextWords.shorten(sizes[i]) + "\"");
                 }
                 sum += size;
             }
@@ -166,7 +161,7 @@ package starlogo.models.collada
         // Each list of corners is read at once. @param read <code>function(list:ColladaElement):int</code>, returns the number of corners
         private function addLists(lists:Vector.<ColladaElement>, what:String, read:Function):void
         {
-            _document.checkCount(_element, lists.length, what);
+            _element.checkCount(lists.length, what);
             add(_triangulator.addingEach(lists.length, function(index:int):int
                     {
                         return read(lists[index]);
@@ -177,7 +172,7 @@ package starlogo.models.collada
         private function readPolygon(list:ColladaElement):int
         {
             var hasHoles:Boolean = list.name == "ph";
-            var outline:Vector.<uint> = loopOf(hasHoles ? _document.requiredChild(list, "p") : list);
+            var outline:Vector.<uint> = loopOf(hasHoles ? list.requiredChild("p") : list);
             var holes:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
             for each (var hole:ColladaElement in hasHoles ? list.childrenNamed("h") : null)
             {
@@ -223,8 +218,7 @@ package starlogo.models.collada
         {
             if (indices.length % _stride != 0)
             {
-                throw new ModelError(_document.budget.name, String(_element), "expected " + _stride + " indices for each corner, but found " +
-                        indices.length + " in all");
+                throw _element.error("expected " + _stride + " indices for each corner, but found " + indices.length + " in all");
             }
             return indices.length / _stride;
         }
@@ -237,8 +231,7 @@ package starlogo.models.collada
             var index:int = int(value);
             if (index != value || index < 0 || index >= _positions.count)
             {
-                throw new ModelError(_document.budget.name, String(_element), "expected a position's index, 0 to " + (_positions.count - 1) +
-                        ", but found \"" + TextWords.shorten(word) + "\"");
+                throw _element.error("expected a position's index, 0 to " + (_positions.count - 1) + ", but found \"" + TextWords.shorten(word) + "\"");
             }
             index += _positions.first;
             _isUsed[index] = 1;

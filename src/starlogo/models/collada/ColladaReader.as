@@ -43,22 +43,24 @@ package starlogo.models.collada
         {
             add(xml).begin(function():Steps
                 {
-                    return readingDocument(new ColladaDocument(_budget, xml));
+                    return readingDocument(xml.root);
                 }).begin(normalising);
         }
 
-        private function readingDocument(document:ColladaDocument):Steps
+        private function readingDocument(root:ColladaElement):Steps
         {
-            var asset:ColladaElement = document.root.child("asset");
+            refuseIf(root == null, name, "this is not XML: expected a COLLADA document");
+            root.refuseIf(root.name != "COLLADA", "expected a COLLADA document, but its root element is <" + root.name + ">");
+            var asset:ColladaElement = root.child("asset");
             data.unit = unitOf(asset);
-            var scene:ColladaScene = new ColladaScene(document, _isAxisNamed ? turnUp : turnFrom(upAxisOf(asset)));
+            var scene:ColladaScene = new ColladaScene(root, _isAxisNamed ? turnUp : turnFrom(upAxisOf(asset)));
             return new StepSequence().add(scene).begin(function():Steps
                 {
-                    return readingInstances(scene.instances, document);
+                    return readingInstances(scene.instances);
                 });
         }
 
-        private function readingInstances(instances:Vector.<ColladaInstance>, document:ColladaDocument):Steps
+        private function readingInstances(instances:Vector.<ColladaInstance>):Steps
         {
             var next:int = 0;
             return new StepSequence().beginEach(function():Steps
@@ -72,13 +74,13 @@ package starlogo.models.collada
                     return new StepSequence().add(instance.mesh).begin(function():Steps
                         {
                             progress = 0.9 * next / instances.length;
-                            return placing(instance, document);
+                            return placing(instance);
                         });
                 });
         }
 
         // The work that adds a mesh at an instance's place. If the instance's transform mirrors, the triangles' corner order is reversed.
-        private function placing(instance:ColladaInstance, document:ColladaDocument):Steps
+        private function placing(instance:ColladaInstance):Steps
         {
             var mesh:ColladaMesh = instance.mesh;
             var out:Vector.<Number> = verticesFor(mesh.hasSurfaces);
@@ -89,7 +91,7 @@ package starlogo.models.collada
             _budget.requireMesh(firstVertex + vertexCount, firstCorner / 3 + triangleCount, instance.element);
             if (triangleCount > 0)
             {
-                addLabels(instance, document, firstCorner / 3);
+                addLabels(instance, firstCorner / 3);
             }
             return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
@@ -102,7 +104,7 @@ package starlogo.models.collada
         }
 
         // An instance is a mesh with the name of its node. Its materials are those that it binds to the symbols of its geometry.
-        private function addLabels(instance:ColladaInstance, document:ColladaDocument, firstTriangle:int):void
+        private function addLabels(instance:ColladaInstance, firstTriangle:int):void
         {
             var element:ColladaElement = instance.element;
             var symbols:TriangleLabels = instance.mesh.symbols;
@@ -112,7 +114,7 @@ package starlogo.models.collada
             var bound:Vector.<int> = new Vector.<int>();
             for each (var symbol:String in symbols.names)
             {
-                var material:ColladaElement = document.materialOf(element, symbol);
+                var material:ColladaElement = element.materialOf(symbol);
                 // A symbol may be equal to another material's id.
                 bound.push(material == null ? data.materials.numberFor("symbol " + symbol, symbol) :
                         data.materials.numberFor("material " + material.id, nameOf(material)));

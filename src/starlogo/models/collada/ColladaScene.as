@@ -18,7 +18,7 @@ package starlogo.models.collada
         /** The geometries in the document's order, when no step is left. */
         public var instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
 
-        private var _document:ColladaDocument;
+        private var _budget:ModelBudget;
         private var _meshes:Object = {}; // of geometries in the scene; the key is "#" and the geometry's id
 
         // The elements that are to be visited, the next one last, and the node that each is in.
@@ -26,22 +26,22 @@ package starlogo.models.collada
         private var _nodes:Vector.<ColladaNode> = new Vector.<ColladaNode>();
 
         /**
-         * @param document the document
+         * @param root the document's root element
          * @param up turns the scene to z up
          */
-        public function ColladaScene(document:ColladaDocument, up:AffineTransform)
+        public function ColladaScene(root:ColladaElement, up:AffineTransform)
         {
-            _document = document;
-            var scene:ColladaElement = document.root.child("scene");
+            _budget = root.document.budget;
+            var scene:ColladaElement = root.child("scene");
             var instance:ColladaElement = scene == null ? null : scene.child("instance_visual_scene");
             if (instance != null)
             {
-                enter(new ColladaNode(document.target(instance, "url", ["visual_scene"]), null, up));
+                enter(new ColladaNode(instance.target("url", ["visual_scene"]), null, up));
                 repeat(visitSome);
             }
             else
             {
-                addLibrary(up);
+                addLibrary(root, up);
             }
         }
 
@@ -54,13 +54,13 @@ package starlogo.models.collada
             return _pending.length > 0;
         }
 
-        private function addLibrary(up:AffineTransform):void
+        private function addLibrary(root:ColladaElement, up:AffineTransform):void
         {
-            for each (var library:ColladaElement in _document.root.childrenNamed("library_geometries"))
+            for each (var library:ColladaElement in root.childrenNamed("library_geometries"))
             {
                 for each (var geometry:ColladaElement in library.childrenNamed("geometry"))
                 {
-                    instances.push(new ColladaInstance(geometry, new ColladaMesh(_document, geometry), up));
+                    instances.push(new ColladaInstance(geometry, new ColladaMesh(geometry), up));
                 }
             }
         }
@@ -69,8 +69,8 @@ package starlogo.models.collada
         private function enter(node:ColladaNode):void
         {
             var children:Vector.<ColladaElement> = node.element.children;
-            _document.refuseIf(node.depth > MAX_DEPTH, "its nodes are nested more than " + MAX_DEPTH + " deep", node.element);
-            _document.budget.take(ModelBudget.THINGS, THINGS_PER_ELEMENT * (1 + children.length), node.element);
+            node.element.refuseIf(node.depth > MAX_DEPTH, "its nodes are nested more than " + MAX_DEPTH + " deep");
+            _budget.take(ModelBudget.THINGS, THINGS_PER_ELEMENT * (1 + children.length), node.element);
             for (var i:int = children.length - 1; i >= 0; i--)
             {
                 _pending.push(children[i]);
@@ -83,7 +83,7 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "instance_geometry":
-                    addInstance(element, _document.target(element, "url", ["geometry"]), node.transform);
+                    addInstance(element, element.target("url", ["geometry"]), node.transform);
                     break;
                 case "instance_controller":
                     addController(element, node.transform);
@@ -95,7 +95,7 @@ package starlogo.models.collada
                     enter(new ColladaNode(element, node, node.transform));
                     break;
                 default:
-                    var local:AffineTransform = element.transform ||= ColladaTransform.of(_document, element);
+                    var local:AffineTransform = element.transform ||= ColladaTransform.of(element);
                     node.transform = local == null ? node.transform : node.transform.after(local);
                     break;
             }
@@ -103,26 +103,25 @@ package starlogo.models.collada
 
         private function instanced(element:ColladaElement, node:ColladaNode):ColladaElement
         {
-            var target:ColladaElement = _document.target(element, "url", ["node"]);
-            _document.refuseIf(node.isWithin(target), "recursive instance_node: it places the node \"" +
-                    TextWords.shorten(target.id) + "\" within itself", element);
+            var target:ColladaElement = element.target("url", ["node"]);
+            element.refuseIf(node.isWithin(target), "recursive instance_node: it places the node \"" + TextWords.shorten(target.id) + "\" within itself");
             return target;
         }
 
         // Follows controllers down to the geometry. A skin stays where its bind shape matrix puts it. A morph is its base shape.
         private function addController(element:ColladaElement, transform:AffineTransform):void
         {
-            var target:ColladaElement = _document.target(element, "url", ["controller"]);
+            var target:ColladaElement = element.target("url", ["controller"]);
             for (var i:int = 0; target.name == "controller"; i++)
             {
-                _document.budget.take(ModelBudget.THINGS, THINGS_PER_ELEMENT, element);
+                _budget.take(ModelBudget.THINGS, THINGS_PER_ELEMENT, element);
                 var skin:ColladaElement = target.child("skin");
-                var deformer:ColladaElement = skin || _document.requiredChild(target, "morph");
+                var deformer:ColladaElement = skin || target.requiredChild("morph");
                 var shape:ColladaElement = skin == null ? null : skin.child("bind_shape_matrix");
-                transform = shape == null ? transform : transform.after(shape.transform ||= ColladaTransform.matrix(_document, shape));
-                target = _document.target(deformer, "source", ["geometry", "controller"]);
-                _document.refuseIf(i > MAX_CONTROLLERS, "more than " + MAX_CONTROLLERS +
-                        " controllers follow one another, or they refer to each other in a circle", element);
+                transform = shape == null ? transform : transform.after(shape.transform ||= ColladaTransform.matrix(shape));
+                target = deformer.target("source", ["geometry", "controller"]);
+                element.refuseIf(i > MAX_CONTROLLERS, "more than " + MAX_CONTROLLERS +
+                        " controllers follow one another, or they refer to each other in a circle");
             }
             addInstance(element, target, transform);
         }
@@ -130,7 +129,7 @@ package starlogo.models.collada
         // Each geometry is read once, even if it is in the scene many times.
         private function addInstance(element:ColladaElement, geometry:ColladaElement, transform:AffineTransform):void
         {
-            var mesh:ColladaMesh = _meshes["#" + geometry.id] ||= new ColladaMesh(_document, geometry);
+            var mesh:ColladaMesh = _meshes["#" + geometry.id] ||= new ColladaMesh(geometry);
             instances.push(new ColladaInstance(element, mesh, transform));
         }
     }

@@ -17,27 +17,24 @@ package starlogo.models.collada
         /** The number of its points, when no step is left. */
         public var count:int;
 
-        private var _document:ColladaDocument;
         private var _points:Vector.<Number>;
 
         /**
-         * @param document the document
          * @param source the source's element
          * @param points takes its points after those already present: x, y, z, ...
          */
-        public function ColladaSource(document:ColladaDocument, source:ColladaElement, points:Vector.<Number>)
+        public function ColladaSource(source:ColladaElement, points:Vector.<Number>)
         {
-            _document = document;
             _points = points;
-            var accessor:ColladaElement = document.requiredChild(document.requiredChild(source, "technique_common"), "accessor");
-            addSteps(accessor, document.target(accessor, "source", ["float_array", "int_array"], source));
+            var accessor:ColladaElement = source.requiredChild("technique_common").requiredChild("accessor");
+            addSteps(accessor, accessor.target("source", ["float_array", "int_array"], source));
         }
 
         private function addSteps(accessor:ColladaElement, array:ColladaElement):void
         {
             var text:ColladaWords = new ColladaWords(new <ColladaElement>[array]);
-            _document.budget.take(ModelBudget.NUMBERS, text.length / 2, accessor);
-            _document.budget.take(ModelBudget.THINGS, accessor.children.length, accessor);
+            accessor.document.budget.take(ModelBudget.NUMBERS, text.length / 2, accessor);
+            accessor.document.budget.take(ModelBudget.THINGS, accessor.children.length, accessor);
             add(text).begin(function():Steps
                 {
                     return readingPoints(accessor, array, text.words);
@@ -46,15 +43,15 @@ package starlogo.models.collada
 
         private function readingPoints(accessor:ColladaElement, array:ColladaElement, words:Array):Steps
         {
-            _document.checkCount(array, words.length, "numbers");
-            var stride:Number = _document.integer(accessor, "stride", 1);
-            var offset:Number = _document.integer(accessor, "offset", 0);
+            array.checkCount(words.length, "numbers");
+            var stride:Number = accessor.integer("stride", 1);
+            var offset:Number = accessor.integer("offset", 0);
             var columns:Vector.<int> = columnsOf(accessor, stride);
-            var wanted:Number = _document.integer(accessor, "count", Math.max(0, Math.floor((words.length - offset) / stride)));
+            var wanted:Number = accessor.integer("count", Math.max(0, Math.floor((words.length - offset) / stride)));
             var last:Number = offset + stride * (wanted - 1) + Math.max(columns[0], columns[1], columns[2]);
-            _document.refuseIf(wanted > 0 && last >= words.length, "its count of " + wanted + " with a stride of " + stride +
-                    " reaches beyond the " + words.length + " numbers of its array", accessor);
-            _document.budget.take(ModelBudget.NUMBERS, 3 * wanted, accessor);
+            accessor.refuseIf(wanted > 0 && last >= words.length, "its count of " + wanted + " with a stride of " + stride +
+                    " reaches beyond the " + words.length + " numbers of its array");
+            accessor.document.budget.take(ModelBudget.NUMBERS, 3 * wanted, accessor);
             count = wanted;
             first = _points.length / 3;
             return new Slices(count, POINTS_PER_STEP, function(from:int, end:int):void
@@ -73,7 +70,7 @@ package starlogo.models.collada
             {
                 var word:String = words[int(at + columns[k])];
                 var number:Number = Decimal.of(word);
-                _points[3 * index + k] = number - number == 0 ? number : _document.toNumber(array, word);
+                _points[3 * index + k] = number - number == 0 ? number : array.toNumber(word);
             }
         }
 
@@ -90,8 +87,8 @@ package starlogo.models.collada
             {
                 columns = new <int>[0, 1, 2];
             }
-            _document.refuseIf(names.length < 3 && names.length > 0 || Math.max(columns[0], columns[1], columns[2]) >= stride,
-                    "expected the parameters X, Y and Z of points, within its stride of " + stride, accessor);
+            accessor.refuseIf(names.length < 3 && names.length > 0 || Math.max(columns[0], columns[1], columns[2]) >= stride,
+                    "expected the parameters X, Y and Z of points, within its stride of " + stride);
             return columns;
         }
     }

@@ -14,43 +14,43 @@ package starlogo.models.collada
          *
          * @return null if the element is no transform
          */
-        internal static function of(document:ColladaDocument, element:ColladaElement):AffineTransform
+        internal static function of(element:ColladaElement):AffineTransform
         {
             var v:Vector.<Number>;
             switch (element.name)
             {
                 case "matrix":
-                    return matrix(document, element);
+                    return matrix(element);
                 case "translate":
-                    v = document.numbers(element, 3);
+                    v = element.numbers(3);
                     return new AffineTransform(new <Number>[1, 0, 0, v[0], 0, 1, 0, v[1], 0, 0, 1, v[2]]);
                 case "scale":
-                    v = document.numbers(element, 3);
+                    v = element.numbers(3);
                     return new AffineTransform(new <Number>[v[0], 0, 0, 0, 0, v[1], 0, 0, 0, 0, v[2], 0]);
                 case "rotate":
-                    return rotation(document, element);
+                    return rotation(element);
                 case "lookat":
-                    return lookAt(document, element);
+                    return lookAt(element);
                 case "skew":
-                    return skew(document, element);
+                    return skew(element);
                 default:
                     return null;
             }
         }
 
         /** The transform with 16 numbers, row by row. */
-        internal static function matrix(document:ColladaDocument, element:ColladaElement):AffineTransform
+        internal static function matrix(element:ColladaElement):AffineTransform
         {
-            var m:Vector.<Number> = document.numbers(element, 16);
-            document.refuseIf(m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1,
-                    "expected a last row of 0 0 0 1, but found " + m.slice(12).join(" "), element);
+            var m:Vector.<Number> = element.numbers(16);
+            element.refuseIf(m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1,
+                    "expected a last row of 0 0 0 1, but found " + m.slice(12).join(" "));
             return new AffineTransform(m.slice(0, 12));
         }
 
         // A rotation about an axis (three numbers) by degrees (the fourth). An axis of length 0 means no rotation.
-        private static function rotation(document:ColladaDocument, element:ColladaElement):AffineTransform
+        private static function rotation(element:ColladaElement):AffineTransform
         {
-            var v:Vector.<Number> = document.numbers(element, 4);
+            var v:Vector.<Number> = element.numbers(4);
             var length:Number = Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
             if (!(length > 0))
             {
@@ -70,14 +70,14 @@ package starlogo.models.collada
         }
 
         // The node stands at the first point, and its -z axis points at the second. The third vector points up.
-        private static function lookAt(document:ColladaDocument, element:ColladaElement):AffineTransform
+        private static function lookAt(element:ColladaElement):AffineTransform
         {
-            var v:Vector.<Number> = document.numbers(element, 9);
+            var v:Vector.<Number> = element.numbers(9);
             var back:Vector.<Number> = normalise(new <Number>[v[0] - v[3], v[1] - v[4], v[2] - v[5]]);
             var right:Vector.<Number> = normalise(cross(v.slice(6), back));
             var up:Vector.<Number> = cross(back, right);
-            document.refuseIf(!(dot(back, back) > 0 && dot(right, right) > 0),
-                    "expected two different points and a direction up that is not along their line", element);
+            element.refuseIf(!(dot(back, back) > 0 && dot(right, right) > 0),
+                    "expected two different points and a direction up that is not along their line");
             return new AffineTransform(new <Number>[
                         right[0], up[0], back[0], v[0],
                         right[1], up[1], back[1], v[1],
@@ -85,9 +85,9 @@ package starlogo.models.collada
         }
 
         // A skew: an angle, the axis that is turned by it, and the axis along which all points shift.
-        private static function skew(document:ColladaDocument, element:ColladaElement):AffineTransform
+        private static function skew(element:ColladaElement):AffineTransform
         {
-            var v:Vector.<Number> = document.numbers(element, 7);
+            var v:Vector.<Number> = element.numbers(7);
             var turning:Vector.<Number> = normalise(v.slice(1, 4));
             var shift:Vector.<Number> = normalise(v.slice(4, 7));
             var along:Number = dot(turning, shift);
@@ -99,8 +99,8 @@ package starlogo.models.collada
             // the turned axis in the plane of the two axes: its parts across the shift and along it
             var turnedHeight:Number = height * Trigonometry.cosine(angle) - along * Trigonometry.sine(angle);
             var turnedAlong:Number = height * Trigonometry.sine(angle) + along * Trigonometry.cosine(angle);
-            document.refuseIf(!(height > 1e-9 && turnedHeight > 1e-9),
-                    "expected two different axes and an angle that leaves the first on its side of the second", element);
+            element.refuseIf(!(height > 1e-9 && turnedHeight > 1e-9),
+                    "expected two different axes and an angle that leaves the first on its side of the second");
             var amount:Number = turnedAlong / turnedHeight - along / height;
             var rows:Vector.<Number> = new Vector.<Number>(12);
             for (var row:int = 0; row < 3; row++)

@@ -31,13 +31,10 @@ package starlogo.models.collada
         /** The root element, when no step is left; null if there is none. */
         public var root:ColladaElement = null;
 
-        /** The first element of each name and id, by name, "#" and id. The "#" keeps a key different from every property of an Object. */
-        public var elementsById:Object = {};
-
         private var _text:String;
         private var _at:int = 0;
         private var _quotes:NextOfTwo;
-        private var _budget:ModelBudget;
+        private var _document:ColladaDocument;
 
         // the names of the elements that are not closed yet, with their prefixes
         private var _names:Array = [];
@@ -49,7 +46,7 @@ package starlogo.models.collada
          */
         public function XmlReader(text:String, budget:ModelBudget)
         {
-            _budget = budget;
+            _document = new ColladaDocument(budget);
             _text = text;
             _quotes = new NextOfTwo(text, "\"", "'");
         }
@@ -124,8 +121,8 @@ package starlogo.models.collada
             var quote:int = _quotes.after(_at);
             var name:String = _text.substring(_at, Math.min(quote, end)).split(NAME_END, 1)[0];
             refuse(name == "" || root != null && _open == null);
-            _budget.take(ModelBudget.THINGS, 1, this);
-            var element:ColladaElement = new ColladaElement(localName(name), _open);
+            _document.budget.take(ModelBudget.THINGS, 1, this);
+            var element:ColladaElement = new ColladaElement(_document, localName(name), _open);
             root ||= element;
             _at += name.length;
             for (var count:int = 0; quote < end && count < MAX_ATTRIBUTES; count++)
@@ -142,7 +139,7 @@ package starlogo.models.collada
             refuse(!TAG_END.test(_text.substring(_at, end)));
             if (element.id != "")
             {
-                elementsById[element.name + "#" + element.id] ||= element;
+                _document.elementsById[element.name + "#" + element.id] ||= element;
             }
             if (_text.charCodeAt(end - 1) != SLASH)
             {
@@ -171,7 +168,7 @@ package starlogo.models.collada
 
         private function refuse(isWrong:Boolean, problem:String = "this is not well-formed XML, or cut off"):void
         {
-            refuseIf(isWrong, _budget.name, problem, this);
+            refuseIf(isWrong, _document.budget.name, problem, this);
         }
 
         private static function localName(name:String):String

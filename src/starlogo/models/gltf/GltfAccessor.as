@@ -43,31 +43,29 @@ package starlogo.models.gltf
 
         /**
          * @param file the file; all its steps must be done
-         * @param place its place in the file, for errors
          * @param data says where its numbers are
          * @param layout says how many and of which kind; the same object as data, but for the parts of a sparse accessor
          */
-        public function GltfAccessor(file:GltfFile, place:String, data:Object, layout:Object)
+        public function GltfAccessor(file:GltfFile, data:GltfJson, layout:GltfJson)
         {
-            var json:GltfJson = file.json;
-            this.place = place;
-            count = json.whole(layout, "count", place, int.MAX_VALUE, -1);
-            _width = WIDTHS[layout.type];
-            _componentType = json.whole(layout, "componentType", place, int.MAX_VALUE, -1);
-            json.refuseIf(!SIZES.hasOwnProperty(_componentType), "expected 5120 to 5123, 5125 or 5126, but found " + _componentType, place + ".componentType");
-            _divisor = layout.normalized === true && LARGEST[_componentType] > 0 ? LARGEST[_componentType] : 0;
-            var view:int = json.reference(data, "bufferView", place, "bufferViews");
-            var offset:int = json.whole(data, "byteOffset", place, int.MAX_VALUE, 0);
+            place = data.place;
+            count = layout.whole("count", int.MAX_VALUE, -1);
+            _width = WIDTHS[layout.value.type];
+            _componentType = layout.whole("componentType", int.MAX_VALUE, -1);
+            layout.refuseIf(!SIZES.hasOwnProperty(_componentType), "expected 5120 to 5123, 5125 or 5126, but found " + _componentType, "componentType");
+            _divisor = layout.value.normalized === true && LARGEST[_componentType] > 0 ? LARGEST[_componentType] : 0;
+            var view:int = data.reference("bufferView", "bufferViews");
+            var offset:int = data.whole("byteOffset", int.MAX_VALUE, 0);
             if (view >= 0)
             {
                 addRows(file, view, offset);
             }
             file.budget.take(view < 0 ? ModelBudget.ZEROS : ModelBudget.NUMBERS, Number(count) * _width, place);
             numbers = new Vector.<Number>(count * _width);
-            var sparse:Object = data == layout ? json.objectIn(data, "sparse", place) : null;
+            var sparse:GltfJson = data == layout ? data.object("sparse") : null;
             if (sparse != null)
             {
-                addSparse(file, layout, sparse);
+                addSparse(file, layout.value, sparse);
             }
         }
 
@@ -81,9 +79,9 @@ package starlogo.models.gltf
         private function addRows(file:GltfFile, view:int, offset:int):void
         {
             var size:int = SIZES[_componentType] * _width;
-            var viewPlace:String = "bufferViews[" + view + "]";
-            var stride:int = file.json.whole(file.json.entry("bufferViews", view), "byteStride", viewPlace, 252, size);
-            file.json.refuseIf(stride < size, "expected at least " + size + ", but found " + stride, viewPlace + ".byteStride");
+            var entry:GltfJson = file.json.entry("bufferViews", view);
+            var stride:int = entry.whole("byteStride", 252, size);
+            entry.refuseIf(stride < size, "expected at least " + size + ", but found " + stride, "byteStride");
             file.openView(view, offset, count == 0 ? 0 : Number(count - 1) * stride + size, place);
             slices(count, NUMBERS_PER_STEP / _width, function(first:int, end:int):void
                 {
@@ -116,21 +114,19 @@ package starlogo.models.gltf
             }
         }
 
-        private function addSparse(file:GltfFile, accessor:Object, sparse:Object):void
+        private function addSparse(file:GltfFile, accessor:Object, sparse:GltfJson):void
         {
-            var json:GltfJson = file.json;
-            var where:String = place + ".sparse";
-            var some:int = json.whole(sparse, "count", where, count, -1);
-            var indices:Object = json.objectIn(sparse, "indices", where);
-            var values:Object = json.objectIn(sparse, "values", where);
-            json.refuseIf(indices == null || values == null, "expected indices and values", where);
-            json.refuseIf(indices.bufferView === undefined || values.bufferView === undefined, "expected indices and values in bufferViews", where);
-            var at:GltfAccessor = new GltfAccessor(file, where + ".indices", indices, {count: some, type: "SCALAR", componentType: indices.componentType});
-            var by:GltfAccessor = new GltfAccessor(file, where + ".values", values, {count: some, type: accessor.type,
-                        componentType: accessor.componentType, normalized: accessor.normalized});
+            var some:int = sparse.whole("count", count, -1);
+            var indices:GltfJson = sparse.object("indices");
+            var values:GltfJson = sparse.object("values");
+            sparse.refuseIf(indices == null || values == null, "expected indices and values");
+            sparse.refuseIf(!indices.has("bufferView") || !values.has("bufferView"), "expected indices and values in bufferViews");
+            var at:GltfAccessor = new GltfAccessor(file, indices, indices.replaced({count: some, type: "SCALAR", componentType: indices.value.componentType}));
+            var by:GltfAccessor = new GltfAccessor(file, values, values.replaced({count: some, type: accessor.type,
+                            componentType: accessor.componentType, normalized: accessor.normalized}));
             add(at).add(by).slices(some, NUMBERS_PER_STEP / _width, function(first:int, end:int):void
                 {
-                    replace(json.name, at.numbers, by.numbers, first, end);
+                    replace(sparse.name, at.numbers, by.numbers, first, end);
                 });
         }
 
@@ -169,19 +165,12 @@ package starlogo.models.gltf
                     out[at++] = bytes.readUnsignedInt();
                 }
             }
-            else if (SIZES[componentType] == 2)
-            {
-                while (at < last)
-                {
-                    number = bytes.readUnsignedShort();
-                    out[at++] = number - ((number & sign) << 1);
-                }
-            }
             else
             {
+                var isShort:Boolean = SIZES[componentType] == 2;
                 while (at < last)
                 {
-                    number = bytes.readUnsignedByte();
+                    number = isShort ? bytes.readUnsignedShort() : bytes.readUnsignedByte();
                     out[at++] = number - ((number & sign) << 1);
                 }
             }

@@ -24,30 +24,26 @@ package starlogo.models.gltf
          */
         public function GltfAnimation(file:GltfFile, index:int)
         {
-            var json:GltfJson = file.json;
-            var place:String = "animations[" + index + "]";
-            var animation:Object = json.entry("animations", index);
-            name = animation.name is String ? animation.name : "";
-            var channels:Array = json.listIn(animation, "channels", place);
-            var samplers:Array = json.listIn(animation, "samplers", place);
-            for (var i:int = 0; i < channels.length; i++)
+            var animation:GltfJson = file.json.entry("animations", index);
+            name = animation.text("name") || "";
+            var channelCount:int = animation.count("channels");
+            var samplerCount:int = animation.count("samplers");
+            for (var i:int = 0; i < channelCount; i++)
             {
-                var where:String = place + ".channels[" + i + "]";
-                var channel:Object = json.elementOf(channels, i, place + ".channels");
-                var target:Object = json.objectIn(channel, "target", where);
-                json.refuseIf(target == null, "expected a target", where);
-                var node:int = json.reference(target, "node", where + ".target", "nodes");
+                var channel:GltfJson = animation.element("channels", i);
+                var target:GltfJson = channel.object("target");
+                channel.refuseIf(target == null, "expected a target");
+                var node:int = target.reference("node", "nodes");
+                var path:String = target.text("path");
                 // the target of an extension
-                if (node < 0 || PATHS.indexOf(target.path) < 0)
+                if (node < 0 || PATHS.indexOf(path) < 0)
                 {
                     continue;
                 }
-                json.refuseIf(json.entry("nodes", node).matrix !== undefined && target.path != "weights", "a node with a matrix can't be animated",
-                        where + ".target");
-                var number:int = json.whole(channel, "sampler", where, samplers.length - 1, -1);
-                var sampler:Object = json.elementOf(samplers, number, place + ".samplers");
-                var reader:GltfSampler = new GltfSampler(file, sampler, place + ".samplers[" + number + "]", target.path);
-                _samplers[node + " " + target.path] = reader;
+                target.refuseIf(target.entry("nodes", node).has("matrix") && path != "weights", "a node with a matrix can't be animated");
+                var sampler:GltfJson = animation.element("samplers", channel.whole("sampler", samplerCount - 1, -1));
+                var reader:GltfSampler = new GltfSampler(file, sampler, path);
+                _samplers[node + " " + path] = reader;
                 add(reader);
             }
         }

@@ -120,29 +120,27 @@ package starlogo.models.gltf
          */
         internal function accessor(index:int, type:String):GltfAccessor
         {
-            var found:Object = json.entry("accessors", index);
-            json.refuseIf(found.type !== type, "expected \"" + type + "\", but found \"" + found.type + "\"", "accessors[" + index + "].type");
-            return _accessors["#" + index] ||= new GltfAccessor(this, "accessors[" + index + "]", found, found);
+            var found:GltfJson = json.entry("accessors", index);
+            found.refuseIf(found.value.type !== type, "expected \"" + type + "\", but found \"" + found.value.type + "\"", "type");
+            return _accessors["#" + index] ||= new GltfAccessor(this, found, found);
         }
 
         /** Checks a bufferView and returns its bytes. Their position is set to the given offset in the view. */
         internal function openView(index:int, offset:Number, length:Number, place:String):ByteArray
         {
-            var view:Object = json.entry("bufferViews", index);
-            var viewPlace:String = "bufferViews[" + index + "]";
-            var buffer:int = json.reference(view, "buffer", viewPlace, "buffers");
-            json.refuseIf(buffer < 0, "it names no buffer", viewPlace);
-            var start:int = json.whole(view, "byteOffset", viewPlace, int.MAX_VALUE, 0);
-            var size:int = json.whole(view, "byteLength", viewPlace, int.MAX_VALUE, -1);
-            json.refuseIf(offset + length > size, "it needs " + (offset + length) + " bytes of " + viewPlace + ", which has " + size, place);
+            var view:GltfJson = json.entry("bufferViews", index);
+            var buffer:int = view.reference("buffer", "buffers");
+            view.refuseIf(buffer < 0, "it names no buffer");
+            var start:int = view.whole("byteOffset", int.MAX_VALUE, 0);
+            var size:int = view.whole("byteLength", int.MAX_VALUE, -1);
+            json.refuseIf(offset + length > size, "it needs " + (offset + length) + " bytes of " + view.place + ", which has " + size, place);
             if (_buffers[buffer] == null)
             {
-                json.refuseIf(json.hasExtension(view, "EXT_meshopt_compression", viewPlace) || json.hasExtension(view, "KHR_meshopt_compression", viewPlace),
-                        "its data are " + MESHOPT_PROBLEM, viewPlace);
+                view.refuseIf(view.hasExtension("EXT_meshopt_compression") || view.hasExtension("KHR_meshopt_compression"), "its data are " + MESHOPT_PROBLEM);
                 throw new ModelError(budget.name, "buffers[" + buffer + "]", "its data are missing");
             }
-            json.refuseIf(Number(start) + size > _buffers[buffer].length, "it ends at byte " + (Number(start) + size) + " of buffers[" + buffer +
-                    "], which has " + _buffers[buffer].length, viewPlace);
+            view.refuseIf(Number(start) + size > _buffers[buffer].length, "it ends at byte " + (Number(start) + size) + " of buffers[" + buffer +
+                    "], which has " + _buffers[buffer].length);
             _buffers[buffer].position = start + offset;
             return _buffers[buffer];
         }
@@ -202,12 +200,12 @@ package starlogo.models.gltf
             }
             _meter = null;
             json = new GltfJson(budget.name, root);
-            var asset:Object = json.objectIn(root, "asset", "");
+            var asset:GltfJson = json.object("asset");
             // a file of a later 2.x can be read, unless it says that it needs one
-            var version:String = asset == null ? "none" : String(asset.minVersion || asset.version);
-            json.refuseIf(!/^2\.\d/.test(version) || asset.minVersion && !/^2\.0/.test(version),
+            var version:String = asset == null ? "none" : String(asset.value.minVersion || asset.value.version);
+            json.refuseIf(!/^2\.\d/.test(version) || asset.value.minVersion && !/^2\.0/.test(version),
                     "expected glTF 2.0, but found \"" + TextWords.shorten(version) + "\": save the model as 2.0", "asset.version");
-            for each (var extension:* in json.listIn(root, "extensionsRequired", ""))
+            for each (var extension:* in json.list("extensionsRequired"))
             {
                 checkExtension(String(extension));
             }
@@ -223,9 +221,9 @@ package starlogo.models.gltf
         }
 
         /** Throws if a primitive's geometry is only present in Draco's form. */
-        internal function refuseDraco(primitive:Object, place:String):void
+        internal static function refuseDraco(primitive:GltfJson):void
         {
-            json.refuseIf(json.hasExtension(primitive, DRACO, place), "it is " + DRACO_PROBLEM, place);
+            primitive.refuseIf(primitive.hasExtension(DRACO), "it is " + DRACO_PROBLEM);
         }
 
         private function readBuffers(first:int, end:int):void
@@ -233,15 +231,15 @@ package starlogo.models.gltf
             for (var i:int = first; i < end; i++)
             {
                 _buffers.push(null);
-                readBuffer(i, json.entry("buffers", i), "buffers[" + i + "]");
+                readBuffer(i, json.entry("buffers", i));
             }
         }
 
-        private function readBuffer(index:int, buffer:Object, place:String):void
+        private function readBuffer(index:int, buffer:GltfJson):void
         {
-            json.whole(buffer, "byteLength", place, ModelBudget.MOST_BYTES, -1);
-            var uri:* = buffer.uri;
-            json.refuseIf(uri !== undefined && !(uri is String), "expected an address", place + ".uri");
+            buffer.whole("byteLength", ModelBudget.MOST_BYTES, -1);
+            var uri:* = buffer.value.uri;
+            buffer.refuseIf(uri !== undefined && !(uri is String), "expected an address", "uri");
             if (uri === undefined)
             {
                 if (index == 0 && _chunk != null)
@@ -254,19 +252,19 @@ package starlogo.models.gltf
             if (uri.indexOf("data:") == 0)
             {
                 var comma:int = uri.indexOf(",");
-                json.refuseIf(uri.substring(0, comma).substr(-7) != ";base64", "expected data in base64", place + ".uri");
+                buffer.refuseIf(uri.substring(0, comma).substr(-7) != ";base64", "expected data in base64", "uri");
                 var bytes:ByteArray = new ByteArray();
-                add(Base64.decoding(budget.name, uri, comma + 1, place + ".uri", bytes)).call(function():void
+                add(Base64.decoding(budget.name, uri, comma + 1, buffer.place + ".uri", bytes)).call(function():void
                     {
                         keep(index, bytes);
                     });
                 return;
             }
-            json.refuseIf(!ModelAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found \"" +
-                    TextWords.shorten(uri) + "\"", place + ".uri");
+            buffer.refuseIf(!ModelAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found \"" +
+                    TextWords.shorten(uri) + "\"", "uri");
             if (!_buffersAt.hasOwnProperty("#" + uri))
             {
-                budget.take(ModelBudget.FILES, 1, place + ".uri");
+                budget.take(ModelBudget.FILES, 1, buffer.place + ".uri");
                 otherFiles.push(uri);
                 _buffersAt["#" + uri] = [];
             }
@@ -275,8 +273,9 @@ package starlogo.models.gltf
 
         private function keep(index:int, bytes:ByteArray):void
         {
-            var wanted:int = json.whole(json.entry("buffers", index), "byteLength", "buffers[" + index + "]", ModelBudget.MOST_BYTES, -1);
-            json.refuseIf(bytes.length < wanted, "it should have " + wanted + " bytes, but has " + bytes.length, "buffers[" + index + "]");
+            var buffer:GltfJson = json.entry("buffers", index);
+            var wanted:int = buffer.whole("byteLength", ModelBudget.MOST_BYTES, -1);
+            buffer.refuseIf(bytes.length < wanted, "it should have " + wanted + " bytes, but has " + bytes.length);
             bytes.endian = Endian.LITTLE_ENDIAN;
             _buffers[index] = bytes;
         }

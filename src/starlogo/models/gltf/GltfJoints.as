@@ -18,29 +18,26 @@ package starlogo.models.gltf
          */
         public function GltfJoints(file:GltfFile, scene:GltfScene, index:int)
         {
-            var json:GltfJson = file.json;
-            var place:String = "skins[" + index + "]";
-            var skin:Object = json.entry("skins", index);
-            var joints:Array = json.listIn(skin, "joints", place);
-            json.refuseIf(joints.length == 0, "expected at least one joint", place + ".joints");
+            var skin:GltfJson = file.json.entry("skins", index);
             var matrices:GltfAccessor = null;
-            var accessor:int = json.reference(skin, "inverseBindMatrices", place, "accessors");
+            skin.refuseIf(skin.count("joints") == 0, "expected at least one joint", "joints");
+            var accessor:int = skin.reference("inverseBindMatrices", "accessors");
             if (accessor >= 0)
             {
                 matrices = file.accessor(accessor, "MAT4");
-                json.refuseIf(matrices.count < joints.length, "there are " + joints.length + " joints, but fewer matrices", matrices.place);
+                file.json.refuseIf(matrices.count < skin.count("joints"), "there are " + skin.count("joints") + " joints, but fewer matrices", matrices.place);
                 add(matrices);
             }
-            addSteps(json, scene, joints, place + ".joints", matrices);
+            addSteps(skin, scene, matrices);
         }
 
-        private function addSteps(json:GltfJson, scene:GltfScene, joints:Array, place:String, matrices:GltfAccessor):void
+        private function addSteps(skin:GltfJson, scene:GltfScene, matrices:GltfAccessor):void
         {
-            slices(joints.length, JOINTS_PER_STEP, function(first:int, end:int):void
+            slices(skin.count("joints"), JOINTS_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        var transform:AffineTransform = scene.globalTransformOf(json.checkedIndex(joints[i], place + "[" + i + "]", "nodes"));
+                        var transform:AffineTransform = scene.globalTransformOf(skin.indexIn("joints", i, "nodes"));
                         transforms.push(matrices == null ? transform : transform.after(GltfScene.ofColumns(matrices.numbers, 16 * i)));
                     }
                 });

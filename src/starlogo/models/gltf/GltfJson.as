@@ -3,129 +3,173 @@ package starlogo.models.gltf
     import starlogo.models.ModelError;
     import starlogo.models.text.TextWords;
 
-    /** The JSON of a glTF file. Each value is checked when it is read. An error names the place in the JSON. */
+    /**
+     * An object in the JSON of a glTF file. Each value in it is checked when it is read, and errors name its place. The outermost object has the
+     * file's lists: its nodes, for example.
+     */
     internal final class GltfJson
     {
-        /** The outermost object. */
-        public var root:Object;
+        /** The object, as the player has parsed it. */
+        public var value:Object;
+
+        /** Its place in the JSON, for errors; "" for the outermost object. */
+        public var place:String;
 
         /** The model's name. */
         public var name:String;
 
+        private var _root:GltfJson;
+
         /**
          * @param name the model's name
-         * @param root the result of the player's parser
-         * @throws ModelError if it is no object
+         * @param value the object
+         * @param place its place
+         * @param root the outermost object; null if this is it
+         * @throws ModelError if the value is no object
          */
-        public function GltfJson(name:String, root:Object)
+        public function GltfJson(name:String, value:*, place:String = "", root:GltfJson = null)
         {
             this.name = name;
-            this.root = root;
-            refuseIf(!isObject(root), "its JSON is no object", "");
-        }
-
-        /** Throws a ModelError if something is wrong. The message is built in any case. @param place where in the JSON; "" for no place */
-        public function refuseIf(isWrong:Boolean, problem:String, place:String):void
-        {
-            if (isWrong)
+            this.value = value;
+            this.place = place;
+            _root = root || this;
+            if (!isObject(value))
             {
-                throw new ModelError(name, place, problem);
+                throw error(root == null ? "its JSON is no object" : "expected an object, but found " + shown(value));
             }
         }
 
-        /** A list that is a property of an object; an empty one if there is none. */
-        public function listIn(owner:Object, key:String, place:String):Array
+        /** Another object in the place of this one. */
+        public function replaced(other:Object):GltfJson
         {
-            var found:* = owner[key];
-            refuseIf(found !== undefined && !(found is Array), "expected a list, but found " + shown(found), placeIn(place, key));
+            return new GltfJson(name, other, place, _root);
+        }
+
+        /** Throws a ModelError if something is wrong. The message is built in any case. @param key the property that is wrong; "" for the object */
+        public function refuseIf(isWrong:Boolean, problem:String, key:String = ""):void
+        {
+            if (isWrong)
+            {
+                throw error(problem, key);
+            }
+        }
+
+        private function error(problem:String, key:String = ""):ModelError
+        {
+            return new ModelError(name, placeOf(key), problem);
+        }
+
+        /** Whether there is a property. */
+        public function has(key:String):Boolean
+        {
+            return value[key] !== undefined;
+        }
+
+        /** A property that is a text; null if it is something else, or empty. */
+        public function text(key:String):String
+        {
+            return value[key] is String && value[key] != "" ? value[key] : null;
+        }
+
+        /** A property that is a list; an empty one if there is none. */
+        public function list(key:String):Array
+        {
+            var found:* = value[key];
+            if (found !== undefined && !(found is Array))
+            {
+                throw error("expected a list, but found " + shown(found), key);
+            }
             return found === undefined ? [] : found;
         }
 
-        /** An object that is a property of another object; null if there is none. */
-        public function objectIn(owner:Object, key:String, place:String):Object
+        /** The length of a list; 0 if there is none. */
+        public function count(key:String):int
         {
-            var found:* = owner[key];
-            refuseIf(found !== undefined && !isObject(found), "expected an object, but found " + shown(found), placeIn(place, key));
-            return found === undefined ? null : found;
-        }
-
-        /** The length of a list of the file, for example "nodes". */
-        public function count(list:String):int
-        {
-            return listIn(root, list, "").length;
-        }
-
-        /** An entry of a list of the file, for example "nodes". */
-        public function entry(list:String, index:int):Object
-        {
-            return elementOf(listIn(root, list, ""), index, list);
+            return list(key).length;
         }
 
         /** An element of a list of objects. */
-        public function elementOf(list:Array, index:int, place:String):Object
+        public function element(key:String, index:int):GltfJson
         {
-            var found:* = list[index];
-            refuseIf(!isObject(found), "expected an object, but found " + shown(found), place + "[" + index + "]");
-            return found;
+            return new GltfJson(name, list(key)[index], placeOf(key) + "[" + index + "]", _root);
         }
 
-        /** The index of the entry of a list to which an object refers; -1 if it refers to none. */
-        public function reference(owner:Object, key:String, place:String, list:String):int
+        /** An element of a list of indices of the entries of one of the file's lists. */
+        public function indexIn(key:String, index:int, entries:String):int
         {
-            return owner[key] === undefined ? -1 : checkedIndex(owner[key], placeIn(place, key), list);
+            return checkedIndex(list(key)[index], key + "[" + index + "]", entries);
         }
 
-        /** Checks an index of an entry of a list, and returns it. */
-        public function checkedIndex(value:*, place:String, list:String):int
+        /** A property that is an object; null if there is none. */
+        public function object(key:String):GltfJson
         {
-            var most:int = count(list);
-            value = JsonMeter.restored(value);
-            refuseIf(!isWhole(value, most - 1), "expected the number of one of " + most + " " + list + ", but found " + shown(value), place);
-            return value;
+            return has(key) ? new GltfJson(name, value[key], placeOf(key), _root) : null;
         }
 
-        /** An integer property from 0 to a maximum; the preset value if there is none. */
-        public function whole(owner:Object, key:String, place:String, most:int, preset:int):int
+        /** An entry of one of the file's lists, for example "nodes". */
+        public function entry(list:String, index:int):GltfJson
         {
-            var found:* = JsonMeter.restored(owner[key]);
+            return _root.element(list, index);
+        }
+
+        /** The index of the entry of one of the file's lists to which a property refers; -1 if there is none. */
+        public function reference(key:String, list:String):int
+        {
+            return has(key) ? checkedIndex(value[key], key, list) : -1;
+        }
+
+        private function checkedIndex(index:*, key:String, list:String):int
+        {
+            var most:int = _root.count(list);
+            index = JsonMeter.restored(index);
+            if (!isWhole(index, most - 1))
+            {
+                throw error("expected the number of one of " + most + " " + list + ", but found " + shown(index), key);
+            }
+            return index;
+        }
+
+        /** An integer property from 0 to a maximum; the preset value if there is none, unless that is negative. */
+        public function whole(key:String, most:int, preset:int):int
+        {
+            var found:* = JsonMeter.restored(value[key]);
             if (found === undefined && preset >= 0)
             {
                 return preset;
             }
-            refuseIf(!isWhole(found, most), "expected an integer from 0 to " + most + ", but found " + shown(found), placeIn(place, key));
+            refuseIf(!isWhole(found, most), "expected an integer from 0 to " + most + ", but found " + shown(found), key);
             return found;
         }
 
         /** A property that is a list of finite numbers; the preset value if there is none. @param length the list's length; -1 for any */
-        public function numbers(owner:Object, key:String, place:String, length:int, preset:Vector.<Number> = null):Vector.<Number>
+        public function numbers(key:String, length:int, preset:Vector.<Number> = null):Vector.<Number>
         {
-            if (owner[key] === undefined)
+            if (!has(key))
             {
                 return preset;
             }
-            var list:Array = listIn(owner, key, place);
-            refuseIf(length >= 0 && list.length != length, "expected " + length + " numbers, but found " + list.length, placeIn(place, key));
+            var found:Array = list(key);
+            refuseIf(length >= 0 && found.length != length, "expected " + length + " numbers, but found " + found.length, key);
             var all:Vector.<Number> = new Vector.<Number>();
-            for (var i:int = 0; i < list.length; i++)
+            for (var i:int = 0; i < found.length; i++)
             {
-                var found:* = JsonMeter.restored(list[i]);
-                refuseIf(!(found is Number) || found - found != 0, "expected a finite number, but found " + shown(found), placeIn(place, key) + "[" + i + "]");
-                all.push(found);
+                var number:* = JsonMeter.restored(found[i]);
+                refuseIf(!(number is Number) || number - number != 0, "expected a finite number, but found " + shown(number), key + "[" + i + "]");
+                all.push(number);
             }
             return all;
         }
 
-        /** Whether an object has an extension. */
-        public function hasExtension(owner:Object, extension:String, place:String):Boolean
+        /** Whether there is an extension. */
+        public function hasExtension(extension:String):Boolean
         {
-            var extensions:Object = objectIn(owner, "extensions", place);
-            return extensions != null && extensions[extension] !== undefined;
+            var extensions:GltfJson = object("extensions");
+            return extensions != null && extensions.has(extension);
         }
 
-        /** The path of a key in an object. */
-        private static function placeIn(place:String, key:String):String
+        private function placeOf(key:String):String
         {
-            return place == "" ? key : place + "." + key;
+            return place == "" || key == "" ? place + key : place + "." + key;
         }
 
         private static function isObject(value:*):Boolean

@@ -40,7 +40,7 @@ package starlogo.models.gltf
             var json:GltfJson = _file.json;
             for (var i:int = 0; i < json.count("materials"); i++)
             {
-                data.materials.addNumber(textOf(json.entry("materials", i).name));
+                data.materials.addNumber(json.entry("materials", i).text("name"));
             }
             var scene:GltfScene = new GltfScene(json, turnUp, _animated);
             var next:int = 0;
@@ -58,69 +58,48 @@ package starlogo.models.gltf
         // The work on the mesh of a node.
         private function readingNode(scene:GltfScene, nodeIndex:int):Steps
         {
-            var json:GltfJson = _file.json;
-            var node:Object = json.entry("nodes", nodeIndex);
-            var index:int = json.reference(node, "mesh", "nodes[" + nodeIndex + "]", "meshes");
-            var mesh:Object = json.entry("meshes", index);
-            var place:String = "meshes[" + index + "]";
-            var primitives:Array = json.listIn(mesh, "primitives", place);
-            var weights:Vector.<Number> = GltfAnimation.valueIn(_animated, nodeIndex, "weights")
-                || json.numbers(node, "weights", "nodes[" + nodeIndex + "]", -1) || json.numbers(mesh, "weights", place, -1, new Vector.<Number>());
+            var node:GltfJson = _file.json.entry("nodes", nodeIndex);
+            var mesh:GltfJson = node.entry("meshes", node.reference("mesh", "meshes"));
+            var count:int = mesh.count("primitives");
+            var weights:Vector.<Number> = GltfAnimation.valueIn(_animated, nodeIndex, "weights") || node.numbers("weights", -1)
+                || mesh.numbers("weights", -1, new Vector.<Number>());
+            var label:String = node.text("name") || mesh.text("name");
             // The vertices of this node so far. The key is everything that they depend on.
             var placed:Object = {};
             var next:int = 0;
             return new StepSequence().beginEach(function():Steps
                 {
-                    _file.budget.take(ModelBudget.THINGS, 1 + weights.length, place);
-                    if (next == primitives.length)
-                    {
-                        return null;
-                    }
-                    var primitive:Object = json.elementOf(primitives, next, place + ".primitives");
-                    return readingPrimitive(scene, nodeIndex, primitive, place + ".primitives[" + next+++"]", weights, placed);
+                    _file.budget.take(ModelBudget.THINGS, 1 + weights.length, mesh.place);
+                    return next == count ? null : readingPrimitive(scene, nodeIndex, label, mesh.element("primitives", next++), weights, placed);
                 });
         }
 
-        // The work on a primitive: its vertices, the vertices at the node's place, the triangles. Nothing if it has no vertices.
-        private function readingPrimitive(scene:GltfScene, node:int, primitive:Object, place:String, weights:Vector.<Number>, placed:Object):Steps
+        // The work on a primitive: its vertices, the vertices at the node's place, the triangles. Nothing if it has no vertices. A node is a mesh
+        // with a label. A primitive has one material.
+        private function readingPrimitive(scene:GltfScene, node:int, label:String, primitive:GltfJson, weights:Vector.<Number>, placed:Object):Steps
         {
-            var json:GltfJson = _file.json;
             var work:StepSequence = new StepSequence();
-            _file.refuseDraco(primitive, place);
-            var attributes:Object = json.objectIn(primitive, "attributes", place);
-            var position:int = attributes == null ? -1 : json.reference(attributes, "POSITION", place + ".attributes", "accessors");
+            GltfFile.refuseDraco(primitive);
+            var attributes:GltfJson = primitive.object("attributes");
+            var position:int = attributes == null ? -1 : attributes.reference("POSITION", "accessors");
             if (position < 0)
             {
                 return work;
             }
             var positions:GltfAccessor = _file.accessor(position, "VEC3");
-            var hasSurface:Boolean = GltfTriangles.modeOf(json, primitive, place) >= GltfTriangles.TRIANGLES;
+            var hasSurface:Boolean = GltfTriangles.modeOf(primitive) >= GltfTriangles.TRIANGLES;
             // primitives may share their vertices and have different triangles
-            var isPlain:Boolean = json.listIn(primitive, "targets", place).length == 0 && attributes.JOINTS_0 === undefined;
-            var key:String = "#" + position + hasSurface + (isPlain ? "" : "," + place);
-            var points:GltfVertices = placed[key] ||= new GltfVertices(_file, scene, node, primitive, place, weights, positions,
-                    verticesFor(hasSurface));
+            var isPlain:Boolean = primitive.count("targets") == 0 && !attributes.has("JOINTS_0");
+            var key:String = "#" + position + hasSurface + (isPlain ? "" : "," + primitive.place);
+            var points:GltfVertices = placed[key] ||= new GltfVertices(_file, scene, node, primitive, weights, positions, verticesFor(hasSurface));
             work.add(points);
             if (hasSurface)
             {
-                addLabels(node, primitive, place);
+                data.meshes.beginRun(data.meshes.numberFor(String(node), label), data.triangles.length / 3);
+                data.materials.beginRun(primitive.reference("material", "materials"), data.triangles.length / 3);
+                work.add(new GltfTriangles(_file, primitive, points, data.triangles));
             }
-            return hasSurface ? work.add(new GltfTriangles(_file, primitive, place, points, data.triangles)) : work;
-        }
-
-        // A node is a mesh with its name, or its mesh's. A primitive has one material.
-        private function addLabels(node:int, primitive:Object, place:String):void
-        {
-            var json:GltfJson = _file.json;
-            var entry:Object = json.entry("nodes", node);
-            var mesh:Object = json.entry("meshes", json.reference(entry, "mesh", "nodes[" + node + "]", "meshes"));
-            data.meshes.beginRun(data.meshes.numberFor(String(node), textOf(entry.name) || textOf(mesh.name)), data.triangles.length / 3);
-            data.materials.beginRun(json.reference(primitive, "material", place, "materials"), data.triangles.length / 3);
-        }
-
-        private static function textOf(value:*):String
-        {
-            return value is String && value != "" ? value : null;
+            return work;
         }
 
         private function droppingUnused():Steps

@@ -21,23 +21,21 @@ package starlogo.models.gltf
         /**
          * @param file the file
          * @param sampler the sampler
-         * @param place its place in the file, for errors
          * @param path "translation", "rotation", "scale" or "weights"
          */
-        public function GltfSampler(file:GltfFile, sampler:Object, place:String, path:String)
+        public function GltfSampler(file:GltfFile, sampler:GltfJson, path:String)
         {
-            var json:GltfJson = file.json;
-            var input:int = json.reference(sampler, "input", place, "accessors");
-            var output:int = json.reference(sampler, "output", place, "accessors");
-            json.refuseIf(input < 0 || output < 0, "expected input and output", place);
-            _interpolation = sampler.interpolation === undefined ? LINEAR : INTERPOLATIONS.indexOf(sampler.interpolation);
-            json.refuseIf(_interpolation < 0, "expected LINEAR, STEP or CUBICSPLINE", place + ".interpolation");
+            var input:int = sampler.reference("input", "accessors");
+            var output:int = sampler.reference("output", "accessors");
+            sampler.refuseIf(input < 0 || output < 0, "expected input and output");
+            _interpolation = sampler.has("interpolation") ? INTERPOLATIONS.indexOf(sampler.value.interpolation) : LINEAR;
+            sampler.refuseIf(_interpolation < 0, "expected LINEAR, STEP or CUBICSPLINE", "interpolation");
             _isRotation = path == "rotation";
             _times = file.accessor(input, "SCALAR");
             _values = file.accessor(output, path == "weights" ? "SCALAR" : (_isRotation ? "VEC4" : "VEC3"));
             var perKey:int = _interpolation == CUBIC ? 3 : 1;
             var wanted:Number = Number(_times.count) * perKey;
-            json.refuseIf(_times.count == 0 || _values.count < wanted || _values.count % wanted != 0 || path != "weights" && _values.count != wanted,
+            file.json.refuseIf(_times.count == 0 || _values.count < wanted || _values.count % wanted != 0 || path != "weights" && _values.count != wanted,
                     "it has " + _values.count + " elements for " + _times.count + " keys", _values.place);
             add(_times).add(_values);
         }

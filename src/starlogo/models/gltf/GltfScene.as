@@ -75,12 +75,12 @@ package starlogo.models.gltf
         {
             for (var i:int = first; i < end; i++)
             {
-                var where:String = "nodes[" + i + "].children";
-                var children:Array = _json.listIn(_json.entry("nodes", i), "children", "nodes[" + i + "]");
-                for (var k:int = 0; k < children.length; k++)
+                var node:GltfJson = _json.entry("nodes", i);
+                var count:int = node.count("children");
+                for (var k:int = 0; k < count; k++)
                 {
-                    var child:int = _json.checkedIndex(children[k], where + "[" + k + "]", "nodes");
-                    _json.refuseIf(_parents[child] >= 0 || child == i, "nodes[" + child + "] contains itself or has two parents", where + "[" + k + "]");
+                    var child:int = node.indexIn("children", k, "nodes");
+                    node.refuseIf(_parents[child] >= 0 || child == i, "nodes[" + child + "] contains itself or has two parents", "children[" + k + "]");
                     _parents[child] = i;
                 }
             }
@@ -89,15 +89,15 @@ package starlogo.models.gltf
         // The scene that the file shows. If the file names none, all scenes. If there are no scenes, all nodes that are in no other node.
         private function findRoots():void
         {
-            var shown:int = _json.reference(_json.root, "scene", "", "scenes");
+            var shown:int = _json.reference("scene", "scenes");
             var sceneCount:int = _json.count("scenes");
-            for (var scene:int = Math.max(shown, 0); scene < (shown < 0 ? sceneCount : shown + 1); scene++)
+            for (var index:int = Math.max(shown, 0); index < (shown < 0 ? sceneCount : shown + 1); index++)
             {
-                var where:String = "scenes[" + scene + "]";
-                var roots:Array = _json.listIn(_json.entry("scenes", scene), "nodes", where);
-                for (var i:int = 0; i < roots.length; i++)
+                var scene:GltfJson = _json.entry("scenes", index);
+                var rootCount:int = scene.count("nodes");
+                for (var i:int = 0; i < rootCount; i++)
                 {
-                    enter(_json.checkedIndex(roots[i], where + ".nodes[" + i + "]", "nodes"));
+                    enter(scene.indexIn("nodes", i, "nodes"));
                 }
             }
             for (i = 0; i < _parents.length && sceneCount == 0; i++)
@@ -124,15 +124,14 @@ package starlogo.models.gltf
             for (var i:int = 0; i < NODES_PER_STEP && _pending.length > 0; i++)
             {
                 var node:int = _pending.pop();
-                var object:Object = _json.entry("nodes", node);
-                if (object.mesh !== undefined)
+                var entry:GltfJson = _json.entry("nodes", node);
+                if (entry.has("mesh"))
                 {
                     nodes.push(node);
                 }
-                var children:Array = _json.listIn(object, "children", "nodes[" + node + "]");
-                for (var k:int = children.length - 1; k >= 0; k--)
+                for (var k:int = entry.count("children") - 1; k >= 0; k--)
                 {
-                    enter(_json.checkedIndex(children[k], "nodes[" + node + "].children[" + k + "]", "nodes"));
+                    enter(entry.indexIn("children", k, "nodes"));
                 }
             }
             return _pending.length > 0;
@@ -140,17 +139,16 @@ package starlogo.models.gltf
 
         private function localTransformOf(index:int):AffineTransform
         {
-            var node:Object = _json.entry("nodes", index);
-            var where:String = "nodes[" + index + "]";
-            var m:Vector.<Number> = _json.numbers(node, "matrix", where, 16);
+            var node:GltfJson = _json.entry("nodes", index);
+            var m:Vector.<Number> = node.numbers("matrix", 16);
             if (m != null)
             {
-                _json.refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, "expected 0, 0, 0 and 1 as every fourth number", where + ".matrix");
+                node.refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, "expected 0, 0, 0 and 1 as every fourth number", "matrix");
                 return ofColumns(m, 0);
             }
-            var t:Vector.<Number> = GltfAnimation.valueIn(_animated, index, "translation") || _json.numbers(node, "translation", where, 3, new <Number>[0, 0, 0]);
-            var r:Vector.<Number> = GltfAnimation.valueIn(_animated, index, "rotation") || _json.numbers(node, "rotation", where, 4, new <Number>[0, 0, 0, 1]);
-            var s:Vector.<Number> = GltfAnimation.valueIn(_animated, index, "scale") || _json.numbers(node, "scale", where, 3, new <Number>[1, 1, 1]);
+            var t:Vector.<Number> = GltfAnimation.valueIn(_animated, index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
+            var r:Vector.<Number> = GltfAnimation.valueIn(_animated, index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
+            var s:Vector.<Number> = GltfAnimation.valueIn(_animated, index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
             var turn:Placement = new Placement();
             turn.setQuaternion(r[0], r[1], r[2], r[3]);
             return AffineTransform.of(turn, s[0], s[1], s[2], t[0], t[1], t[2]);

@@ -24,19 +24,18 @@ package starlogo.models.gltf
         /**
          * @param file the file
          * @param primitive the primitive
-         * @param place its place in the file, for errors
          * @param vertices its vertices; their steps come before this one's
          * @param triangles takes its triangles
          */
-        public function GltfTriangles(file:GltfFile, primitive:Object, place:String, vertices:GltfVertices, triangles:Vector.<uint>)
+        public function GltfTriangles(file:GltfFile, primitive:GltfJson, vertices:GltfVertices, triangles:Vector.<uint>)
         {
             _json = file.json;
             _triangles = triangles;
-            _place = place;
-            _mode = modeOf(_json, primitive, place);
+            _place = primitive.place;
+            _mode = modeOf(primitive);
             _vertices = vertices;
             _firstCorner = triangles.length;
-            var index:int = _json.reference(primitive, "indices", place, "accessors");
+            var index:int = primitive.reference("indices", "accessors");
             if (index >= 0)
             {
                 _indices = file.accessor(index, "SCALAR");
@@ -45,14 +44,14 @@ package starlogo.models.gltf
             }
             var cornerCount:int = _indices == null ? _vertices.count : _indices.count;
             var triangleCount:int = _mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
-            file.budget.require(ModelBudget.TRIANGLES, _firstCorner / 3 + triangleCount, place);
+            file.budget.require(ModelBudget.TRIANGLES, _firstCorner / 3 + triangleCount, _place);
             slices(triangleCount, TRIANGLES_PER_STEP, addTriangles);
         }
 
         /** The mode of a primitive. Points and lines have a mode below TRIANGLES. */
-        internal static function modeOf(json:GltfJson, primitive:Object, place:String):int
+        internal static function modeOf(primitive:GltfJson):int
         {
-            return json.whole(primitive, "mode", place, FAN, TRIANGLES);
+            return primitive.whole("mode", FAN, TRIANGLES);
         }
 
         // Triangle n of a list has the corners 3n, 3n+1 and 3n+2. Triangle n of a fan has the corners n+1, n+2 and 0. In a strip, every

@@ -3,6 +3,7 @@ package starlogo.models.gltf
     import starlogo.geometry.AffineTransform;
     import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
+    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
     /**
@@ -20,8 +21,7 @@ package starlogo.models.gltf
         /** The number of vertices that the steps add. */
         public var count:int;
 
-        private var _json:GltfJson;
-        private var _node:String;
+        private var _node:GltfJson;
         private var _positions:GltfAccessor;
         private var _vertices:Vector.<Number>;
         // the points before the node places them
@@ -34,33 +34,31 @@ package starlogo.models.gltf
         /**
          * @param file the file
          * @param scene knows the nodes' transforms
-         * @param node the node that has the primitive
+         * @param node the index of the node that has the primitive
          * @param primitive the primitive
-         * @param place its place in the file, for errors
          * @param weights the weights of its morph targets
          * @param positions the vertices of its mesh
          * @param vertices takes its vertices
          */
-        public function GltfVertices(file:GltfFile, scene:GltfScene, node:int, primitive:Object, place:String, weights:Vector.<Number>,
+        public function GltfVertices(file:GltfFile, scene:GltfScene, node:int, primitive:GltfJson, weights:Vector.<Number>,
                 positions:GltfAccessor, vertices:Vector.<Number>)
         {
-            var json:GltfJson = file.json;
-            _json = json;
-            _node = "nodes[" + node + "]";
+            _node = file.json.entry("nodes", node);
             _positions = positions;
             _vertices = vertices;
             _points = positions.numbers;
             firstVertex = vertices.length / 3;
             count = positions.count;
-            file.budget.require(ModelBudget.VERTICES, firstVertex + Number(count), place);
+            file.budget.require(ModelBudget.VERTICES, firstVertex + Number(count), primitive.place);
             add(positions);
-            addTargets(file, json.listIn(primitive, "targets", place), place, weights);
-            var skin:int = json.reference(json.entry("nodes", node), "skin", _node, "skins");
-            if (skin >= 0 && primitive.attributes.JOINTS_0 !== undefined)
+            addTargets(file, primitive, weights);
+            var skin:int = _node.reference("skin", "skins");
+            var attributes:GltfJson = primitive.object("attributes");
+            if (skin >= 0 && attributes.has("JOINTS_0"))
             {
                 _joints = scene.jointsOf(file, skin);
                 call(copyPoints).add(_joints);
-                addSkin(file, primitive.attributes, place + ".attributes");
+                addSkin(file, attributes);
             }
             _transform = _joints == null ? scene.globalTransformOf(node) : new AffineTransform();
             slices(count, VERTICES_PER_STEP, placeVertices);
@@ -72,16 +70,16 @@ package starlogo.models.gltf
             return (_joints == null ? _transform : _joints.transforms[0]).isMirror;
         }
 
-        private function addTargets(file:GltfFile, targets:Array, place:String, weights:Vector.<Number>):void
+        private function addTargets(file:GltfFile, primitive:GltfJson, weights:Vector.<Number>):void
         {
-            for (var i:int = 0; i < targets.length && i < weights.length; i++)
+            var targetCount:int = primitive.count("targets");
+            for (var i:int = 0; i < targetCount && i < weights.length; i++)
             {
-                var where:String = place + ".targets";
-                var index:int = _json.reference(_json.elementOf(targets, i, where), "POSITION", where + "[" + i + "]", "accessors");
+                var index:int = primitive.element("targets", i).reference("POSITION", "accessors");
                 if (index >= 0 && weights[i] != 0)
                 {
                     addTarget(file.accessor(index, "VEC3"), weights[i]);
-                    file.budget.take(ModelBudget.NUMBERS, 3 * Number(count), place);
+                    file.budget.take(ModelBudget.NUMBERS, 3 * Number(count), primitive.place);
                 }
             }
         }
@@ -105,25 +103,25 @@ package starlogo.models.gltf
         }
 
         // The weights of a point are divided by their sum. A point without weights moves with the first joint.
-        private function addSkin(file:GltfFile, attributes:Object, place:String):void
+        private function addSkin(file:GltfFile, attributes:GltfJson):void
         {
-            for (var i:int = 0; attributes["JOINTS_" + i] !== undefined; i++)
+            for (var i:int = 0; attributes.has("JOINTS_" + i); i++)
             {
                 for each (var key:String in ["JOINTS_" + i, "WEIGHTS_" + i])
                 {
-                    var index:int = _json.reference(attributes, key, place, "accessors");
-                    _json.refuseIf(index < 0, "a mesh has no weights for its joints", place);
+                    var index:int = attributes.reference(key, "accessors");
+                    attributes.refuseIf(index < 0, "a mesh has no weights for its joints");
                     _sets.push(addAccessor(file.accessor(index, "VEC4")));
                 }
             }
-            file.budget.take(ModelBudget.NUMBERS, 2 * count * Number(_sets.length), place);
+            file.budget.take(ModelBudget.NUMBERS, 2 * count * Number(_sets.length), attributes.place);
             slices(count, SKINNED_PER_STEP, moveByJoints);
         }
 
         // Adds the steps of an accessor that has an element for each vertex.
         private function addAccessor(accessor:GltfAccessor):GltfAccessor
         {
-            _json.refuseIf(accessor.count != count, "it has " + accessor.count + " elements, but there are " + count + " vertices", accessor.place);
+            refuseIf(accessor.count != count, _node.name, "it has " + accessor.count + " elements, but there are " + count + " vertices", accessor.place);
             add(accessor);
             return accessor;
         }
@@ -170,7 +168,7 @@ package starlogo.models.gltf
             var joint:Number = numbers.numbers[at];
             if (!(joint >= 0 && joint < _joints.transforms.length && int(joint) == joint))
             {
-                throw new ModelError(_json.name, numbers.place, "vertex " + (at >> 2) + " names joint " + joint + ", but there are only " + _joints.transforms.length);
+                throw new ModelError(_node.name, numbers.place, "vertex " + (at >> 2) + " names joint " + joint + ", but there are only " + _joints.transforms.length);
             }
             return _joints.transforms[int(joint)];
         }
@@ -179,7 +177,7 @@ package starlogo.models.gltf
         {
             if (!_transform.transformPoints(_points, first, end, _vertices, firstVertex + first))
             {
-                throw new ModelError(_json.name, _node, "its vertices are not finite numbers, or are too large at the node's place (" + _positions.place + ")");
+                throw new ModelError(_node.name, _node.place, "its vertices are not finite numbers, or are too large at the node's place (" + _positions.place + ")");
             }
         }
     }

@@ -99,7 +99,7 @@ package support
                     return new Model(name, PointSets.cloud(new SeededRandom(5), 60, 1, 0.7, 0.4));
                 case "both windings":
                     var pyramid:Model = SolidModels.wedge(name, 0.7);
-                    return new Model(name, pyramid.vertices, pyramid.triangles.concat(pyramid.triangles.concat().reverse()));
+                    return new Model(name, pyramid.vertices, new Vector.<uint>().concat(pyramid.triangles, pyramid.triangles.concat().reverse()));
                 default:
                     return needles();
             }

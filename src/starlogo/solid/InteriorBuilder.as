@@ -35,9 +35,6 @@ package starlogo.solid
         private var _welding:Welding;
         private var _windingCounter:WindingCounter;
 
-        // The number of entries of the moved triangles' places.
-        private var _placeCount:int = 0;
-
         // Null if the surface is known already.
         private var _shells:ShellFinder = null;
 
@@ -126,7 +123,6 @@ package starlogo.solid
             _partOf = new Vector.<int>(surface.shellStates.length, true);
             if (surface.widestSeam > 0)
             {
-                _windingCounter.placesAt = new Vector.<int>(_tree.itemCount, true);
                 sliced(weld);
             }
             if (_shells != null)
@@ -139,21 +135,9 @@ package starlogo.solid
             addMeasuring().call(conclude);
         }
 
-        // Writes all triangles after the moved ones, and keeps those that are elsewhere than their corners.
         private function weld(first:int, end:int):void
         {
-            var places:Vector.<Number> = _windingCounter.places;
-            for (var i:int = first; i < end; i++)
-            {
-                mesh.writeCorners(i, i + 1, _welding.welded, places, _placeCount);
-                var same:int = 0;
-                while (same < 9 && places[_placeCount + same] == mesh.corners[9 * i + same])
-                {
-                    same++;
-                }
-                _windingCounter.placesAt[i] = same < 9 ? _placeCount : -1;
-                _placeCount += same < 9 ? 9 : 0;
-            }
+            _windingCounter.weld(first, end, _welding.welded);
         }
 
         private function newCavities():Steps

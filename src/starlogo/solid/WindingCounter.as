@@ -22,10 +22,10 @@ package starlogo.solid
         public var surface:SurfaceTopology;
 
         /** The corners of the triangles that were moved when seams were welded: nine numbers each. */
-        public var places:Vector.<Number> = new Vector.<Number>();
+        internal var places:Vector.<Number> = new Vector.<Number>();
 
         /** For each triangle, the index of its first number in <code>places</code>, or -1. Null if all vertices of each seam are at one place. */
-        public var placesAt:Vector.<int> = null;
+        internal var placesAt:Vector.<int> = null;
 
         /** How often each shell winds around the point of the last <code>count()</code>. */
         public var windings:Vector.<int>;
@@ -37,6 +37,9 @@ package starlogo.solid
         public var crossedCount:int = 0;
 
         private var _boxes:BoxSearch = new BoxSearch();
+
+        // How many numbers the places have.
+        private var _placeCount:int = 0;
 
         // The axis of all rays, 0 for x, and the next two axes. It is the axis along which the model is shortest.
         private var _axis:int;
@@ -63,6 +66,43 @@ package starlogo.solid
             _axis = box[3] <= box[4] && box[3] <= box[5] ? 0 : (box[4] <= box[5] ? 1 : 2);
             _axisB = (_axis + 1) % 3;
             _axisC = (_axis + 2) % 3;
+        }
+
+        /**
+         * Moves the corners of triangles whose vertices are welded to others. Must be called for all triangles in their order.
+         *
+         * @param welded for each vertex, the vertex whose place it has
+         */
+        public function weld(first:int, end:int, welded:Vector.<int>):void
+        {
+            placesAt ||= new Vector.<int>(mesh.tree.itemCount, true);
+            for (var i:int = first; i < end; i++)
+            {
+                // Writes each triangle after the moved ones, and keeps it if it is elsewhere than its corners.
+                mesh.writeCorners(i, i + 1, welded, places, _placeCount);
+                var at:int = -1;
+                if (isElsewhere(i))
+                {
+                    at = _placeCount;
+                    _placeCount += 9;
+                }
+                placesAt[i] = at;
+            }
+        }
+
+        // Whether the corners behind the moved ones are not those of a triangle.
+        private function isElsewhere(triangle:int):Boolean
+        {
+            for (var k:int = 0; k < 9; k++)
+            {
+                var place:Number = places[int(_placeCount + k)];
+                var corner:Number = mesh.corners[int(9 * triangle + k)];
+                if (place != corner)
+                {
+                    return true;
+                }
+            }
+            return false;
         }
 
         /** One more than the number of a triangle's shell, negative if the triangle is reversed; 0 if two of its corners are at one place. */

@@ -38,12 +38,14 @@ package starlogo.libraries
         public var buildingTree:Steps = null;
 
         private var _model:Model;
-        // For stored results; null if there are none.
-        private var _settings:FitSettings = null;
-
         private var _structuresBuilder:StructuresBuilder;
+
+        // Of the hierarchies: the deepest level, and whether the surface is wanted too.
         private var _maxDepth:int = 0;
         private var _wantsSurface:Boolean = false;
+
+        // For stored results: their settings, and where results are kept; null if there are none.
+        private var _settings:FitSettings = null;
         private var _store:FitStore;
 
         // Makes the tree again from a stored division; null for none.

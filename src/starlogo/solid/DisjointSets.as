@@ -23,19 +23,19 @@ package starlogo.solid
         }
 
         /** The representative of an element's set. It may change when the set is joined to another one. */
-        public function rootOf(thing:int):int
+        public function rootOf(element:int):int
         {
             var parents:Vector.<int> = _parents;
-            var parent:int = parents[thing];
-            while (parent != thing)
+            var parent:int = parents[element];
+            while (parent != element)
             {
                 // This shortens the path for the next call.
                 var above:int = parents[parent];
-                parents[thing] = above;
-                thing = above;
-                parent = parents[thing];
+                parents[element] = above;
+                element = above;
+                parent = parents[element];
             }
-            return thing;
+            return element;
         }
 
         /** Joins two sets. The first set's representative becomes the representative of both. */

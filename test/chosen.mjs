@@ -14,11 +14,22 @@ export function readTests() {
 	const files = [...sourcesBelow('src'), ...sourcesBelow('test'), ...sourcesBelow('js/standins/common')];
 	const classes = new Map();
 	const sources = new Map();
+	const beside = new Map();
 	for (const file of files) {
 		const name = definitionIn(file).replace(/^standins\.common\.(flash\.)?/, (_, flash) => (flash ? 'standin.flash.' : ''));
 		(/^test\/.*Test\.as$/.test(file) ? classes : sources).set(name, read(file));
+		if (file.startsWith('test/starlogo/') && !classes.has(name)) beside.set(name, sources.get(name));
 	}
+	for (const [name, text] of classes) classes.set(name, withFilesBeside(name, text, beside));
 	return { classes, sources };
+}
+
+/** The text of a test class, and of the files beside it that it uses: these are a part of the test. */
+function withFilesBeside(name, text, beside) {
+	const own = [...beside.keys()].filter((each) => packageOf(each) === packageOf(name));
+	const files = usesIn(name, text, own);
+	for (const file of files) files.push(...usesIn(file, beside.get(file), own).filter((each) => !files.includes(each)));
+	return [text, ...files.map((file) => beside.get(file))].join('\n');
 }
 
 /** The names of the tests that a test class declares, in its order. */

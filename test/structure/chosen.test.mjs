@@ -38,6 +38,7 @@ test('the tests of a source are those that use it, in any case', () => {
 	assert.ok(found('Thesis').includes('GreatLandTest.flagsAreTheThesiss'), 'and what has its name');
 	assert.ok(found('AgentTable').includes('AgentTableTest'));
 	assert.ok(found('Matrix3D').includes('GeometryStandInsTest'), 'a stand-in');
+	assert.ok(found('ModelLoader.as').includes('FormatsLoadingTest'), 'by a file beside the test, as if the test used it itself');
 });
 
 test('a class with tests of its own name has these, and with .as those of what uses it too', () => {

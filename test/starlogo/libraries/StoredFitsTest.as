@@ -255,6 +255,35 @@ package starlogo.libraries
             assertEquals(computed, contentsOf(_greatLand, model));
         }
 
+        [Test]
+        public function aMaterialMustBeOneThatThereIs():void
+        {
+            var model:Model = BuiltInModel.cube();
+            model.setMaterials(new Vector.<int>(model.triangles.length / 3), new <String>["red"]);
+            for each (var number:int in [-2, -1, 0, 1])
+            {
+                var bytes:ByteArray = rewritten(model, function(index:int, section:ByteArray):ByteArray
+                    {
+                        if (index == CookedFile.MODEL)
+                        {
+                            // the number of the only run stands before the two counts of the meshes; a VarInt has the sign in its last bit
+                            section.position = section.length - 3;
+                            section.writeByte(number < 0 ? -2 * number - 1 : 2 * number);
+                            section.position = 0;
+                        }
+                        return section;
+                    });
+                if (number == -2 || number == 1)
+                {
+                    assertThrows(ModelError, "wrong number: " + number, CookedModel.fromBytes, "cube", bytes);
+                }
+                else
+                {
+                    assertEquals(number, CookedModel.fromBytes("cube", bytes).data.materials == null ? -1 : 0);
+                }
+            }
+        }
+
         private function forged(model:Model, random:SeededRandom):ByteArray
         {
             var forgedOne:int = random.integer(0, 2 * CookedFile.SECTIONS);

@@ -8,6 +8,7 @@ package starlogo.models
     import support.Collada;
     import support.Failures;
     import support.Surfaces;
+    import support.encoded;
 
     public class ColladaModelTest
     {
@@ -32,6 +33,19 @@ package starlogo.models
             }
             var cooked:ByteArray = new GreatLand().cook(new ColladaModel("a", text, null, Model.AS_GIVEN));
             assertEquals("0,0,0,2,0,0,0,4,0", CookedModel.fromBytes("a", cooked).vertices.join());
+        }
+
+        [Test]
+        public function bytesAreReadAsTextIs():void
+        {
+            var text:String = Collada.document(box());
+            for each (var scaling:String in [Model.FOOTPRINT, Model.VOLUME, Model.AS_GIVEN])
+            {
+                for each (var upAxis:String in [null, "x", "y", "z"])
+                {
+                    assertEquals(new ColladaModel("a", text, upAxis, scaling).vertices.join(), ColladaModel.fromBytes("a", encoded(text), upAxis, scaling).vertices.join());
+                }
+            }
         }
 
         [Test]

@@ -95,7 +95,7 @@ package starlogo.models
                 }
             }
             // what says nothing is what it is called
-            for each (name in ["a.stl", "a.gltf", "a.dae", "a.obj", "a"])
+            for each (name in ["a.stl", "a.gltf", "a.dae", "a.obj", "a", "a.stl?v=1.obj", "a.stl#x"])
             {
                 _loader.load("nothing", name);
                 _loader.fetches[_loader.fetches.length - 1].deliver(encoded("# nothing"));
@@ -110,7 +110,7 @@ package starlogo.models
             whenComplete(function():void
                 {
                     assertEquals(wanted, _log.length);
-                    assertEquals('no vertices: expected facets,its JSON,this is,no vertices: expected lines,no vertices: expected lines',
+                    assertEquals('no vertices: expected facets,its JSON,this is,no vertices: expected lines,no vertices: expected lines,no vertices: expected facets,no vertices: expected facets',
                             nothings());
                     for each (var line:String in _log)
                     {

@@ -6,6 +6,7 @@ package starlogo.models
     import support.Failures;
     import support.assertThrows;
     import support.create;
+    import support.encoded;
 
     public class ObjModelTest
     {
@@ -26,6 +27,19 @@ package starlogo.models
                 for (var i:int = 0; i < 14; i++)
                 {
                     assertEquals(3000, new ObjModel("a", "#".substr(0, i) + new Array(i).join("#") + end + some).triangles.length);
+                }
+            }
+        }
+
+        [Test]
+        public function bytesAreReadAsTextIs():void
+        {
+            var text:String = "v 0 0 0\nv 1 0 0\nv 1 2 0\nv 1 2 4\nf 1 2 3\nf 1 3 4\n";
+            for each (var scaling:String in [Model.FOOTPRINT, Model.VOLUME, Model.AS_GIVEN])
+            {
+                for each (var upAxis:String in ["x", "y", "z"])
+                {
+                    assertEquals(new ObjModel("a", text, upAxis, scaling).vertices.join(), ObjModel.fromBytes("a", encoded(text), upAxis, scaling).vertices.join());
                 }
             }
         }

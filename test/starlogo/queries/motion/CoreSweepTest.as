@@ -1,0 +1,73 @@
+package starlogo.queries.motion
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+    import starlogo.queries.SeenAgents;
+    import starlogo.search.NumberList;
+    import support.Complaints;
+    import support.EachCollider;
+    import support.Effort;
+    import support.SolidModels;
+    import support.agentAt;
+    import support.landOf;
+
+    use namespace engine;
+
+    public class CoreSweepTest
+    {
+        // A building around the mover, and small things in it.
+        [Test]
+        public function ofSeveralRowsTheFirstOneThatIsMetCounts():void
+        {
+            var random:SeededRandom = new SeededRandom(741);
+            var wrong:Complaints = new Complaints();
+            var seen:SeenAgents = new SeenAgents(EachCollider.make("combinations, exact", landOf(SolidModels.all())));
+            var planner:MotionPlanner = new MotionPlanner(seen);
+            var body:MovingBody = new MovingBody(seen);
+            var sweep:CoreSweep = new CoreSweep(seen, body);
+            var planned:PlannedMotion = new PlannedMotion();
+            var row:NumberList = new NumberList();
+            var ofBuilding:int = 0;
+            var ofThing:int = 0;
+            for (var i:int = Effort.choose(200, 5000); i > 0; i--)
+            {
+                var building:Agent = agentAt(random.pick(["hollow", "doll", "apart"]), 0, 0, 0);
+                building.size = 12;
+                building.hierarchical = true;
+                var agents:Vector.<Agent> = new <Agent>[agentAt("cube", random.between(-3, 3), random.between(-3, 3), random.between(2.5, 7)), building];
+                for (var k:int = 0; k < 16; k++)
+                {
+                    var thing:Agent = agentAt(random.pick(["cube", "sphere", "apart"]), random.between(-5, 5), random.between(-5, 5), random.between(2, 9));
+                    thing.hierarchical = random.chance();
+                    agents.push(thing);
+                }
+                seen.update(agents);
+                planner.readBody(agents[0], 0, planned.body);
+                planner.plan(agents[0], random.between(-9, 9), random.between(-9, 9), random.between(-9, 9), null, planned);
+                body.read(planned.body, planned.rows);
+                body.setMotion(planned.from, planned.motion);
+                var expected:Impact = new Impact();
+                for (k = 0; k < planned.rows.count; k++)
+                {
+                    var alone:Impact = new Impact();
+                    row.count = 0;
+                    row.add(planned.rows.numbers[k]);
+                    if (new CoreSweep(seen, body).findFirst(row, planned.from, planned.motion, alone) && alone.time < expected.time)
+                    {
+                        expected = alone;
+                    }
+                }
+                var found:Impact = new Impact();
+                sweep.findFirst(planned.rows, planned.from, planned.motion, found);
+                wrong.addIf(found.row != expected.row || found.time != expected.time, "another row",
+                        found.row + " at " + found.time + ", not " + expected.row + " at " + expected.time);
+                ofBuilding += int(expected.row == seen.rowOf(building) && expected.time > 0);
+                ofThing += int(expected.row >= 0 && expected.row != seen.rowOf(building) && expected.time > 0);
+            }
+            wrong.assertNone();
+            assertTrue(ofBuilding + " by the building, " + ofThing + " by a thing", ofBuilding > 30 && ofThing > 30);
+        }
+    }
+}

@@ -1,3 +1,4 @@
+// This room has what a game moves: agents, and the numbers of their breeds. Everything else reads it. Read this file first.
 // This file is long because an agent has many traits, and each one's contract stands at the trait.
 package starlogo.agents
 {
@@ -76,7 +77,7 @@ package starlogo.agents
 
         /**
          * @private Counts changes of all that a search reads: what <code>bodyRevision</code> counts, the place, the breed, and whether the
-         * agent sweeps.
+         * agent sweeps. A snapshot that is restored raises it too, if it puts the last place elsewhere.
          */
         engine var revision:int = 0;
 

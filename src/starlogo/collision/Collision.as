@@ -417,6 +417,7 @@ package starlogo.collision
             system.findPairs(_input, _calls.pairs);
             _input.agents = null;
             _statistics.copyFrom(system.statistics);
+            // a game's own system may not count these
             _statistics.agents = agentCount;
             _statistics.collisions = _calls.pairs.count;
             _statistics.findMs = getTimer() - start;

@@ -10,8 +10,8 @@ package starlogo.collision
         private var _agents:Vector.<Agent> = null;
         private var _pairs:FoundPairs = null;
 
-        // Until a pair's agent is found missing from its index, _isUnchanged is true. From then on _indices has, by row, the last known index, or -1
-        // once the agent was missing.
+        // Whether the list had its length, and each agent that was asked for its index. From the first change on, _indices has, by row, the last
+        // known index, or -1 once the agent was missing.
         private var _isUnchanged:Boolean = true;
         private var _indices:Vector.<int> = new Vector.<int>();
 

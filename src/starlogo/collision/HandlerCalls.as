@@ -87,7 +87,7 @@ package starlogo.collision
             for (var i:int = 0; i < end; i++)
             {
                 var pair:int = some == null ? i : some.numbers[i];
-                if (_table.handlersOfPair(pairs, pair).takesContacts)
+                if (_table.handlersOfPair(pairs, pair).needsContacts)
                 {
                     _contacts.find(pair, pairs.firstOf(pair), pairs.secondOf(pair));
                 }

@@ -1,3 +1,4 @@
+// This room shows what frames cost, on the stage or as text. Nothing of the engine needs it. Read this file first.
 package starlogo.diagnostics
 {
     import flash.display.Bitmap;

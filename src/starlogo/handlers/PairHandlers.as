@@ -30,7 +30,7 @@ package starlogo.handlers
         public var forwardCount:int;
 
         /** Whether any handler takes the contact of a touch. */
-        public var takesContacts:Boolean;
+        public var needsContacts:Boolean;
 
         /** Whether any handler is for starts or ends of touches. */
         public var tracksTouches:Boolean;
@@ -115,10 +115,10 @@ package starlogo.handlers
         {
             handlers = forward.concat(back);
             forwardCount = forward.length;
-            takesContacts = tracksTouches = false;
+            needsContacts = tracksTouches = false;
             for each (var handler:CollisionHandler in handlers)
             {
-                takesContacts ||= handler.needsContact;
+                needsContacts ||= handler.needsContact;
                 tracksTouches ||= handler.kind != CollisionHandler.COLLISION;
             }
         }

@@ -46,7 +46,9 @@ package starlogo.handlers
         // The indices of the touches that ended in this frame, in the order in which they began.
         private var _ended:KeyedList = new KeyedList();
 
-        /** The pairs whose touches may be others than in the last frame: the added ones if all others go on. Null stands for all pairs. */
+        /**
+         * The pairs whose touches may be others than in the last frame: the added ones if all others go on. Null stands for all pairs. Ask before <code>begin()</code>.
+         */
         public function pairsToCompare(pairs:FoundPairs):NumberList
         {
             return pairs.basis == _pairsRevision ? pairs.added : null;

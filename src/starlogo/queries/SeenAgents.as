@@ -112,8 +112,8 @@ package starlogo.queries
                     _needs[i](found);
                 }
             }
-            _places.clear();
-            _extents.clear();
+            _places.makeStale();
+            _extents.makeStale();
             _isRead = true;
         }
 

@@ -25,7 +25,7 @@ package starlogo.queries
 
         /** The way of a piece on the ground plane, and its length. */
         public var piece:Vector3D = new Vector3D();
-        public var length:Number = 0;
+        public var pieceLength:Number = 0;
 
         /** How far the agent may come. */
         public var range:Number = 0;

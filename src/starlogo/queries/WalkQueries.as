@@ -140,7 +140,7 @@ package starlogo.queries
             out.range = whole / out.cosine + Math.min(options.fall, size) / 2 + out.carry.length;
             out.piece.setTo(dx / out.pieces, dy / out.pieces, 0);
             findNear(out, 0);
-            out.length = whole / out.pieces;
+            out.pieceLength = whole / out.pieces;
             out.extent = 2 * out.planned.body.largestHalf;
             out.closeDepth = CLOSE * out.extent;
             out.start.copyFrom(out.planned.from);
@@ -234,7 +234,7 @@ package starlogo.queries
             x = walk.place.x - x;
             y = walk.place.y - y;
             footing.pushed = pushed;
-            footing.part = walk.length > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / (walk.pieces * walk.length)) : 1;
+            footing.part = walk.pieceLength > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / (walk.pieces * walk.pieceLength)) : 1;
             stands ||= walk.planned.body.shape != null && fall(walk);
             _mover.restoreClearance(walk.place, -1);
             return stands;
@@ -275,7 +275,7 @@ package starlogo.queries
                 walk.place.copyFrom(_slide.place);
                 return false;
             }
-            if (walk.length == 0)
+            if (walk.pieceLength == 0)
             {
                 // it stays exactly where it is
                 walk.place.copyFrom(walk.start);
@@ -294,7 +294,7 @@ package starlogo.queries
         // Slides along the way of a piece, and up or down.
         private function slide(walk:Walk, from:Vector3D, rise:Number, walkableZ:Number, out:SlideResult):void
         {
-            _limits.setTo(walkableZ, walk.length, -1);
+            _limits.setTo(walkableZ, walk.pieceLength, -1);
             _vector.setTo(walk.piece.x, walk.piece.y, rise);
             _mover.slide(from, _vector, _limits, out);
         }
@@ -318,7 +318,7 @@ package starlogo.queries
             }
             slide(walk, _straight.place, 0, walk.cosine, _tried);
             var farther:Number = (_tried.place.x - plain.x) * walk.piece.x + (_tried.place.y - plain.y) * walk.piece.y;
-            return farther > walk.closeDepth * walk.length && findGround(walk, _tried.place, height + walk.options.snap + walk.closeDepth);
+            return farther > walk.closeDepth * walk.pieceLength && findGround(walk, _tried.place, height + walk.options.snap + walk.closeDepth);
         }
 
         // Goes down to the ground if it is no deeper than this depth, and not too steep. If there is such ground, the walk is there. Otherwise it

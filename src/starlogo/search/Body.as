@@ -43,8 +43,9 @@ package starlogo.search
         public var depth:int = 0;
 
         /**
-         * Whether no triangles decide in tests of two trees, or of a tree and a structure, of which it is one. Then both are tested to their
-         * leaves only. Leaves find every touch that triangles find, in a tenth of the time. Tests with the ground do not read this.
+         * Whether no triangles decide when this body is tested with a tree, or is a tree that is tested with a structure. Then trees are
+         * tested to their leaves only. Leaves find every touch that triangles find, in a tenth of the time. Tests with the ground do not read
+         * this.
          */
         engine var stopsAtLeaves:Boolean = false;
 

@@ -59,7 +59,7 @@ package starlogo.search
         {
             var found:FoundPairs = _out;
             _out = null;
-            return _order.sort(found, _conditions.isSwept);
+            return _order.sort(found, _conditions.anySweeps);
         }
 
         /** @inheritDoc */
@@ -71,7 +71,7 @@ package starlogo.search
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
             candidatePairs += count;
-            if (_conditions.isSwept)
+            if (_conditions.anySweeps)
             {
                 count = keepTouchingMotions(row, others, count, level);
             }
@@ -91,12 +91,12 @@ package starlogo.search
          * Finds the pairs of rows with the ground, or with the edges of the world, if these take part. It tests only members whose breeds are of
          * interest together with the breed of the ground or of the edges.
          *
-         * @param worldAgent the row of the ground or of the edges
+         * @param worldRow the row of the ground or of the edges
          * @param rows the rows
          */
-        public function findPairsOfWorldAgent(worldAgent:int, rows:NumberList):void
+        public function findPairsOfWorldAgent(worldRow:int, rows:NumberList):void
         {
-            if (_table.list.agents[worldAgent] == null || !_conditions.interests.isNamed(_table.breeds[worldAgent]))
+            if (_table.list.agents[worldRow] == null || !_conditions.interests.isNamed(_table.breeds[worldRow]))
             {
                 return;
             }
@@ -111,16 +111,16 @@ package starlogo.search
                     count++;
                 }
             }
-            count = _conditions.interests.keepOfInterest(_table.breeds, worldAgent, others, count);
-            if (_conditions.isSwept)
+            count = _conditions.interests.keepOfInterest(_table.breeds, worldRow, others, count);
+            if (_conditions.anySweeps)
             {
-                count = keepTouchingMotions(worldAgent, others, count, null);
+                count = keepTouchingMotions(worldRow, others, count, null);
             }
             else
             {
-                count = _narrowPhase.keepTouching(_table, 0, worldAgent, others, count);
+                count = _narrowPhase.keepTouching(_table, 0, worldRow, others, count);
             }
-            _out.addPairs(worldAgent, others, count);
+            _out.addPairs(worldRow, others, count);
         }
 
         // Keeps the rows that touch a row on their motions, and writes the times behind the pairs that there are. So _out.addPairs() has to add

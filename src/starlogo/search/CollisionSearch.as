@@ -36,6 +36,10 @@ package starlogo.search
         private var _bins:Bins = new Bins();
         private var _conditions:SearchConditions = new SearchConditions();
         private var _motions:RowMotions;
+
+        // Whether the last search found the motions. A read without a search makes them void.
+        private var _hasMotions:Boolean = false;
+
         private var _candidates:CandidateFilter;
 
         // Finds the pairs of a search in which little has changed.
@@ -88,6 +92,7 @@ package starlogo.search
             }
             _conditions.setTo(input, _shapes.areSpheres, Agent.haveSwept && RowMotions.anySweeping(input.agents),
                     _narrowPhase.treeLimits.exact ? 0 : _narrowPhase.treeLimits.maxDepth);
+            _hasMotions = _conditions.anySweeps;
             // tests since the last search, as those of questions, do not count
             _narrowPhase.takeCounts(counts);
             var memberCount:int = findPairs(mayKeep, out);
@@ -122,7 +127,7 @@ package starlogo.search
         {
             var members:NumberList = findMembers();
             var extents:Extents = table.extents;
-            if (_conditions.isSwept)
+            if (_conditions.anySweeps)
             {
                 _motions.findMotions(table, table.list.rows);
                 extents = _motions.extents;
@@ -141,7 +146,7 @@ package starlogo.search
         public function forgetSearch():void
         {
             _keptPairs.forget();
-            _conditions.isSwept = false;
+            _hasMotions = false;
         }
 
         /**
@@ -169,7 +174,7 @@ package starlogo.search
             var rowA:int = table.list.rowOf(a);
             var rowB:int = table.list.rowOf(b);
             var areSeen:Boolean = rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null;
-            if (areSeen && _conditions.isSwept)
+            if (areSeen && _hasMotions)
             {
                 _motions.findContact(table, rowA, rowB, motion, out);
                 return;

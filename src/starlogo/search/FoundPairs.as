@@ -7,10 +7,10 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * The pairs of a frame: two rows of agents each. They are in the order of the list, by the first agent's index and then by the second's. The
-     * ground and the edges of the world come after all agents. If an agent sweeps, pairs that touch earlier come first.
+     * The pairs of a frame: two rows of agents each. After a search they are in the order of the list, by the first agent's index and then by the
+     * second's. The ground and the edges of the world come after all agents. If an agent sweeps, pairs that touch earlier come first.
      *
-     * <p>PairOrder sorts pairs. KeptPairs makes the pairs of a frame from those of the last one. ForeignPairs reads pairs of a collision
+     * <p>CandidateFilter adds pairs, SpherePairTests those of spheres. PairOrder sorts them. KeptPairs makes the pairs of a frame from those of the last one. ForeignPairs reads pairs of a collision
      * system that is not the engine's. They come in its own order.</p>
      *
      * @private

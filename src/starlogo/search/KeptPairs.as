@@ -85,7 +85,7 @@ package starlogo.search
             {
                 return;
             }
-            _cells.begin(conditions.isSwept ? _motions.extents : _table.extents, members.numbers, members.count, _table.list.agents.length);
+            _cells.begin(conditions.anySweeps ? _motions.extents : _table.extents, members.numbers, members.count, _table.list.agents.length);
             rememberPairs(pairs);
         }
 
@@ -100,7 +100,7 @@ package starlogo.search
             var areValid:Boolean = pairs === _pairs && pairs.revision == _pairsRevision;
             // they are not if the search throws
             _pairs = null;
-            _isWorthKeeping = conditions.areLikeLast && areFew(countRead(conditions.isSwept), conditions);
+            _isWorthKeeping = conditions.areLikeLast && areFew(countRead(conditions.anySweeps), conditions);
             if (!_isWorthKeeping || !areValid)
             {
                 return false;
@@ -112,7 +112,7 @@ package starlogo.search
             {
                 return false;
             }
-            if (conditions.isSwept)
+            if (conditions.anySweeps)
             {
                 _motions.findMotions(_table, _changed);
             }
@@ -137,10 +137,10 @@ package starlogo.search
         }
 
         // The number of rows that were read again, or have another place in the list.
-        private function countRead(isSwept:Boolean):int
+        private function countRead(anySweeps:Boolean):int
         {
             var count:int = _table.places.changed.count + _table.list.leftOrReordered.count;
-            if (isSwept)
+            if (anySweeps)
             {
                 count += _table.places.previouslyChanged.count;
             }
@@ -173,7 +173,7 @@ package starlogo.search
             _cells.makeRows(length);
             mark(_table.places.changed);
             mark(_table.list.leftOrReordered);
-            if (conditions.isSwept)
+            if (conditions.anySweeps)
             {
                 mark(_table.places.previouslyChanged);
             }
@@ -233,14 +233,14 @@ package starlogo.search
         }
 
         // The pairs of changed rows with the ground or the edges; of all rows, if the ground or the edges have changed themselves.
-        private function findPairsOfWorldAgent(worldAgent:int):void
+        private function findPairsOfWorldAgent(worldRow:int):void
         {
-            var hasChanged:Boolean = _table.hasWorldChanged[worldAgent];
+            var hasChanged:Boolean = _table.hasWorldChanged[worldRow];
             if (hasChanged)
             {
-                _changedIn[worldAgent] = _searchNumber;
+                _changedIn[worldRow] = _searchNumber;
             }
-            _candidates.findPairsOfWorldAgent(worldAgent, hasChanged ? _table.list.rows : _changed);
+            _candidates.findPairsOfWorldAgent(worldRow, hasChanged ? _table.list.rows : _changed);
         }
     }
 }

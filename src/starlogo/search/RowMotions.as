@@ -24,7 +24,7 @@ package starlogo.search
         // By row: the motion, which is 0 if there is none; whether the agent sweeps and has a motion; and the extents of the whole motion. The
         // ground and the edges of the world do not move.
         private var _motions:Points = new Points();
-        private var _isSwept:Vector.<Boolean> = new Vector.<Boolean>();
+        private var _sweeps:Vector.<Boolean> = new Vector.<Boolean>();
         internal var extents:Extents = new Extents();
 
         private var _narrowPhase:NarrowPhase;
@@ -64,11 +64,11 @@ package starlogo.search
          */
         public function findMotions(table:AgentTable, rows:NumberList):void
         {
-            if (table.list.agents.length > _isSwept.length)
+            if (table.list.agents.length > _sweeps.length)
             {
-                _isSwept.length = table.list.agents.length;
-                _motions.grow(_isSwept.length);
-                extents.grow(_isSwept.length);
+                _sweeps.length = table.list.agents.length;
+                _motions.grow(_sweeps.length);
+                extents.grow(_sweeps.length);
             }
             var standing:Extents = table.extents;
             var swept:Extents = extents;
@@ -85,7 +85,7 @@ package starlogo.search
                 var motionZ:Number = hasMotion ? table.places.last.z[row] - table.places.previous.z[row] : 0;
                 var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
                 var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
-                _isSwept[row] = hasMotion && table.list.agents[row].isSweeping;
+                _sweeps[row] = hasMotion && table.list.agents[row].isSweeping;
                 _motions.x[row] = motionX;
                 _motions.y[row] = motionY;
                 _motions.z[row] = motionZ;
@@ -114,7 +114,7 @@ package starlogo.search
         {
             motion.endAfter(_motions.x[a] - _motions.x[b], _motions.y[a] - _motions.y[b], _motions.z[a] - _motions.z[b]);
             motion.time = RelativeMotion.NEVER;
-            if (!isSwept(a, b))
+            if (!eitherSweeps(a, b))
             {
                 if (level == null || NarrowPhase.areNear(table.extents, level.slack, a, b))
                 {
@@ -144,7 +144,7 @@ package starlogo.search
             var bodyA:Body = table.bodyOf(a);
             var bodyB:Body = table.bodyOf(b);
             motion.time = RelativeMotion.NEVER;
-            if (isSwept(a, b))
+            if (eitherSweeps(a, b))
             {
                 findFirst(table, null, a, b, motion, out);
             }
@@ -162,9 +162,9 @@ package starlogo.search
         }
 
         // Whether one of two rows sweeps and has a motion.
-        private function isSwept(a:int, b:int):Boolean
+        private function eitherSweeps(a:int, b:int):Boolean
         {
-            return _isSwept[a] || _isSwept[b];
+            return _sweeps[a] || _sweeps[b];
         }
 
         private function hasMoved(row:int):Boolean

@@ -22,7 +22,7 @@ package starlogo.search
         public var areSpheres:Boolean = false;
 
         /** Whether an agent of the list sweeps. */
-        public var isSwept:Boolean = false;
+        public var anySweeps:Boolean = false;
 
         /** How deep trees are tested; 0 if exactly. */
         public var maxDepth:int = 0;
@@ -42,16 +42,16 @@ package starlogo.search
          *
          * @param input has the breeds and the agents that count
          */
-        public function setTo(input:FrameInput, areSpheres:Boolean, isSwept:Boolean, maxDepth:int):void
+        public function setTo(input:FrameInput, areSpheres:Boolean, anySweeps:Boolean, maxDepth:int):void
         {
             var revision:int = input.interests == null ? 0 : input.interests.revision;
-            areLikeLast = interests === input.interests && interestsRevision == revision && this.isSwept == isSwept && this.maxDepth == maxDepth
+            areLikeLast = interests === input.interests && interestsRevision == revision && this.anySweeps == anySweeps && this.maxDepth == maxDepth
                 && (takePart == null) == (input.takePart == null);
             interests = input.interests;
             interestsRevision = revision;
             takePart = input.takePart;
             this.areSpheres = areSpheres;
-            this.isSwept = isSwept;
+            this.anySweeps = anySweeps;
             this.maxDepth = maxDepth;
         }
     }

@@ -17,7 +17,7 @@ package starlogo.search
     public final class TreeShapes extends AgentShapes
     {
         // The kind of a model's shape that is its tree. The shapes of TightestShapes have lower kinds.
-        private static const TREE:int = BoundingStructure.KIND_COUNT;
+        private static const TREE_KIND:int = BoundingStructure.KIND_COUNT;
 
         // A model of more triangles is probably a level.
         private static const MOST_TRIANGLES:int = 10000;
@@ -44,13 +44,13 @@ package starlogo.search
         /** @inheritDoc */
         override public function kindOf(agent:Agent):int
         {
-            return _fits == null || agent.hierarchical ? TREE : _fits.kindOf(agent);
+            return _fits == null || agent.hierarchical ? TREE_KIND : _fits.kindOf(agent);
         }
 
         /** @inheritDoc */
         override public function bind(shape:ModelShape, agent:Agent):void
         {
-            if (shape.kind != TREE)
+            if (shape.kind != TREE_KIND)
             {
                 _fits.bind(shape, agent);
                 warnOfLevel(shape, agent);

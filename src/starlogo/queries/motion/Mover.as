@@ -389,6 +389,7 @@ package starlogo.queries.motion
         {
             for (var i:int = _rest.count - 2; i >= _rest.corner; i--)
             {
+                // slide() projects again
                 if (_rest.project(i) && !(_sweep.findFirst(_obstacles, place, _rest.motion, _tried) && isSameCorner(_tried)))
                 {
                     _rest.remove(i);

@@ -39,8 +39,8 @@ package starlogo.queries.trees
         // The rows that were found, unsorted, and their keys. If accepts decides, the rows that it has admitted come first.
         private var _rows:KeyedList = new KeyedList();
 
-        // When this number of rows is found, the rows that are not wanted are dropped. If 1 row is wanted, it is 1: each row that is found replaces
-        // the last one.
+        // When this number of rows is found, the rows that are not wanted are dropped. If 1 row is wanted and accepts decides nothing, it is 1: a
+        // row that is found replaces the last one if it comes before it.
         private var _dropAt:int = ALL;
 
         // The number of rows that accepts has admitted, in order.

@@ -99,8 +99,8 @@ package starlogo.queries.trees
             return _movesLeft < 0;
         }
 
-        /** Makes the tree stale, because the rows have changed. */
-        public function clear():void
+        /** The rows have changed: the tree is built again before it is asked. */
+        public function makeStale():void
         {
             _movesLeft = -1;
         }

@@ -137,6 +137,7 @@ package starlogo.search.pairs
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             findOuterContact(a, b, _contact);
+            // of the deepest edge, which findOuterContact has found
             var gap:Number = -_penetration[_deepest];
             out.aX = _contact.x + gap / 2 * _contact.normalX;
             out.aY = _contact.y + gap / 2 * _contact.normalY;
@@ -185,8 +186,8 @@ package starlogo.search.pairs
             return x * _outwards[edge].x + y * _outwards[edge].y + z * _outwards[edge].z;
         }
 
-        // Adds the half-space before an edge, and moves the point into the middle of the overlap. For edges other than the nearest, the
-        // way is longer by a tenth of the tolerance of a contact's depth, so that it leads away from each of the edges. For the nearest one it
+        // Adds the half-space before an edge, and moves the point into the middle of the overlap. For edges other than the deepest, the
+        // way is longer by a tenth of the tolerance of a contact's depth, so that it leads away from each of the edges. For the deepest one it
         // is at least as long as that. A point has no extent; the patch counts in its place.
         private function addEdge(edge:int, body:Body, edges:Body, out:ContactPoint):void
         {

@@ -8,8 +8,8 @@ package starlogo.search.penetration
     /**
      * Finds the shortest push that leads out of several contacts. A contact requires a push of at least its depth along its normal.
      *
-     * <p>In each step it tries the shortest push in its list. If the body still touches something there, pushes are added that also lead out
-     * of this contact. When a push frees the body, no push in the list is shorter (branch and bound).</p>
+     * <p>PushOut takes the shortest push of the list and tries it. If the body still touches something there, pushes are added that also lead
+     * out of this contact. When a push frees the body, no push in the list is shorter (branch and bound).</p>
      */
     internal final class PushQueue
     {

@@ -103,8 +103,10 @@ package starlogo.search.table
         {
             forgetReplaced();
             list.beginRead();
-            var isOther:Boolean = !list.isAccepted || agents.length != list.rows.count || !readChanged(agents, list.rows, _reshaped);
-            if (isOther)
+            var isSame:Boolean = list.isAccepted && agents.length == list.rows.count;
+            // it finds out whether the list is the same while it reads
+            isSame &&= readChanged(agents, list.rows, _reshaped);
+            if (!isSame)
             {
                 list.propose(agents);
                 makeRows();
@@ -112,7 +114,7 @@ package starlogo.search.table
             }
             findShapes(_reshaped, _newShapes);
             // nothing below throws
-            if (isOther)
+            if (!isSame)
             {
                 list.accept();
                 followList();

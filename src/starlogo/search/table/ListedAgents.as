@@ -70,7 +70,10 @@ package starlogo.search.table
         private var _proposals:int = 0;
         private var _lastProposals:Vector.<int> = new <int>[0, 0];
 
-        /** The number of the list whose agents are listed: another number for each list that was accepted; -1 after a list was refused. */
+        /**
+         * The number of the list whose agents are listed: another number for each list that was accepted; -1 while
+         * one is proposed, and after one was refused.
+         */
         public function get listNumber():int
         {
             return isAccepted ? _proposals : -1;
@@ -89,7 +92,7 @@ package starlogo.search.table
 
         /**
          * The rank of an agent: its index in the list. Agents that are not listed come after these, the older ones first. The ground and the
-         * edges of the world come last.
+         * edges of the world come last, though their rows have the length of the list as their rank.
          */
         public function rankOf(agent:Agent):int
         {

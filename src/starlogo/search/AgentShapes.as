@@ -13,6 +13,21 @@ package starlogo.search
      */
     public class AgentShapes
     {
+        /** @private For <code>system</code>: a collider of the game's own. */
+        engine static const OWN:int = 0;
+
+        /** @private For <code>system</code>: a BinCollider. */
+        engine static const BIN:int = 1;
+
+        /** @private For <code>system</code>: a TightestFitCollider. */
+        engine static const TIGHTEST_FIT:int = 2;
+
+        /** @private For <code>system</code>: a HierarchicalCollider. */
+        engine static const HIERARCHICAL:int = 3;
+
+        /** @private For <code>system</code>: a CombinationCollider. */
+        engine static const COMBINATION:int = 4;
+
         /** The models, or null if the shapes need no models. */
         public var greatLand:GreatLand;
 
@@ -26,10 +41,10 @@ package starlogo.search
             this.greatLand = greatLand;
         }
 
-        /** @private The collision system that the shapes belong to, a number from 1 on; 0 for a game's own. Snapshots have it. */
+        /** @private The collision system that the shapes belong to: OWN, BIN and so on. Snapshots have this number. */
         engine function get system():int
         {
-            return 0;
+            return OWN;
         }
 
         /**

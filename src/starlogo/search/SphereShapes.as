@@ -24,7 +24,7 @@ package starlogo.search
         /** @private */
         override engine function get system():int
         {
-            return 1;
+            return BIN;
         }
 
         /** @inheritDoc */

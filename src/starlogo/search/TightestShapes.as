@@ -26,7 +26,7 @@ package starlogo.search
         /** @private */
         override engine function get system():int
         {
-            return 2;
+            return TIGHTEST_FIT;
         }
 
         /** @inheritDoc */

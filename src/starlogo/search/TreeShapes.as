@@ -38,7 +38,7 @@ package starlogo.search
         /** @private */
         override engine function get system():int
         {
-            return _fits == null ? 3 : 4;
+            return _fits == null ? HIERARCHICAL : COMBINATION;
         }
 
         /** @inheritDoc */

@@ -32,8 +32,8 @@ package starlogo.search.penetration
 
         private var _pair:DisplacedPair;
 
-        // The direction that is tried, with the distance of the last test. A distance along it at which the two touch, a distance at which they
-        // do not, and the next step towards it.
+        // The search along one direction: the direction, with the distance of the last test; a distance at which the two touch, and one at which
+        // they do not, or may not yet, and then the next step towards it. The private methods narrow this interval.
         private var _tried:Displacement = new Displacement();
         private var _touching:Number = 0;
         private var _free:Number = 0;

@@ -142,7 +142,7 @@ package starlogo
         }
 
         /**
-         * Does the work of <code>addModel()</code> in steps. For a model of some thousand vertices, a step takes a millisecond or two. A
+         * Returns the work of <code>addModel()</code>, in steps. For a model of some thousand vertices, a step takes a millisecond or two. A
          * fitter that does not support steps does all its work in one step. Nothing changes before the last step, or if a step throws. The
          * flags and the settings of the libraries and their fitters are read now; later changes have no effect.
          *

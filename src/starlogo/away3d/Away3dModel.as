@@ -27,7 +27,7 @@ package starlogo.away3d
          * Reads a model at once.
          *
          * @param name what agents call the shape, not empty
-         * @param source the object or geometry; is not changed
+         * @param source the object or geometry, which is not changed; or, for the engine alone, a SourceReader that has read it
          * @throws ModelError if the source is none of the above or has no vertices, if its data end early, if a coordinate is not finite,
          * or if the name is empty
          */

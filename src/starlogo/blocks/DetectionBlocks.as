@@ -35,7 +35,10 @@ package starlogo.blocks
             _queries = new AgentQueries(collisions.collision);
         }
 
-        /** The AgentQueries that the blocks use. It sees the agents as they were at the last update. */
+        /**
+         * The AgentQueries that the blocks use. It sees the agents as they were at the last update. If scripts were forgotten since,
+         * it updates first.
+         */
         public function get queries():AgentQueries
         {
             if (_updatedAt != _collisions.resetCount)

@@ -223,7 +223,7 @@ package starlogo.bounding
          *
          * @param placement the model's placement; its position is ignored
          * @param out receives six numbers: x, y, z of the middle, and half the lengths along x, y, z. Those of a
-         *     capsule or a box are enlarged by the rounding error that extentsInto adds, without the part for the position. Those of a
+         *     capsule, a box or a hull are enlarged by the rounding error that extentsInto adds, without the part for the position. Those of a
          *     sphere are its radius
          * @private
          */

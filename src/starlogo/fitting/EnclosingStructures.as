@@ -7,7 +7,7 @@ package starlogo.fitting
     import starlogo.bounding.Sphere;
 
     /**
-     * The last step of every fit: finds the tightest structure around all vertices. The structure's place or direction is given. The
+     * The last step of every fit but that of a hull: finds the tightest structure around all vertices. The structure's place or direction is given. The
      * computation has double precision, and takes up to three passes over the vertices.
      *
      * @private

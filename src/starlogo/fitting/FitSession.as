@@ -56,7 +56,7 @@ package starlogo.fitting
             return _hull;
         }
 
-        /** @private Returns a fitter's fit for these vertices. The first call begins it, and later calls return the same object. */
+        /** @private Returns a fitter's fit for these vertices. The first call makes it, and later calls return the same object. */
         engine function fitOf(fitter:Fitter):Fit
         {
             var i:int = _fitters.indexOf(fitter);

@@ -62,7 +62,7 @@ package starlogo.fitting
         }
 
         /**
-         * Begins to find a structure around a session's vertices. Subclasses that work in steps override it. The fitter's settings at the
+         * Returns the work that finds a structure around a session's vertices. Subclasses that work in steps override it. The fitter's settings at the
          * time of this call are used.
          *
          * @param session the vertices and their hull; the hull may not exist before the first step
@@ -109,7 +109,7 @@ package starlogo.fitting
         }
 
         /**
-         * Returns the fit of a session's vertices. The first call for a session begins it, and later calls return the same object. So if
+         * Returns the work of a session's fit. The first call for a session makes it, and later calls return the same object. So if
          * several capsules are built from one box, the box is found once.
          *
          * @param session the vertices, and their hull

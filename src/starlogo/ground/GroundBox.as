@@ -34,7 +34,7 @@ package starlogo.ground
         /** The height, relative to the origin, down to which walls reach at the ground's borders and around holes. -Infinity: to below the box. */
         public var floor:Number = -Infinity;
 
-        /** A limit: the latest time that counts, as a multiple of the motion. The triangles that are still found do not depend on it. */
+        /** A limit: the latest time that counts, as a multiple of the motion. The corners of the triangles that are still found do not depend on it. */
         public var latest:Number = 1;
 
         /** A limit: how far from the standing box a triangle still counts. */

@@ -45,8 +45,8 @@ package starlogo.ground
         // The triangles' corners if they decide.
         private var _corners:Vector.<Number> = null;
 
-        // Where the model stands at the current time.
-        private var _placed:Placement = new Placement();
+        // The model's placement at the current time. Its position is relative to the box's origin.
+        private var _relative:Placement = new Placement();
 
         // What is still to be visited: whether the structure is; the nodes, and their number; and the triangles of the last node, a range.
         private var _isWhole:Boolean = false;
@@ -77,7 +77,7 @@ package starlogo.ground
             this.grid = grid;
             _tree = tree;
             _structure = structure;
-            _placed.copyFrom(placement);
+            _relative.copyFrom(placement);
             box.origin.x = placement.x;
             box.origin.y = placement.y;
             box.origin.z = placement.z;
@@ -101,9 +101,9 @@ package starlogo.ground
         /** Moves the model to where the motion has brought it at a time. */
         public function placeAt(motion:RelativeMotion, time:Number):void
         {
-            _placed.x = motion.startX + time * motion.x;
-            _placed.y = motion.startY + time * motion.y;
-            _placed.z = motion.startZ + time * motion.z;
+            _relative.x = motion.startX + time * motion.x;
+            _relative.y = motion.startY + time * motion.y;
+            _relative.z = motion.startZ + time * motion.z;
         }
 
         /**
@@ -170,7 +170,7 @@ package starlogo.ground
                     return true;
                 }
             }
-            pair.setShapeToTriangle(_corners, 9 * _first, _placed);
+            pair.setShapeToTriangle(_corners, 9 * _first, _relative);
             _first++;
             finishPiece();
             _triangles.begin(grid, box);
@@ -259,7 +259,7 @@ package starlogo.ground
 
         private function setPiece(structure:BoundingStructure):void
         {
-            pair.setStructure(structure, _placed);
+            pair.setStructure(structure, _relative);
             finishPiece();
         }
 
@@ -274,10 +274,10 @@ package starlogo.ground
         // Puts the box around a structure of the model.
         private function placeAround(structure:BoundingStructure):void
         {
-            structure.rotatedBoxInto(_placed, _extents);
-            box.x = _extents[0] + _placed.x;
-            box.y = _extents[1] + _placed.y;
-            box.z = _extents[2] + _placed.z;
+            structure.rotatedBoxInto(_relative, _extents);
+            box.x = _extents[0] + _relative.x;
+            box.y = _extents[1] + _relative.y;
+            box.z = _extents[2] + _relative.z;
             box.halfX = _extents[3] + _margin;
             box.halfY = _extents[4] + _margin;
             box.halfZ = _extents[5] + _margin;

@@ -81,7 +81,7 @@ package starlogo.ground
         /**
          * Finds the first moment at which the two overlap while the model moves, and the contact then.
          *
-         * @param motion of the model; takes the time, from 0 to 1, or RelativeMotion.NEVER
+         * @param motion of the model; receives the time, from 0 to 1, or RelativeMotion.NEVER
          * @param out receives the contact, with a normal that points out of the ground; null if only the time is needed
          */
         public function findFirst(motion:RelativeMotion, out:ContactPoint):void
@@ -107,7 +107,7 @@ package starlogo.ground
         /**
          * Finds when the model first touches the surface as it moves, and how.
          *
-         * @param motion of the model; takes the time, from 0 to 1, or RelativeMotion.NEVER
+         * @param motion of the model; receives the time, from 0 to 1, or RelativeMotion.NEVER
          * @param out receives the contact, with a normal that points out of the ground; null if only the time is needed
          */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void

@@ -54,18 +54,18 @@ package starlogo.ground
             var isHit:Boolean = false;
             while (_triangles.next())
             {
-                var before:Number = _test.least;
+                var before:Number = _test.limit;
                 testTriangle();
-                if (_test.least != before || _test.triangle == 0 && !isHit)
+                if (_test.limit != before || _test.triangle == 0 && !isHit)
                 {
                     isHit = true;
-                    _box.latest = _test.least;
+                    _box.latest = _test.limit;
                     _outside.setTriangle(_triangles.triangle.corners, 0);
                 }
             }
             if (isHit)
             {
-                out.place = _test.least;
+                out.place = _test.limit;
                 out.setNormal(ray, _outside.x, _outside.y, _outside.z);
             }
             return isHit;

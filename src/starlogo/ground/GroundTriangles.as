@@ -47,7 +47,7 @@ package starlogo.ground
             _cell.begin(grid, box);
             _top = 0;
             var level:int = 0;
-            while (level < grid.pyramid.levels && _path.length > FIRST_SQUARES * _path.widthAt(level))
+            while (level < grid.pyramid.lastLevel && _path.length > FIRST_SQUARES * _path.widthAt(level))
             {
                 level++;
             }

@@ -383,7 +383,7 @@ package starlogo.ground
             var last:int = Math.min(columns - 1, Math.max(minX, maxX));
             var lastRow:int = Math.min(rows - 1, Math.max(minY, maxY));
             var level:int = 0;
-            while (level < pyramid.levels && (last - first > MOST_SQUARES || lastRow - firstRow > MOST_SQUARES))
+            while (level < pyramid.lastLevel && (last - first > MOST_SQUARES || lastRow - firstRow > MOST_SQUARES))
             {
                 first >>= HeightPyramid.SHIFT;
                 firstRow >>= HeightPyramid.SHIFT;

@@ -17,8 +17,8 @@ package starlogo.ground
         // cell there is a hole, or 0.
         private static const NUMBERS:int = 4;
 
-        /** The number of the last level. Level 0 is the heights, which have no bounds. */
-        public var levels:int = 0;
+        /** The number of the last level. Level 0 is the cells, whose heights need no bounds. */
+        public var lastLevel:int = 0;
 
         private var _columns:int;
         private var _rows:int;
@@ -40,11 +40,11 @@ package starlogo.ground
             var size:int = 0;
             _columns = columns;
             _rows = rows;
-            while (countSquares(columns, levels) > 1 || countSquares(rows, levels) > 1)
+            while (countSquares(columns, lastLevel) > 1 || countSquares(rows, lastLevel) > 1)
             {
-                levels++;
+                lastLevel++;
                 _begins.push(size);
-                size += NUMBERS * countSquares(columns, levels) * countSquares(rows, levels);
+                size += NUMBERS * countSquares(columns, lastLevel) * countSquares(rows, lastLevel);
             }
             _bounds = new Vector.<Number>(size, true);
         }
@@ -66,7 +66,7 @@ package starlogo.ground
         /** Finds bounds of all heights. */
         public function findWhole(out:HeightRange):void
         {
-            findRange(levels, 0, 0, 0, 0, out);
+            findRange(lastLevel, 0, 0, 0, 0, out);
         }
 
         /** Finds bounds of a range of squares. The level is at least 1. */
@@ -96,7 +96,7 @@ package starlogo.ground
         /** Computes the bounds of all squares to which a range of a grid's heights belongs. */
         public function update(grid:HeightGrid, first:int, firstRow:int, last:int, lastRow:int):void
         {
-            for (var level:int = 1; level <= levels; level++)
+            for (var level:int = 1; level <= lastLevel; level++)
             {
                 var around:int = level == 1 ? 1 : 0;
                 first = Math.max(0, first - around) >> SHIFT;

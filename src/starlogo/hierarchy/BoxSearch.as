@@ -118,7 +118,7 @@ package starlogo.hierarchy
          *
          * @param tree the tree
          * @param depth how many of its levels are visited. Nodes at the last one count as leaves
-         * @param test its <code>least</code> must be the latest time; 0 if the box stands
+         * @param test its <code>limit</code> must be the latest time; 0 if the box stands
          */
         public function find(tree:BoxTree, depth:int, test:LeafTest):void
         {
@@ -141,7 +141,7 @@ package starlogo.hierarchy
             var nodes:Vector.<int> = _nodes;
             var enters:Vector.<Number> = _enters;
             var begin:Number = _from;
-            var latest:Number = test.least < LATEST ? test.least : LATEST;
+            var latest:Number = test.limit < LATEST ? test.limit : LATEST;
             var enter:Number;
             var leave:Number;
             var middle:Number;
@@ -155,7 +155,7 @@ package starlogo.hierarchy
                 if (stop[node] >= depth)
                 {
                     test.testLeaf(tree, node);
-                    latest = test.least < latest ? test.least : latest;
+                    latest = test.limit < latest ? test.limit : latest;
                 }
                 else
                 {
@@ -230,7 +230,7 @@ package starlogo.hierarchy
          *
          * @param tree the tree
          * @param depth how many of its levels are visited. Nodes at the last one count as leaves
-         * @param test its <code>least</code> must be the distance up to which leaves count
+         * @param test its <code>limit</code> must be the distance up to which leaves count
          */
         public function findNear(tree:BoxTree, depth:int, test:LeafTest):void
         {
@@ -244,7 +244,7 @@ package starlogo.hierarchy
             {
                 top--;
                 var node:int = nodes[top];
-                if (distances[top] > test.least)
+                if (distances[top] > test.limit)
                 {
                     continue;
                 }

@@ -13,7 +13,7 @@ package starlogo.hierarchy
          * How far along the motion or the ray leaves are tested, or how far away: where the nearest leaf so far is met. Before the first one, the
          * end. A test that needs no more leaves sets it to -Infinity.
          */
-        public var least:Number = 0;
+        public var limit:Number = 0;
 
         /**
          * Tests a leaf: its box, or its items.

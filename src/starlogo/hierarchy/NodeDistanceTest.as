@@ -43,7 +43,7 @@ package starlogo.hierarchy
             _boxes.setExtents(_extents, 0);
             _radii = tree.radius + _boxes.halfX + _boxes.halfY + _boxes.halfZ;
             _nearest = out;
-            least = out.distance = Infinity;
+            limit = out.distance = Infinity;
             _boxes.findNear(tree, depth, this);
         }
 
@@ -52,9 +52,9 @@ package starlogo.hierarchy
         {
             PairTable.findClosest(tree.writeBox(node, _box), _structure, _measured);
             BoxDistanceTraversal.reduce(_measured, tree.levelOf(node), 0, _radii);
-            if (_measured.distance < least)
+            if (_measured.distance < limit)
             {
-                least = _measured.distance;
+                limit = _measured.distance;
                 _nearest.copyFrom(_measured);
             }
         }

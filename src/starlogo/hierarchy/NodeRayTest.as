@@ -67,7 +67,7 @@ package starlogo.hierarchy
             _slack = slack;
             _all = out;
             _first = -1;
-            least = ray.to;
+            limit = ray.to;
             _boxes.setRay(ray);
             _boxes.find(tree, depth, this);
         }
@@ -81,11 +81,11 @@ package starlogo.hierarchy
                 crossStructure(_ray, _box, _slack, _reversed, _entry, null, _all);
                 return;
             }
-            if (rayBox(_ray, _box, _entry) && (_entry.place < least || _first < 0))
+            if (rayBox(_ray, _box, _entry) && (_entry.place < limit || _first < 0))
             {
                 _first = node;
                 // no node can be met before the ray's beginning
-                least = _entry.place > _ray.from ? _entry.place : -Infinity;
+                limit = _entry.place > _ray.from ? _entry.place : -Infinity;
             }
         }
     }

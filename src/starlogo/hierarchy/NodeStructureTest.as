@@ -42,7 +42,7 @@ package starlogo.hierarchy
          */
         public function areTouching(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose):Boolean
         {
-            least = 0;
+            limit = 0;
             search(tree, depth, structure, pose, RelativeMotion.NONE);
             return firstNode >= 0;
         }
@@ -54,9 +54,9 @@ package starlogo.hierarchy
          */
         public function findTime(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
-            least = motion.latest;
+            limit = motion.latest;
             search(tree, depth, structure, pose, motion);
-            var time:Number = least > 0 ? least : 0;
+            var time:Number = limit > 0 ? limit : 0;
             motion.time = firstNode < 0 ? RelativeMotion.NEVER : time;
         }
 
@@ -85,11 +85,11 @@ package starlogo.hierarchy
             {
                 time = PairTable.areTouching(_box, _structure) ? 0 : RelativeMotion.NEVER;
             }
-            if (time < least || time == least && firstNode < 0)
+            if (time < limit || time == limit && firstNode < 0)
             {
                 firstNode = node;
                 // no node can be touched earlier than at the beginning
-                least = time > 0 ? time : -Infinity;
+                limit = time > 0 ? time : -Infinity;
             }
         }
     }

@@ -137,7 +137,7 @@ package starlogo.libraries
         /**
          * The tightest fit of a shape. It is shared: do not change it.
          *
-         * @throws ArgumentError if no model of this name was added
+         * @throws ArgumentError if the library has nothing of this name
          */
         public function tightestFit(name:String):BoundingStructure
         {
@@ -147,7 +147,7 @@ package starlogo.libraries
         /**
          * The smallest sphere found for a shape. It is shared: do not change it.
          *
-         * @throws ArgumentError if no model of this name was added, or no sphere was kept for it
+         * @throws ArgumentError if the library has nothing of this name, or no sphere was kept for it
          */
         public function sphere(name:String):Sphere
         {
@@ -157,7 +157,7 @@ package starlogo.libraries
         /**
          * The smallest box found for a shape. It is shared: do not change it.
          *
-         * @throws ArgumentError if no model of this name was added, or no box was kept for it
+         * @throws ArgumentError if the library has nothing of this name, or no box was kept for it
          */
         public function box(name:String):Box
         {
@@ -167,7 +167,7 @@ package starlogo.libraries
         /**
          * The smallest capsule found for a shape. It is shared: do not change it.
          *
-         * @throws ArgumentError if no model of this name was added, or no capsule was kept for it
+         * @throws ArgumentError if the library has nothing of this name, or no capsule was kept for it
          */
         public function capsule(name:String):Capsule
         {
@@ -178,7 +178,7 @@ package starlogo.libraries
          * The hull found for a shape, when its model was added or when an agent first needed it. If the smallest sphere found is not larger,
          * it is that Sphere. It is shared: do not change it.
          *
-         * @throws ArgumentError if no model of this name was added, or no hull was found for it yet
+         * @throws ArgumentError if the library has nothing of this name, or no hull was found for it yet
          */
         public function hull(name:String):BoundingStructure
         {
@@ -211,7 +211,7 @@ package starlogo.libraries
          * @param name the shape's name
          * @param kind BoundingStructure.SPHERE, CAPSULE, BOX or HULL. In place of a hull it may be a sphere
          * @param vertices the vertices of the shape's model
-         * @throws ArgumentError if no model of this name was added, or no fitter in the list finds this kind
+         * @throws ArgumentError if the library has nothing of this name, or no fitter in the list finds this kind
          * @private
          */
         engine function ofKind(name:String, kind:int, vertices:Vector.<Number>):BoundingStructure

@@ -69,7 +69,7 @@ package starlogo.libraries
         }
 
         /**
-         * Reads the entry of a model, at once. A game does not need it: its GreatLand reads and writes entries. It is for a program that
+         * Reads the entry of a model, at once. The entry is then the one used last. A game does not need it: its GreatLand reads and writes entries. It is for a program that
          * moves entries from one store to another.
          *
          * @param model the model
@@ -111,7 +111,7 @@ package starlogo.libraries
         }
 
         /**
-         * The file kept for a geometry. None of its steps is done yet. It is not whole if there is none.
+         * The file kept for a geometry, whose entry is then the one used last. None of its steps is done yet. It is not whole if there is none.
          *
          * @private
          */

@@ -114,7 +114,7 @@ package starlogo.libraries
         /**
          * The root of a shape's hierarchy: the node around the whole model.
          *
-         * @throws ArgumentError if no model of this name was added
+         * @throws ArgumentError if the library has nothing of this name
          */
         public function root(name:String):HierarchyNode
         {
@@ -124,7 +124,7 @@ package starlogo.libraries
         /**
          * The tree whose nodes are the hierarchy of a shape. If it is not built yet, it is built now.
          *
-         * @throws ArgumentError if no model of this name was added
+         * @throws ArgumentError if the library has nothing of this name
          *
          * @private
          */

@@ -164,14 +164,14 @@ package starlogo.libraries
             }
         }
 
-        // Takes results that are missing from a file. Whether the geometry is the model's is not checked, because the file's checksum
-        // guarantees that.
+        // Takes results that are missing from a file. The callers know that it is the model's: a cooked model brought it, or its geometry was
+        // compared.
         private function takeFrom(file:CookedFile):void
         {
             var size:Number = VertexBounds.of(_model.vertices).largest;
             if (size > VertexBounds.LARGEST_VERTEX)
             {
-                // no fitter accepts such a model, so the record is wrong
+                // no fitter accepts such a model, so the file is wrong
                 return;
             }
             if (_structuresBuilder != null && structures == null)

@@ -68,7 +68,7 @@ package starlogo.models
          * @param triangles three vertex indices for each triangle (0 is the first vertex); null or empty if only vertices are known; is not
          * changed
          * @param scaling <code>FOOTPRINT</code>, <code>VOLUME</code> or <code>AS_GIVEN</code>
-         * @param reader for the engine alone: reads the model. The vertices and triangles are null then
+         * @param reader for the engine alone: reads the model. The name, the scaling and the data are the reader's then; those given here are ignored
          * @throws ModelError if the name is empty, if there is no vertex, if a coordinate is missing, not finite or so large that the
          * model's extent is not finite, if an index names no vertex, or if the scaling is unknown
          * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295. In a Vector all indices are such integers

@@ -2,7 +2,7 @@ package starlogo.models
 {
     import flash.events.Event;
 
-    /** Sent when a ModelLoader has loaded a model. From now on agents may have its shape. */
+    /** Sent when a ModelLoader has loaded a model. From now on agents that have its shape collide. */
     public class ModelEvent extends Event
     {
         /** Sent when a model is loaded. */

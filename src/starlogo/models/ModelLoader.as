@@ -12,7 +12,7 @@ package starlogo.models
     import starlogo.models.loading.ModelLoad;
     import starlogo.models.loading.ModelManifest;
 
-    /** A model is loaded. From now on agents may have its shape. @eventType starlogo.models.ModelEvent.LOADED */
+    /** A model is loaded. From now on agents that have its shape collide. @eventType starlogo.models.ModelEvent.LOADED */
     [Event(name="modelLoaded", type="starlogo.models.ModelEvent")]
 
     /**
@@ -46,8 +46,8 @@ package starlogo.models
      * <p>If a manifest lists a cooked file for a model, the loader fetches that file instead of the source: see <code>manifest</code>.</p>
      *
      * <p>The loader chooses the reader by the file's content: OBJ, glTF (JSON or binary, its data inside or beside it), STL (text or
-     * binary), COLLADA or cooked. The file's name decides only if the content does not tell. Agents may have a shape as soon as its ModelEvent was
-     * sent. Before that, the collision systems do not know the shape.</p>
+     * binary), COLLADA or cooked. The file's name decides only if the content does not tell. Agents may have a shape as soon as its
+     * load begins. They collide with nothing until its ModelEvent is sent.</p>
      *
      * @example
      * <listing version="3.0">

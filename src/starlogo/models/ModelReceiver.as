@@ -12,7 +12,7 @@ package starlogo.models
         function expectNoMore(name:String):void;
 
         /**
-         * Begins to receive a model. The game may see nothing of it before the last step is done, because a load may be cancelled between
+         * Returns the work that receives a model. The game may see nothing of it before the last step is done, because a load may be cancelled between
          * any two steps.
          *
          * @return the steps; none of them is done yet

@@ -41,6 +41,7 @@ package starlogo.models
             var unit:Number = data.scaling == Model.AS_GIVEN ? data.unit : 1;
             var factors:Vector3D = data.transform == null ? new Vector3D(unit, unit, unit) : data.transform.scale;
             addMeasuring();
+            // data that have a frame are normalised already, and stay
             switch (data.frame == null ? data.scaling : Model.AS_GIVEN)
             {
                 case Model.FOOTPRINT:
@@ -160,21 +161,21 @@ package starlogo.models
             return placing(0, 0, z, -move.x, -move.y, -move.z, 1);
         }
 
-        // The steps that put the point low + half at the origin, and divide by a divisor.
-        private function placing(lowX:Number, lowY:Number, lowZ:Number, halfX:Number, halfY:Number, halfZ:Number, divisor:Number):Steps
+        // The steps that put a point at the origin, and divide by a divisor. The point is the sum of two, whose differences are exact.
+        private function placing(firstX:Number, firstY:Number, firstZ:Number, secondX:Number, secondY:Number, secondZ:Number, divisor:Number):Steps
         {
             var size:Number = _bounds.extentX + _bounds.extentY + _bounds.extentZ;
             refuse(size < Infinity ? null : "the coordinates are too large: the model's extent is not a finite number");
-            _frame.addMove(lowX + halfX, lowY + halfY, lowZ + halfZ, divisor);
+            _frame.addMove(firstX + secondX, firstY + secondY, firstZ + secondZ, divisor);
             return new Slices(_data.vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     // 0 - 0 is 0, but -0 would be negative
-                    place(first, end, lowX, lowY, lowZ, 0 - halfX, 0 - halfY, 0 - halfZ, divisor);
+                    place(first, end, firstX, firstY, firstZ, 0 - secondX, 0 - secondY, 0 - secondZ, divisor);
                 });
         }
 
         // The differences come first and the division last. So the bounds are exact, and the smallest and largest numbers work.
-        private function place(first:int, end:int, lowX:Number, lowY:Number, lowZ:Number, moveX:Number, moveY:Number, moveZ:Number,
+        private function place(first:int, end:int, firstX:Number, firstY:Number, firstZ:Number, moveX:Number, moveY:Number, moveZ:Number,
                 divisor:Number):void
         {
             var placed:Vector.<Number> = _data.vertices;
@@ -183,9 +184,9 @@ package starlogo.models
             {
                 var j:int = i + 1;
                 var k:int = i + 2;
-                placed[i] = (placed[i] - lowX + moveX) / divisor;
-                placed[j] = (placed[j] - lowY + moveY) / divisor;
-                placed[k] = (placed[k] - lowZ + moveZ) / divisor;
+                placed[i] = (placed[i] - firstX + moveX) / divisor;
+                placed[j] = (placed[j] - firstY + moveY) / divisor;
+                placed[k] = (placed[k] - firstZ + moveZ) / divisor;
             }
         }
 

@@ -26,9 +26,9 @@ package starlogo.solid
             for (var i:int = 5; i >= 0; i--)
             {
                 _boxes.setAxis(i >> 1, (i & 1) == 0 ? -1 : 1);
-                least = Infinity;
+                limit = Infinity;
                 _boxes.find(tree, BoxTree.NO_LIMIT, this);
-                if (least > 0)
+                if (limit > 0)
                 {
                     return true;
                 }
@@ -39,7 +39,7 @@ package starlogo.solid
         /** @inheritDoc */
         override public function testLeaf(tree:BoxTree, node:int):void
         {
-            least = -Infinity;
+            limit = -Infinity;
         }
     }
 }

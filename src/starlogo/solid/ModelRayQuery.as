@@ -104,7 +104,7 @@ package starlogo.solid
                 return false;
             }
             out.triangle = model.tree.order[found];
-            out.place = _triangles.least;
+            out.place = _triangles.limit;
             setNormal(model.mesh, found, ray, out);
             return true;
         }

@@ -72,7 +72,7 @@ package starlogo.solid
             _ray = ray;
             _all = all;
             _corners = corners;
-            least = _latest = ray.to;
+            limit = _latest = ray.to;
             triangle = -1;
             var absX:Number = Math.abs(ray.directionX);
             var absY:Number = Math.abs(ray.directionY);
@@ -180,7 +180,7 @@ package starlogo.solid
                     continue;
                 }
                 _latest = Math.min(crossing + slack, _ray.to);
-                least = crossing;
+                limit = crossing;
                 triangle = i;
             }
         }

@@ -52,7 +52,7 @@ package starlogo.solid
             _pair.structure.extentsInto(_extents);
             _nearest = out;
             _triangle = -1;
-            least = out.distance = Infinity;
+            limit = out.distance = Infinity;
             _boxes.setExtents(_extents, 0);
             _boxes.findNear(model.tree, BoxTree.NO_LIMIT, this);
             out.swap();
@@ -63,15 +63,15 @@ package starlogo.solid
         override public function testLeaf(tree:BoxTree, node:int):void
         {
             var end:int = tree.end[node];
-            for (var i:int = tree.first[node]; i < end && least > 0; i++)
+            for (var i:int = tree.first[node]; i < end && limit > 0; i++)
             {
-                if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) < least * least)
+                if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) < limit * limit)
                 {
                     _counts.triangleTests++;
                     _pair.setTriangle(_mesh.corners, 9 * i);
                     if (_pair.findCloser(_nearest))
                     {
-                        least = _nearest.distance;
+                        limit = _nearest.distance;
                         _triangle = i;
                     }
                 }

@@ -68,7 +68,7 @@ package starlogo.solid
         public function areTouching(model:ModelTree, structure:BoundingStructure, pose:RelativePose):Boolean
         {
             begin(model, structure, pose, RelativeMotion.NONE);
-            least = 0;
+            limit = 0;
             _boxes.find(_mesh.tree, BoxTree.NO_LIMIT, this);
             return _isFound;
         }
@@ -82,9 +82,9 @@ package starlogo.solid
         {
             begin(model, structure, pose, motion);
             prepareMotion();
-            least = _motion.latest;
+            limit = _motion.latest;
             _boxes.find(_mesh.tree, BoxTree.NO_LIMIT, this);
-            var time:Number = least > 0 ? least : 0;
+            var time:Number = limit > 0 ? limit : 0;
             motion.time = _isFound ? time : RelativeMotion.NEVER;
         }
 
@@ -151,9 +151,9 @@ package starlogo.solid
                 {
                     continue;
                 }
-                _sweep.latest = least;
+                _sweep.latest = limit;
                 findEarliest(i);
-                if (_sweep.earliest > least || isMoving && _separatingAxes.areApart(_mesh.corners, 9 * i, _sweep))
+                if (_sweep.earliest > limit || isMoving && _separatingAxes.areApart(_mesh.corners, 9 * i, _sweep))
                 {
                     continue;
                 }
@@ -165,10 +165,10 @@ package starlogo.solid
                 }
                 _isFound = true;
                 _firstCornerAt = 9 * i;
-                if (!(least > 0))
+                if (!(limit > 0))
                 {
                     // no triangle can be touched earlier
-                    least = -Infinity;
+                    limit = -Infinity;
                     return;
                 }
             }
@@ -179,9 +179,9 @@ package starlogo.solid
         {
             _pair.findTime(_sweep);
             var time:Number = _sweep.time;
-            if (time < least || !_isFound && time == least)
+            if (time < limit || !_isFound && time == limit)
             {
-                least = time;
+                limit = time;
                 return true;
             }
             return false;

@@ -62,7 +62,7 @@ package starlogo.solid
             this.mesh = mesh;
             this.surface = surface;
             windings = new Vector.<int>(surface.shellStates.length, true);
-            least = Infinity;
+            limit = Infinity;
             _axis = box[3] <= box[4] && box[3] <= box[5] ? 0 : (box[4] <= box[5] ? 1 : 2);
             _axisB = (_axis + 1) % 3;
             _axisC = (_axis + 2) % 3;

@@ -8,7 +8,7 @@ package starlogo.steps
      * var loading:StepSequence = new StepSequence().call(parse).begin(newReader).call(store);
      * </listing>
      *
-     * <p>A method that returns work has a name like reading() or cutting(). A method that does some of it has a name like readSome() or
+     * <p>Most methods that return work have names like reading() or cutting(). A method that does some of it has a name like readSome() or
      * cut().</p>
      *
      * <p>Nothing is called before the first step. A part is released when it is done. If a part is added when no step was left, there are

@@ -311,7 +311,7 @@ package starlogo.terrain
         private function checkBounds(terrain:Terrain):void
         {
             var grid:HeightGrid = terrain.grid;
-            var levels:int = grid.pyramid.levels;
+            var levels:int = grid.pyramid.lastLevel;
             for (var level:int = 1; level <= levels; level++)
             {
                 var size:int = 1 << level * HeightPyramid.SHIFT;

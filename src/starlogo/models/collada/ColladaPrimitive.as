@@ -223,7 +223,7 @@ package starlogo.models.collada
             return indices.length / _stride;
         }
 
-        // The point of a corner. The corner's indices begin at the given place.
+        // The point of a corner, which is marked as used. The corner's indices begin at the given place.
         private function cornerAt(indices:Array, place:int):uint
         {
             var word:String = indices[int(place + _offset)];

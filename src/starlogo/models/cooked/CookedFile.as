@@ -7,7 +7,7 @@ package starlogo.models.cooked
     import starlogo.steps.StepSequence;
 
     /**
-     * A file with results that were computed once, when a game was built (docs/cooked.md). It has five sections. Each section was
+     * A file with results that were computed earlier: when a game was built (docs/cooked.md), or by a FitStore. It has five sections. Each section was
      * computed for certain settings, and the file has their fingerprint. A fingerprint at the end seals the file. It is read in steps. A
      * file has no sections if it is no cooked file, is cut off or has changed. The code that uses a section checks its content.
      *
@@ -59,7 +59,7 @@ package starlogo.models.cooked
         /** Whether the file is complete and unchanged, when no step is left. */
         public var isWhole:Boolean = false;
 
-        /** Whether another version of the engine has made the file. */
+        /** Whether the file has another form, because another version of the engine has made it. */
         public var isOfOtherVersion:Boolean = false;
 
         private var _bytes:ByteArray = newBytes();

@@ -73,7 +73,7 @@ package starlogo.models.polygons
             return count;
         }
 
-        // Whether no other corner lies in the triangle of a left turn.
+        // Whether no other corner lies in the triangle of a left turn. Charges the budget.
         private function isEar(before:int, tip:int, after:int):Boolean
         {
             var xs:Vector.<Number> = _rings.x;

@@ -112,7 +112,7 @@ package starlogo.models.polygons
         }
 
         // The corner that is visible from a hole's node. It is the given corner, unless others block the line to it. Then it is the blocking corner
-        // nearest to the ray.
+        // nearest to the ray. It adds a node for the hit to the rings, and charges the budget.
         private function nearestToRay(hole:int, hitX:Number, corner:int):int
         {
             var xs:Vector.<Number> = _rings.x;

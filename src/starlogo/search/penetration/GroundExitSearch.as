@@ -35,9 +35,10 @@ package starlogo.search.penetration
         private var _exits:Vector.<ContactPoint> = new Vector.<ContactPoint>();
         private var _tried:Displacement = new Displacement();
 
-        // The shortest way out that ends with a lift; the sweep down and the contact at its end; and where the first body is for them.
+        // The shortest way out that ends with a lift, and the contact with which its search begins; and for a lift, the sweep down and where the first
+        // body is before it.
         private var _lift:Displacement = new Displacement();
-        private var _below:ContactPoint = new ContactPoint();
+        private var _outer:ContactPoint = new ContactPoint();
         private var _down:RelativeMotion = new RelativeMotion();
         private var _offset:Vector3D = new Vector3D();
 
@@ -64,14 +65,15 @@ package starlogo.search.penetration
          */
         public function find(first:ContactPoint, out:ContactPoint):void
         {
+            out.depth = Infinity;
             var maxDistance:Number = Math.max(DirectionSearch.IMPROVED_DEPTH * _pair.extent, Math.min(first.depth, _pair.extent));
             if (_pushOut.find(first, Math.max(first.ground.leastDepth / LEAST_SHARE_TAKEN, PushOut.ROOM * _pair.extent), out))
             {
                 return;
             }
             _pair.putBack();
-            _pair.findOuterContact(_below);
-            _lift.distance = _below.depth + _pair.tolerance;
+            _pair.findOuterContact(_outer);
+            _lift.distance = _outer.depth + _pair.tolerance;
             _lift.setDirection(0, 0, 1);
             while (!findPushOrLift(first, maxDistance, out) && maxDistance / LEAST_SHARE_TAKEN <= _lift.distance)
             {
@@ -79,9 +81,9 @@ package starlogo.search.penetration
             }
             if (_lift.distance < out.depth - _pair.tolerance)
             {
-                _below.setNormal(_lift.x, _lift.y, _lift.z);
-                _below.depth = _lift.distance;
-                _directions.findAlong(_below, out);
+                _outer.setNormal(_lift.x, _lift.y, _lift.z);
+                _outer.depth = _lift.distance;
+                _directions.findAlong(_outer, out);
             }
         }
 

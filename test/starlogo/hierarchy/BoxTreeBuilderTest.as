@@ -8,6 +8,8 @@ package starlogo.hierarchy
     import starlogo.bounding.Box;
     import starlogo.engine;
     import starlogo.libraries.HierarchiesLibrary;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
     import support.assertWellFormed;
 
     use namespace engine;
@@ -27,8 +29,8 @@ package starlogo.hierarchy
             add("stick", vertices);
             var root:HierarchyNode = _library.root("stick");
             assertEquals(6, root.vertexCount);
-            assertEquals("0,1,2", sorted(root.left.vertexIndices()));
-            assertEquals("3,4,5", sorted(root.right.vertexIndices()));
+            assertEquals("0,1,2", root.left.vertexIndices() + "");
+            assertEquals("3,4,5", root.right.vertexIndices() + "");
             var box:Box = Box(root.left.bounds);
             assertNear(0.5, box.center.x, 1e-12);
             assertNear(1, box.center.y, 1e-12);
@@ -43,13 +45,13 @@ package starlogo.hierarchy
             _library.minVerticesToSplit = 3;
             var vertices:Vector.<Number> = new <Number>[0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0, 100, 0, 0];
             add("halfway", vertices);
-            assertEquals("4", sorted(_library.root("halfway").right.vertexIndices()));
+            assertEquals("4", _library.root("halfway").right.vertexIndices() + "");
             _library.splitByMean = true;
             vertices[12] = 12;
             // the mean is 3.6, halfway is 6
             vertices[9] = 5;
             add("mean", vertices);
-            assertEquals("3,4", sorted(_library.root("mean").right.vertexIndices()));
+            assertEquals("3,4", _library.root("mean").right.vertexIndices() + "");
         }
 
         [Test]
@@ -130,13 +132,23 @@ package starlogo.hierarchy
             assertTrue(actual + " is not " + expected, Math.abs(actual - expected) <= tolerance);
         }
 
-        private static function sorted(numbers:Vector.<int>):String
+        [Test]
+        public function indicesAreInAscendingOrder():void
         {
-            numbers.sort(function(a:int, b:int):int
-                {
-                    return a - b;
-                });
-            return numbers.join(",");
+            var sphere:Model = BuiltInModel.sphere();
+            _library.add("triangles", sphere.vertices, sphere.triangles);
+            _library.add("vertices", sphere.vertices);
+            assertAscending(_library.root("triangles").triangleIndices(), sphere.triangles.length / 3);
+            assertAscending(_library.root("vertices").vertexIndices(), sphere.vertices.length / 3);
+        }
+
+        private static function assertAscending(indices:Vector.<int>, count:int):void
+        {
+            assertEquals(count, indices.length);
+            for (var i:int = 0; i < count; i++)
+            {
+                assertEquals(i, indices[i]);
+            }
         }
     }
 }

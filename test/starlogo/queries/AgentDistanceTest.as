@@ -49,6 +49,27 @@ package starlogo.queries
         }
 
         [Test]
+        public function eachPointMayBeAskedForAlone():void
+        {
+            for each (var collider:Collider in colliders())
+            {
+                var queries:AgentQueries = new AgentQueries(collider);
+                var a:Agent = new Agent("sphere");
+                var b:Agent = agentAt("sphere", 4, 3, 2);
+                queries.update(new <Agent>[a, b]);
+                var pointA:Vector3D = new Vector3D();
+                var pointB:Vector3D = new Vector3D();
+                queries.distance(a, b, pointA, pointB);
+                assertTrue(collider + ": " + pointB, pointB.length > pointA.length);
+                var alone:Vector3D = new Vector3D();
+                queries.distance(a, b, alone);
+                assertEquals(collider + ": the first", pointA + "", alone + "");
+                queries.distance(a, b, null, alone);
+                assertEquals(collider + ": the second", pointB + "", alone + "");
+            }
+        }
+
+        [Test]
         public function refusals():void
         {
             var queries:AgentQueries = new AgentQueries(new TightestFitCollider(_greatLand));

@@ -31,6 +31,16 @@ package starlogo.models.text
         }
 
         [Test]
+        public function noFileIsBesideWhatHasNoFolder():void
+        {
+            for each (var alone:String in ["data:model/gltf+json,{}", "DATA:x", "blob:https://host/1", "Blob:x", "", null])
+            {
+                assertFalse(alone, ModelAddress.hasFolder(alone));
+            }
+            assertTrue(ModelAddress.hasFolder("models/data.obj"));
+        }
+
+        [Test]
         public function folders():void
         {
             var folders:Object = {"": "", "a.gltf": "", "models/a.gltf": "models/", "/a.gltf": "/", "https://host": "https://host/", "https://host?a/b": "https://host/",

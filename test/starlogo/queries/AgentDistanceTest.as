@@ -53,19 +53,23 @@ package starlogo.queries
         {
             for each (var collider:Collider in colliders())
             {
-                var queries:AgentQueries = new AgentQueries(collider);
-                var a:Agent = new Agent("sphere");
-                var b:Agent = agentAt("sphere", 4, 3, 2);
-                queries.update(new <Agent>[a, b]);
-                var pointA:Vector3D = new Vector3D();
-                var pointB:Vector3D = new Vector3D();
-                queries.distance(a, b, pointA, pointB);
-                assertTrue(collider + ": " + pointB, pointB.length > pointA.length);
-                var alone:Vector3D = new Vector3D();
-                queries.distance(a, b, alone);
-                assertEquals(collider + ": the first", pointA + "", alone + "");
-                queries.distance(a, b, null, alone);
-                assertEquals(collider + ": the second", pointB + "", alone + "");
+                for each (var distance:Number in [0.3, 4])
+                {
+                    var queries:AgentQueries = new AgentQueries(collider);
+                    var a:Agent = new Agent("sphere");
+                    var b:Agent = agentAt("sphere", distance, 0.2, 0.1);
+                    queries.update(new <Agent>[a, b]);
+                    var pointA:Vector3D = new Vector3D();
+                    var pointB:Vector3D = new Vector3D();
+                    assertEquals(collider + " at " + distance, distance < 1, queries.distance(a, b, pointA, pointB) == 0);
+                    var alone:Vector3D = new Vector3D(7, 8, 9);
+                    queries.distance(a, b, alone);
+                    assertEquals(collider + " at " + distance + ": the first", pointA + "", alone + "");
+                    // another question between the two, so that nothing is left of the first answer
+                    queries.distanceToPoint(a, new Vector3D(30, 20, 10), alone);
+                    queries.distance(a, b, null, alone);
+                    assertEquals(collider + " at " + distance + ": the second", pointB + "", alone + "");
+                }
             }
         }
 

@@ -94,12 +94,12 @@ package starlogo.search.penetration
         private function findLeast(motion:RelativeMotion, out:ContactPoint):void
         {
             _first.copyFrom(out);
-            out.depth = Infinity;
             if (_pair.isSecondGround)
             {
                 _groundExits.find(_first, out);
                 return;
             }
+            out.depth = Infinity;
             _pushOut.find(_first, Infinity, out);
             if (isComing(motion) && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent)
             {

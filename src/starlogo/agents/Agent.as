@@ -166,6 +166,12 @@ package starlogo.agents
             return takeId();
         }
 
+        /** @private Whether it stands for the ground or the edges of the world. */
+        engine function get isOfWorld():Boolean
+        {
+            return Breeds.isOfWorld(breedNumber);
+        }
+
         /** @private The number of agents and terrains created so far, which is also the largest id. */
         engine static function get createdCount():int
         {
@@ -712,7 +718,7 @@ package starlogo.agents
         private function requireBreed(value:String):void
         {
             requireName("breed", value);
-            if (Breeds.isReserved(Breeds.numberOf(value)) || (_shape != null && Breeds.isReserved(breedNumber)))
+            if (Breeds.isOfWorld(Breeds.numberOf(value)) || (_shape != null && isOfWorld))
             {
                 throw new ArgumentError(this + ": breed must not be \"" + value + "\": only the ground and the edges of the world have such a breed, and they keep it");
             }

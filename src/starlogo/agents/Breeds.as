@@ -17,8 +17,8 @@ package starlogo.agents
         /** The number that stands for any breed of agents. Its name is empty, and no breed has such a name. */
         public static const ANY:int = 2;
 
-        // The names by number. No agent of a game can have the first two.
-        private static const RESERVED:int = 2;
+        // The names by number. The first two are those of the ground and of the edges.
+        private static const OF_WORLD:int = 2;
         private static var sNames:Vector.<String> = new <String>[TERRAIN, EDGE, ""];
 
         // The numbers in the order of their names. A binary search in it needs no key, so it allocates no text. sLast is the last number
@@ -74,10 +74,10 @@ package starlogo.agents
             return sLast;
         }
 
-        /** Whether a number belongs to the breed of the ground or of the edges. No other agent may have these breeds. */
-        public static function isReserved(number:int):Boolean
+        /** Whether a number is that of the breed of the ground or of the edges. No other agent may have these breeds. */
+        public static function isOfWorld(number:int):Boolean
         {
-            return number < RESERVED;
+            return number < OF_WORLD;
         }
 
         /** The name for a number. */

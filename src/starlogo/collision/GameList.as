@@ -41,11 +41,11 @@ package starlogo.collision
             var agents:Vector.<Agent> = _agents;
             var byRow:Vector.<Agent> = _pairs.agents;
             var ranks:Vector.<int> = _pairs.ranks;
-            var isWorldAgent:Boolean = secondRow < ListedAgents.FIRST_LISTED;
+            var isOfWorld:Boolean = secondRow < ListedAgents.FIRST_LISTED;
             if (_isUnchanged)
             {
                 if (agents.length == _pairs.agentCount && agents[ranks[firstRow]] === byRow[firstRow]
-                        && (isWorldAgent || agents[ranks[secondRow]] === byRow[secondRow]))
+                        && (isOfWorld || agents[ranks[secondRow]] === byRow[secondRow]))
                 {
                     return true;
                 }
@@ -55,7 +55,7 @@ package starlogo.collision
                     _indices[row] = ranks[row];
                 }
             }
-            return has(firstRow) && (isWorldAgent || has(secondRow));
+            return has(firstRow) && (isOfWorld || has(secondRow));
         }
 
         // Once an agent was missing, it stays away for the rest of the frame. When agents are removed, others move towards the start of the

@@ -67,7 +67,7 @@ package starlogo.collision
             var tracksTouches:Boolean = tracker.count > 0 || (table.kinds & ~EACH_FRAME) != 0;
             if (tracksTouches)
             {
-                tracker.begin(pairs, table);
+                tracker.begin(pairs, compared, table);
                 callAll(true, tracker.endedCount, errors);
                 _chosen = (table.kinds & EACH_FRAME) == 0 ? compared : null;
             }

@@ -40,7 +40,7 @@ package starlogo.ground
          * Finds where a ray first meets the ground.
          *
          * @param ray in the world
-         * @param out receives the place and the normal
+         * @param out receives the distance and the normal
          * @return whether it meets the ground
          */
         public function find(grid:HeightGrid, ray:Ray, out:RayEntry):Boolean
@@ -65,7 +65,7 @@ package starlogo.ground
             }
             if (isHit)
             {
-                out.place = _test.limit;
+                out.distance = _test.limit;
                 out.setNormal(ray, _outside.x, _outside.y, _outside.z);
             }
             return isHit;

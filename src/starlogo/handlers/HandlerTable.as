@@ -30,8 +30,8 @@ package starlogo.handlers
         /** The kinds of the handlers that take the contact of a touch. */
         public var contactKinds:int = 0;
 
-        // The pairs of breeds that have handlers, or that have met, and the index of each. A pair of an older revision gets its handlers anew.
-        private var _pairs:Vector.<PairHandlers> = new Vector.<PairHandlers>();
+        // An entry for each two breeds that have handlers, or that have met, and its index. An entry of an older revision gets its handlers anew.
+        private var _all:Vector.<PairHandlers> = new Vector.<PairHandlers>();
         private var _indices:HashTable = new HashTable();
         private var _revision:int = 0;
 
@@ -63,23 +63,23 @@ package starlogo.handlers
             {
                 throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + kind + "\"");
             }
-            var pair:PairHandlers = pairOf(BreedInterests.numberOf(breed), BreedInterests.numberOf(otherBreed));
-            var removed:CollisionHandler = pair.find(handler, kind == null ? PairHandlers.ANY_KIND : wanted);
+            var entry:PairHandlers = entryOf(BreedInterests.numberOf(breed), BreedInterests.numberOf(otherBreed));
+            var removed:CollisionHandler = entry.find(handler, kind == null ? PairHandlers.ANY_KIND : wanted);
             if (removed == null)
             {
                 return false;
             }
             _isOneRemoved = true;
-            pair.remove(removed, _knownCount);
+            entry.remove(removed, _knownCount);
             return true;
         }
 
         /** Removes all handlers. */
         public function clear():void
         {
-            for each (var pair:PairHandlers in _pairs)
+            for each (var entry:PairHandlers in _all)
             {
-                pair.removeAll(_knownCount);
+                entry.removeAll(_knownCount);
             }
             _isOneRemoved = true;
         }
@@ -120,7 +120,7 @@ package starlogo.handlers
         public function handlersOf(breed:int, otherBreed:int):PairHandlers
         {
             var index:int = _indices.valueOf(breed, otherBreed);
-            var found:PairHandlers = index < 0 ? pairOf(breed, otherBreed) : _pairs[index];
+            var found:PairHandlers = index < 0 ? entryOf(breed, otherBreed) : _all[index];
             return found.revision == _revision ? found : refresh(found);
         }
 
@@ -130,12 +130,12 @@ package starlogo.handlers
             return handlersOf(pairs.firstOf(pair).breedNumber, pairs.secondOf(pair).breedNumber);
         }
 
-        // Finds the handlers of a pair, as they were when the frame began.
-        private function refresh(pair:PairHandlers):PairHandlers
+        // Finds the handlers of an entry, as they were when the frame began.
+        private function refresh(entry:PairHandlers):PairHandlers
         {
-            pair.setHandlers(between(pair.breed, pair.otherBreed), between(pair.otherBreed, pair.breed));
-            pair.revision = _revision;
-            return pair;
+            entry.setHandlers(between(entry.breed, entry.otherBreed), between(entry.otherBreed, entry.breed));
+            entry.revision = _revision;
+            return entry;
         }
 
         // The handlers whose collider is of the first breed and whose collidee is of the second, in the order of their calls.
@@ -147,7 +147,7 @@ package starlogo.handlers
                 for each (var other:int in otherBreed > Breeds.ANY ? [otherBreed, Breeds.ANY] : [otherBreed])
                 {
                     var index:int = _indices.valueOf(number, other);
-                    for each (var handler:CollisionHandler in index < 0 ? null : _pairs[index].added)
+                    for each (var handler:CollisionHandler in index < 0 ? null : _all[index].added)
                     {
                         if (handler.order < _knownCount)
                         {
@@ -165,22 +165,22 @@ package starlogo.handlers
         private function enter(handler:CollisionHandler):void
         {
             _added.push(handler);
-            pairOf(handler.breedNumber, handler.otherNumber).added.push(handler);
+            entryOf(handler.breedNumber, handler.otherNumber).added.push(handler);
         }
 
         // Begins an empty table with the handlers that are not removed.
         private function startAgain():void
         {
-            var pairs:Vector.<PairHandlers> = _pairs;
-            _pairs = new Vector.<PairHandlers>();
+            var before:Vector.<PairHandlers> = _all;
+            _all = new Vector.<PairHandlers>();
             _indices.clear();
             interests = new BreedInterests();
             kinds = contactKinds = 0;
             _isOneRemoved = false;
             _added.length = 0;
-            for each (var pair:PairHandlers in pairs)
+            for each (var entry:PairHandlers in before)
             {
-                for each (var handler:CollisionHandler in pair.added)
+                for each (var handler:CollisionHandler in entry.added)
                 {
                     if (!handler.isRemoved)
                     {
@@ -190,16 +190,16 @@ package starlogo.handlers
             }
         }
 
-        // A pair in the table. A new pair has no handlers yet.
-        private function pairOf(breed:int, otherBreed:int):PairHandlers
+        // The entry of two breeds. A new one has no handlers yet.
+        private function entryOf(breed:int, otherBreed:int):PairHandlers
         {
             var index:int = _indices.valueOf(breed, otherBreed);
             if (index < 0)
             {
-                index = _pairs.push(new PairHandlers(breed, otherBreed)) - 1;
+                index = _all.push(new PairHandlers(breed, otherBreed)) - 1;
                 _indices.set (breed, otherBreed, index);
             }
-            return _pairs[index];
+            return _all[index];
         }
 
         private static function require(breed:String, otherBreed:String, handler:Function):void

@@ -57,11 +57,11 @@ package starlogo.handlers
         /**
          * Begins a frame. The touches of pairs that touched before go on. The others end.
          *
+         * @param compared the answer of <code>pairsToCompare()</code>
          * @param table the handlers. A pair without handlers for starts or ends has no touch
          */
-        public function begin(pairs:FoundPairs, table:HandlerTable):void
+        public function begin(pairs:FoundPairs, compared:NumberList, table:HandlerTable):void
         {
-            var compared:NumberList = pairsToCompare(pairs);
             frame++;
             _pairsRevision = 0;
             // they are still there if the last frame has failed

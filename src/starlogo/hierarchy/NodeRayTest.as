@@ -81,11 +81,11 @@ package starlogo.hierarchy
                 crossStructure(_ray, _box, _slack, _reversed, _entry, null, _all);
                 return;
             }
-            if (rayBox(_ray, _box, _entry) && (_entry.place < limit || _first < 0))
+            if (rayBox(_ray, _box, _entry) && (_entry.distance < limit || _first < 0))
             {
                 _first = node;
                 // no node can be met before the ray's beginning
-                limit = _entry.place > _ray.from ? _entry.place : -Infinity;
+                limit = _entry.distance > _ray.from ? _entry.distance : -Infinity;
             }
         }
     }

@@ -131,7 +131,7 @@ package starlogo.queries
                         // any row will do
                         return false;
                     }
-                    _found.add(row, _entry.place);
+                    _found.add(row, _entry.distance);
                 }
             }
             return _found.end() == 0;
@@ -180,7 +180,7 @@ package starlogo.queries
             var ray:Ray = _ray;
             for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
             {
-                if (_rowRays.findHit(row, ray, _entry) && _found.add(row, _entry.place))
+                if (_rowRays.findHit(row, ray, _entry) && _found.add(row, _entry.distance))
                 {
                     _hits.addEntry(row, ray, _entry);
                     ray.to = _found.limit;

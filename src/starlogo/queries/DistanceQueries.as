@@ -2,7 +2,6 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
-    import starlogo.agents.Breeds;
     import starlogo.bounding.Sphere;
     import starlogo.collision.Collider;
     import starlogo.convex.ClosestPoints;
@@ -10,7 +9,6 @@ package starlogo.queries
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.PairTable;
     import starlogo.search.Body;
-    import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
 
     use namespace engine;
@@ -45,7 +43,7 @@ package starlogo.queries
         public function find(a:Agent, b:Agent, pointA:Vector3D, pointB:Vector3D):Number
         {
             Collider.requireTwo(a, b);
-            if (Breeds.isReserved(a.breedNumber) && Breeds.isReserved(b.breedNumber))
+            if (a.isOfWorld && b.isOfWorld)
             {
                 throw new ArgumentError("the ground and the edges of the world have no distance from each other");
             }
@@ -87,7 +85,7 @@ package starlogo.queries
                 out.swap();
                 return;
             }
-            if (a.shape.hierarchy == null && b.form < ModelShape.GROUND)
+            if (a.shape.hierarchy == null && !b.isOfWorld)
             {
                 PairTable.findClosest(a.worldStructure(), b.worldStructure(), out);
                 var size:Number = a.halfX + a.halfY + a.halfZ + b.halfX + b.halfY + b.halfZ;

@@ -88,10 +88,10 @@ package starlogo.queries
         /** Adds the hit where a ray enters a row, with the normal and the triangle there. */
         public function addEntry(row:int, ray:Ray, entry:RayEntry):void
         {
-            var contact:ContactPoint = add(row, entry.place, entry.triangle);
-            contact.x = ray.x + entry.place * ray.directionX;
-            contact.y = ray.y + entry.place * ray.directionY;
-            contact.z = ray.z + entry.place * ray.directionZ;
+            var contact:ContactPoint = add(row, entry.distance, entry.triangle);
+            contact.x = ray.x + entry.distance * ray.directionX;
+            contact.y = ray.y + entry.distance * ray.directionY;
+            contact.z = ray.z + entry.distance * ray.directionZ;
             contact.setNormal(entry.normalX, entry.normalY, entry.normalZ);
         }
 

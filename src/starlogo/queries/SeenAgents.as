@@ -6,7 +6,6 @@ package starlogo.queries
 {
     import flash.errors.IllegalOperationError;
     import starlogo.agents.Agent;
-    import starlogo.agents.Breeds;
     import starlogo.broadphase.Points;
     import starlogo.collision.QuerySource;
     import starlogo.engine;
@@ -192,7 +191,7 @@ package starlogo.queries
         engine function placeOf(agent:Agent):Placement
         {
             requireAgent(agent);
-            if (Breeds.isReserved(agent.breedNumber))
+            if (agent.isOfWorld)
             {
                 throw new ArgumentError(agent + " has no place, and does not move: it stands for the ground or the edges of the world");
             }

@@ -211,12 +211,12 @@ package starlogo.queries
         // The footing receives how far it was pushed, and which part of the way it has come.
         private function goPieces(walk:Walk, footing:Footing):Boolean
         {
-            var stands:Boolean = findGround(walk, walk.start, walk.closeDepth);
+            var stands:Boolean = goDown(walk, walk.start, walk.closeDepth);
             var pushed:Number = 0;
             if (_down.isDeep)
             {
                 pushed = pushOut(walk);
-                stands = findGround(walk, walk.start, walk.closeDepth);
+                stands = goDown(walk, walk.start, walk.closeDepth);
             }
             // a walk that begins in the air stays there
             var isInAir:Boolean = !stands;
@@ -227,7 +227,7 @@ package starlogo.queries
                 if (i > 0)
                 {
                     walk.start.copyFrom(walk.place);
-                    stands = !isInAir && findGround(walk, walk.start, walk.closeDepth);
+                    stands = !isInAir && goDown(walk, walk.start, walk.closeDepth);
                 }
                 stands = goPiece(walk, stands);
             }
@@ -288,7 +288,7 @@ package starlogo.queries
                 return true;
             }
             walk.place.copyFrom(_slide.place);
-            return findGround(walk, walk.place, walk.options.snap + walk.closeDepth);
+            return goDown(walk, walk.place, walk.options.snap + walk.closeDepth);
         }
 
         // Slides along the way of a piece, and up or down.
@@ -318,16 +318,16 @@ package starlogo.queries
             }
             slide(walk, _straight.place, 0, walk.cosine, _tried);
             var farther:Number = (_tried.place.x - plain.x) * walk.piece.x + (_tried.place.y - plain.y) * walk.piece.y;
-            return farther > walk.closeDepth * walk.pieceLength && findGround(walk, _tried.place, height + walk.options.snap + walk.closeDepth);
+            return farther > walk.closeDepth * walk.pieceLength && goDown(walk, _tried.place, height + walk.options.snap + walk.closeDepth);
         }
 
         // Goes down to the ground if it is no deeper than this depth, and not too steep. If there is such ground, the walk is there. Otherwise it
         // is at the beginning. Returns whether there is. _down has how the way down ends.
-        private function findGround(walk:Walk, from:Vector3D, depth:Number):Boolean
+        private function goDown(walk:Walk, from:Vector3D, depth:Number):Boolean
         {
             walk.place.copyFrom(from);
             goUpright(walk.place, -depth, _down);
-            if (_down.row < 0 || !(findSupport(walk, _down.contact, _down.row, _down.place) || findOtherSupport(walk, _down.place)))
+            if (_down.row < 0 || !(standOn(walk, _down.contact, _down.row, _down.place) || standOnOther(walk, _down.place)))
             {
                 return false;
             }
@@ -335,11 +335,11 @@ package starlogo.queries
             return true;
         }
 
-        // Finds what else the agent touches at a place, besides something too steep, and whether that carries it.
-        private function findOtherSupport(walk:Walk, place:Vector3D):Boolean
+        // Lets the agent stand on what else it touches at a place, besides something too steep. Returns whether it does.
+        private function standOnOther(walk:Walk, place:Vector3D):Boolean
         {
             slideDown(walk, place, walk.closeDepth, walk.extent, _tried);
-            return _tried.floorRow >= 0 && _tried.floor.normalZ > -1 && findSupport(walk, _tried.floor, _tried.floorRow, place);
+            return _tried.floorRow >= 0 && _tried.floor.normalZ > -1 && standOn(walk, _tried.floor, _tried.floorRow, place);
         }
 
         private function slideDown(walk:Walk, from:Vector3D, depth:Number, maxHorizontal:Number, out:SlideResult):void
@@ -368,22 +368,22 @@ package starlogo.queries
             if (_down.row < 0)
             {
                 // a fall can also end where the ground begins, without being stopped
-                return findGround(walk, _down.place, walk.closeDepth);
+                return goDown(walk, _down.place, walk.closeDepth);
             }
-            if (findSupport(walk, _down.contact, _down.row, _down.place))
+            if (standOn(walk, _down.contact, _down.row, _down.place))
             {
                 walk.place.copyFrom(_down.place);
                 return true;
             }
             var longest:Number = Math.min(walk.options.fall, walk.planned.body.placement.size);
             slideDown(walk, _down.place, Math.min(left, longest), longest / 2, _tried);
-            return findGround(walk, walk.place.z - _tried.place.z < REST * walk.extent ? walk.place : _tried.place, walk.closeDepth);
+            return goDown(walk, walk.place.z - _tried.place.z < REST * walk.extent ? walk.place : _tried.place, walk.closeDepth);
         }
 
-        // Finds the surface that carries the agent at a contact below it. At an edge, for example of a step, it is the face behind the edge. But
-        // the edge must not be more than a step higher than the agent was at the beginning of the piece, or is at its place. If the surface is
-        // not too steep, the walk receives it. Returns whether it is not.
-        private function findSupport(walk:Walk, contact:ContactPoint, row:int, place:Vector3D):Boolean
+        // Lets the agent stand on the surface at a contact below it, if the surface is not too steep. At an edge, for example of a step, the face
+        // behind the edge is the surface. But the edge must not be more than a step higher than the agent was at the beginning of the piece, or is
+        // at its place. The walk receives the surface. Returns whether the agent stands.
+        private function standOn(walk:Walk, contact:ContactPoint, row:int, place:Vector3D):Boolean
         {
             if (contact.normalZ >= walk.cosine)
             {
@@ -404,7 +404,7 @@ package starlogo.queries
             _origin.setTo(contact.x - behind * contact.normalX / across, contact.y - behind * contact.normalY / across, contact.z + above);
             _ray.aim(_origin, DOWN);
             _ray.to = 2 * above;
-            if (!_rowRays.findHit(row, _ray, _entry) || _entry.place == 0 || !(_entry.normalZ >= walk.cosine))
+            if (!_rowRays.findHit(row, _ray, _entry) || _entry.distance == 0 || !(_entry.normalZ >= walk.cosine))
             {
                 return false;
             }

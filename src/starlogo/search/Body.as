@@ -74,7 +74,7 @@ package starlogo.search
         public function readShape(agent:Agent, shape:ModelShape):void
         {
             var size:Number = agent.placement.size;
-            if (shape.form >= ModelShape.GROUND)
+            if (agent.isOfWorld)
             {
                 // the structures of the ground and of the edges are not scaled
                 size = 1;
@@ -231,6 +231,12 @@ package starlogo.search
                 placement.z = place.z;
                 _isPlaced = false;
             }
+        }
+
+        /** Whether it is the body of the ground or of the edges of the world. */
+        public function get isOfWorld():Boolean
+        {
+            return form >= ModelShape.GROUND;
         }
 
         /** The middle of the extents. */

@@ -78,8 +78,8 @@ package starlogo.search
             {
                 return false;
             }
-            var isOfAgents:Boolean = !Breeds.isReserved(number);
-            var isOtherOfAgents:Boolean = !Breeds.isReserved(otherNumber);
+            var isOfAgents:Boolean = !Breeds.isOfWorld(number);
+            var isOtherOfAgents:Boolean = !Breeds.isOfWorld(otherNumber);
             return has(number, otherNumber) || isOfAgents && isOtherOfAgents && includesAll || isOtherOfAgents && has(number, Breeds.ANY)
                 || isOfAgents && has(otherNumber, Breeds.ANY);
         }
@@ -97,7 +97,7 @@ package starlogo.search
             {
                 return breed;
             }
-            return !isNamed(Breeds.ANY) || Breeds.isReserved(breed) ? -1 : Breeds.ANY;
+            return !isNamed(Breeds.ANY) || Breeds.isOfWorld(breed) ? -1 : Breeds.ANY;
         }
 
         /** The number of listed agents whose breed is in no pair. */
@@ -136,7 +136,7 @@ package starlogo.search
                 return count;
             }
             // ANY_BREED does not stand for the ground or the edges
-            var mayBeAny:Boolean = isNamed(Breeds.ANY) && !Breeds.isReserved(own);
+            var mayBeAny:Boolean = isNamed(Breeds.ANY) && !Breeds.isOfWorld(own);
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {

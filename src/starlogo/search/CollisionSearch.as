@@ -5,7 +5,6 @@
 package starlogo.search
 {
     import starlogo.agents.Agent;
-    import starlogo.agents.Breeds;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
     import starlogo.convex.ContactPoint;
@@ -159,7 +158,7 @@ package starlogo.search
          */
         public function findContact(a:Agent, b:Agent, motion:RelativeMotion, out:ContactPoint):void
         {
-            if (Breeds.isReserved(a.breedNumber) && Breeds.isReserved(b.breedNumber))
+            if (a.isOfWorld && b.isOfWorld)
             {
                 throw new ArgumentError("the ground and the edges of the world have no contact with each other");
             }

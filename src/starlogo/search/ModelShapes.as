@@ -2,7 +2,6 @@ package starlogo.search
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
-    import starlogo.agents.Breeds;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
@@ -57,7 +56,7 @@ package starlogo.search
          */
         public function shapeOf(agent:Agent):ModelShape
         {
-            if (Breeds.isReserved(agent.breedNumber))
+            if (agent.isOfWorld)
             {
                 return shapeOfWorldAgent(WorldAgent(agent));
             }

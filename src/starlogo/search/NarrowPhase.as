@@ -142,9 +142,9 @@ package starlogo.search
          */
         public static function isSecondFirst(a:Body, b:Body):Boolean
         {
-            if (a.form >= ModelShape.GROUND || b.form >= ModelShape.GROUND)
+            if (a.isOfWorld || b.isOfWorld)
             {
-                return a.form >= ModelShape.GROUND;
+                return a.isOfWorld;
             }
             var isTree:Boolean = a.form == ModelShape.TREE;
             if (isTree != (b.form == ModelShape.TREE))

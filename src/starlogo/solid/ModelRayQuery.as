@@ -42,7 +42,7 @@ package starlogo.solid
          * @param depth how many of its levels are visited
          * @param exact whether the triangles decide, or the leaves if there are none; the depth has no meaning then
          * @param ray in the model's space
-         * @param out receives the place, the normal and the triangle
+         * @param out receives the distance, the normal and the triangle
          * @return whether there is a hit
          */
         public function find(model:ModelTree, depth:int, exact:Boolean, ray:Ray, out:RayEntry):Boolean
@@ -104,7 +104,7 @@ package starlogo.solid
                 return false;
             }
             out.triangle = model.tree.order[found];
-            out.place = _triangles.limit;
+            out.distance = _triangles.limit;
             setNormal(model.mesh, found, ray, out);
             return true;
         }

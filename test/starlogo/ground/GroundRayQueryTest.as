@@ -104,7 +104,7 @@ package starlogo.ground
                 var ray:Ray = new Ray();
                 var entry:RayEntry = new RayEntry();
                 ray.aim(new Vector3D(to.x - high * direction.x, to.y - high * direction.y, to.z - high * direction.z), direction);
-                missed += query.find(terrain.grid, ray, entry) && Math.abs(entry.place - high) < 1 ? 0 : 1;
+                missed += query.find(terrain.grid, ray, entry) && Math.abs(entry.distance - high) < 1 ? 0 : 1;
             }
             assertEquals(missed + " of " + count, 0, missed);
         }

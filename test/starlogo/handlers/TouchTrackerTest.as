@@ -58,7 +58,7 @@ package starlogo.handlers
                     }
                 }
                 assertNull("all pairs are others", _tracker.pairsToCompare(_found));
-                _tracker.begin(_found, _handlers);
+                _tracker.begin(_found, _tracker.pairsToCompare(_found), _handlers);
                 assertEquals(frame, _tracker.frame);
                 var left:Array = pairs.filter(function(each:String, ...rest):Boolean
                     {
@@ -170,7 +170,7 @@ package starlogo.handlers
                     }
                 }
                 assertEquals("pairs were kept", frame > 1, _tracker.pairsToCompare(_found) != null);
-                _tracker.begin(_found, _handlers);
+                _tracker.begin(_found, _tracker.pairsToCompare(_found), _handlers);
                 var ended:Array = begun.filter(function(each:String, ...rest):Boolean
                     {
                         return pairs.indexOf(each) < 0;
@@ -200,7 +200,7 @@ package starlogo.handlers
             assertTrue("some remained", begun.length > 5);
             _found.basis = _found.revision;
             _found.dropped.count = _found.added.count = 0;
-            _tracker.begin(_found, _handlers);
+            _tracker.begin(_found, _tracker.pairsToCompare(_found), _handlers);
             _tracker.end(_found, false);
             assertNull("the frame before was not complete", _tracker.pairsToCompare(_found));
         }
@@ -232,7 +232,7 @@ package starlogo.handlers
         private function next():Touch
         {
             _tracker.end(_found, false);
-            _tracker.begin(_found, _handlers);
+            _tracker.begin(_found, _tracker.pairsToCompare(_found), _handlers);
             return _tracker.touchAt(_found, 0);
         }
 

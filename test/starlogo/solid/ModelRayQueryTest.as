@@ -218,9 +218,9 @@ package starlogo.solid
                     continue;
                 }
                 met++;
-                var x:Number = ray.x + _entry.place * ray.directionX;
-                var y:Number = ray.y + _entry.place * ray.directionY;
-                var z:Number = ray.z + _entry.place * ray.directionZ;
+                var x:Number = ray.x + _entry.distance * ray.directionX;
+                var y:Number = ray.y + _entry.distance * ray.directionY;
+                var z:Number = ray.z + _entry.distance * ray.directionZ;
                 var gap:Number = PlainDistance.ofTriangles(new <Number>[x, y, z, x, y, z, x, y, z], 0, vertices, 0);
                 assertTrue(i + ": " + gap + " beside " + corners, gap < 1e-9);
             }
@@ -265,14 +265,14 @@ package starlogo.solid
             }
             if (node.isLeaf || depth == 1)
             {
-                return entry.place;
+                return entry.distance;
             }
-            return Math.min(nearestEnd(node.left, depth - 1, ray, entry.place), nearestEnd(node.right, depth - 1, ray, entry.place));
+            return Math.min(nearestEnd(node.left, depth - 1, ray, entry.distance), nearestEnd(node.right, depth - 1, ray, entry.distance));
         }
 
         private function distanceAt(hierarchy:ModelTree, depth:int, exact:Boolean, ray:Ray):Number
         {
-            return _rays.find(hierarchy, depth, exact, ray, _entry) ? _entry.place : Infinity;
+            return _rays.find(hierarchy, depth, exact, ray, _entry) ? _entry.distance : Infinity;
         }
 
         private function pointInside(hierarchy:ModelTree):Vector3D

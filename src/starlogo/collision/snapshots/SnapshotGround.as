@@ -36,12 +36,12 @@ package starlogo.collision.snapshots
         }
 
         /**
-         * Returns whether bytes are a ground, and goes to their end.
+         * Passes over the bytes of a ground. Returns whether they are one.
          *
          * @throws ArgumentError if they are a ground of other cells
          * @throws EOFError if they are cut off
          */
-        public static function areValid(bytes:ByteArray, grid:HeightGrid):Boolean
+        public static function passOver(bytes:ByteArray, grid:HeightGrid):Boolean
         {
             var columns:int = bytes.readInt();
             var rows:int = bytes.readInt();

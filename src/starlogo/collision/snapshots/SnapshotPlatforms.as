@@ -54,8 +54,8 @@ package starlogo.collision.snapshots
             bytes.position = bytes.length;
         }
 
-        /** Returns whether bytes are platforms of this number of agents, and goes to their end. @throws EOFError if they are cut off */
-        public static function areValid(bytes:ByteArray, agents:int):Boolean
+        /** Passes over the bytes of what this number of agents stand on. Returns whether they are that. @throws EOFError if they are cut off */
+        public static function passOver(bytes:ByteArray, agents:int):Boolean
         {
             var left:uint = bytes.readUnsignedInt();
             if (left > agents || left * SIZE > bytes.bytesAvailable)

@@ -94,6 +94,7 @@ package starlogo.collision.snapshots
 
         private static function hashOf(bytes:ByteArray):int
         {
+            var positionBefore:uint = bytes.position;
             var hash:int = 0;
             bytes.position = 0;
             while (bytes.bytesAvailable >= 4)
@@ -105,6 +106,7 @@ package starlogo.collision.snapshots
             {
                 hash = (hash << 5) - hash + bytes.readUnsignedByte();
             }
+            bytes.position = positionBefore;
             return hash;
         }
 

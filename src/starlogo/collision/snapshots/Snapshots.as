@@ -76,7 +76,7 @@ package starlogo.collision.snapshots
             var names:SnapshotNames = new SnapshotNames();
             var rest:ByteArray = newBytes();
             SnapshotPlaces.write(rest, agents, table, keepsMotions);
-            writePairs(rest, names, tracker, table, world);
+            writeTouches(rest, names, tracker, table, world);
             SnapshotPlatforms.write(rest, agents, table);
             if (hasHeights)
             {
@@ -180,29 +180,29 @@ package starlogo.collision.snapshots
             check(bytes.position == bytes.length);
         }
 
-        private function writePairs(bytes:ByteArray, names:SnapshotNames, tracker:TouchTracker, table:AgentTable, world:Vector.<WorldAgent>):void
+        private function writeTouches(bytes:ByteArray, names:SnapshotNames, tracker:TouchTracker, table:AgentTable, world:Vector.<WorldAgent>):void
         {
             var touches:Vector.<Touch> = tracker.inOrder();
             bytes.writeInt(touches.length);
             for (var i:int = 0; i < touches.length; i++)
             {
-                var pair:Touch = touches[i];
-                bytes.writeInt(table.list.ranks[table.list.rowOf(pair.first)]);
-                bytes.writeInt(Breeds.isReserved(pair.secondBreed) ? table.list.rows.count + enterWorldAgent(pair, world) : table.list.ranks[table.list.rowOf(pair.second)]);
-                bytes.writeInt(names.ofBreed(pair.firstBreed));
-                bytes.writeInt(names.ofBreed(pair.secondBreed));
-                bytes.writeBoolean(pair.isBothWays);
+                var touch:Touch = touches[i];
+                bytes.writeInt(table.list.ranks[table.list.rowOf(touch.first)]);
+                bytes.writeInt(Breeds.isOfWorld(touch.secondBreed) ? table.list.rows.count + enterWorldAgent(touch, world) : table.list.ranks[table.list.rowOf(touch.second)]);
+                bytes.writeInt(names.ofBreed(touch.firstBreed));
+                bytes.writeInt(names.ofBreed(touch.secondBreed));
+                bytes.writeBoolean(touch.isBothWays);
             }
         }
 
-        // Finds the index of the ground or the edges of a pair after those of the agents. If they were exchanged, it keeps their agent for restore().
+        // Finds the index of the ground or the edges of a touch after those of the agents. If they were exchanged, it keeps their agent for restore().
         // The reserved breeds have the first numbers, and the ground's breed is the first of them.
-        private function enterWorldAgent(pair:Touch, world:Vector.<WorldAgent>):int
+        private function enterWorldAgent(touch:Touch, world:Vector.<WorldAgent>):int
         {
-            var index:int = pair.secondBreed;
-            if (pair.second !== world[index])
+            var index:int = touch.secondBreed;
+            if (touch.second !== world[index])
             {
-                _former[index] = pair.second;
+                _former[index] = touch.second;
                 index += world.length;
             }
             return index;
@@ -221,9 +221,7 @@ package starlogo.collision.snapshots
             }
             var count:uint = bytes.readUnsignedInt();
             check(count <= bytes.bytesAvailable / BYTES_PER_AGENT);
-            var countedAt:uint = bytes.position;
             _register.check(bytes, count, agents);
-            bytes.position = countedAt;
             parts.names.read(bytes);
             parts.placesAt = bytes.position;
             for (var i:int = 0; i < count; i++)
@@ -233,9 +231,9 @@ package starlogo.collision.snapshots
             var ground:WorldAgent = world[ListedAgents.GROUND];
             var partners:Vector.<Agent> = agents.concat();
             partners.push(ground, world[ListedAgents.EDGES]);
-            readPairs(bytes, partners.concat(_former), count, parts);
+            readTouches(bytes, partners.concat(_former), count, parts);
             parts.platformsAt = bytes.position;
-            check(SnapshotPlatforms.areValid(bytes, count));
+            check(SnapshotPlatforms.passOver(bytes, count));
             var hasGround:Boolean = (contents & GROUND) != 0;
             if (hasGround != (ground != null))
             {
@@ -245,13 +243,13 @@ package starlogo.collision.snapshots
             if ((contents & HEIGHTS) != 0)
             {
                 parts.groundAt = bytes.position;
-                check(SnapshotGround.areValid(bytes, ground.grid));
+                check(SnapshotGround.passOver(bytes, ground.grid));
             }
             parts.traitsAt = bytes.position;
             check((contents & TRAITS) != 0 || parts.traitsAt == bytes.length);
         }
 
-        private static function readPairs(bytes:ByteArray, agents:Vector.<Agent>, count:int, parts:SnapshotParts):void
+        private static function readTouches(bytes:ByteArray, agents:Vector.<Agent>, count:int, parts:SnapshotParts):void
         {
             var pairs:uint = bytes.readUnsignedInt();
             for (var left:uint = pairs; left > 0; left--)

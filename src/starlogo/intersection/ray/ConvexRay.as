@@ -28,7 +28,7 @@ package starlogo.intersection.ray
          *
          * @param ray in the space of the structure
          * @param structure convex
-         * @param out receives the place and the normal
+         * @param out receives the distance and the normal
          * @return whether the ray meets the structure
          */
         public function enter(ray:Ray, structure:BoundingStructure, out:RayEntry):Boolean
@@ -42,11 +42,11 @@ package starlogo.intersection.ray
             if (near > ray.from && near < Infinity)
             {
                 _pair.findContact(_point, _shape, _motion, _contact);
-                out.place = near;
+                out.distance = near;
                 out.setNormal(ray, _contact.normalX, _contact.normalY, _contact.normalZ);
             }
             var far:Number = middle + boundingRadius - 2 * boundingRadius * timeFrom(ray, middle + boundingRadius, -2 * boundingRadius);
-            return near < Infinity && out.place <= far && out.place <= ray.to;
+            return near < Infinity && out.distance <= far && out.distance <= ray.to;
         }
 
         // When a point first meets the shape, if it moves by a length from a place on the ray.

@@ -7,7 +7,7 @@ package starlogo.intersection.ray
     /**
      * A part of a line, which is asked about. The tests of a ray do not change it, and write where it enters a shape to a RayEntry.
      *
-     * <p>A number stands for a place on the line: its distance along the direction from the point (x, y, z). The direction has length 1.
+     * <p>A place on the line is given by its distance along the direction from the point (x, y, z). The direction has length 1.
      * That point should be near the shapes that are asked about, because the rounding error grows with their distance from it. The part may
      * begin far from that point.</p>
      *

@@ -16,19 +16,19 @@ package starlogo.intersection.ray
         /** A side: the ray leaves the shape, or crosses a triangle from the other side. */
         public static const LEAVES:int = -1;
 
-        /** A side: the ray runs along a triangle, from its place to its end. */
+        /** A side: the ray runs along a triangle, from its distance to its end. */
         public static const EDGE_ON:int = 0;
 
         /** The number of crossings. */
         public var count:int = 0;
 
-        /** Where each crossing is on the ray. */
-        public var places:Vector.<Number> = new Vector.<Number>();
+        /** The distance of each crossing on the ray. */
+        public var distances:Vector.<Number> = new Vector.<Number>();
 
-        /** How far the place may be wrong because of rounding. */
+        /** How far the distance may be wrong because of rounding. */
         public var slacks:Vector.<Number> = new Vector.<Number>();
 
-        /** Where a triangle ends that the ray runs along. For others it is the place. */
+        /** The distance at which a triangle ends that the ray runs along. For others it is that of the crossing. */
         public var ends:Vector.<Number> = new Vector.<Number>();
 
         /** INSIDE, ENTERS, LEAVES or EDGE_ON. */
@@ -41,9 +41,9 @@ package starlogo.intersection.ray
         public var normals:Vector.<Number> = new Vector.<Number>();
 
         /** Adds a crossing without a normal. */
-        public function add(place:Number, slack:Number, end:Number, side:int, triangle:int):void
+        public function add(distance:Number, slack:Number, end:Number, side:int, triangle:int):void
         {
-            places[count] = place;
+            distances[count] = distance;
             slacks[count] = slack;
             ends[count] = end;
             sides[count] = side;
@@ -54,14 +54,14 @@ package starlogo.intersection.ray
         /** Adds a crossing where a ray enters a shape, or leaves it. No triangle decides about it. */
         public function addEntry(entry:RayEntry, slack:Number, side:int):void
         {
-            add(entry.place, slack, entry.place, side, -1);
+            add(entry.distance, slack, entry.distance, side, -1);
             setNormal(count - 1, entry);
         }
 
-        /** Reads where a crossing is, with the normal and the triangle there. */
+        /** Reads the distance of a crossing, with the normal and the triangle there. */
         public function readEntry(index:int, out:RayEntry):void
         {
-            out.place = places[index];
+            out.distance = distances[index];
             out.triangle = triangles[index];
             out.normalX = normals[3 * index];
             out.normalY = normals[3 * index + 1];

@@ -7,8 +7,8 @@ package starlogo.intersection.ray
      */
     public final class RayEntry
     {
-        /** The place, as the ray counts places. */
-        public var place:Number = 0;
+        /** The distance of the place, as the ray counts distances. */
+        public var distance:Number = 0;
 
         /** The unit normal of the surface there, against the ray. If the ray begins inside, it is the opposite of the ray's direction. */
         public var normalX:Number = 0;
@@ -21,7 +21,7 @@ package starlogo.intersection.ray
         /** Sets it to where a ray begins. */
         public function begin(ray:Ray):void
         {
-            place = ray.from;
+            distance = ray.from;
             normalX = -ray.directionX;
             normalY = -ray.directionY;
             normalZ = -ray.directionZ;

@@ -8,7 +8,7 @@ package starlogo.intersection.ray
      *
      * @param ray in the space of the structure
      * @param structure see rayStructure
-     * @param slack how far a place may be wrong because of rounding
+     * @param slack how far a distance may be wrong because of rounding
      * @param reversed is overwritten
      * @param entry is overwritten
      * @param convex see rayStructure
@@ -21,16 +21,16 @@ package starlogo.intersection.ray
         {
             return;
         }
-        var entered:Number = entry.place;
+        var entered:Number = entry.distance;
         out.addEntry(entry, entered > ray.from ? slack : 0, RayCrossings.ENTERS);
         // the same line in the other direction enters where the ray leaves
         reversed.setReversed(ray);
         rayStructure(reversed, structure, convex, entry);
-        var left:Number = -entry.place;
+        var left:Number = -entry.distance;
         if (left <= ray.to)
         {
             entry.setNormal(ray, entry.normalX, entry.normalY, entry.normalZ);
-            entry.place = left > entered ? left : entered;
+            entry.distance = left > entered ? left : entered;
             out.addEntry(entry, slack, RayCrossings.LEAVES);
         }
     }

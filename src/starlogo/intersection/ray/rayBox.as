@@ -10,7 +10,7 @@ package starlogo.intersection.ray
      *
      * @param ray in the space of the box
      * @param box half-extents may be 0
-     * @param out receives the place and the normal
+     * @param out receives the distance and the normal
      * @return whether the ray meets the box
      * @private
      */
@@ -47,9 +47,9 @@ package starlogo.intersection.ray
         out.begin(ray);
         if (near > ray.from)
         {
-            out.place = exact > near && exact <= far ? exact : near;
+            out.distance = exact > near && exact <= far ? exact : near;
             out.setNormal(ray, entered.x, entered.y, entered.z);
         }
-        return out.place <= far;
+        return out.distance <= far;
     }
 }

@@ -11,7 +11,7 @@ package starlogo.intersection.ray
      *
      * @param ray in the space of the capsule
      * @param capsule the radius and the length may be 0
-     * @param out receives the place and the normal
+     * @param out receives the distance and the normal
      * @return whether the ray meets the capsule
      * @private
      */
@@ -82,7 +82,7 @@ package starlogo.intersection.ray
         out.begin(ray);
         if (near > ray.from)
         {
-            out.place = near;
+            out.distance = near;
             // the normal points away from the nearest point of the axis
             x = ray.x - start.x + near * ray.directionX;
             y = ray.y - start.y + near * ray.directionY;
@@ -93,6 +93,6 @@ package starlogo.intersection.ray
                 out.setOutwards(x, y, z);
             }
         }
-        return out.place <= far && out.place <= ray.to;
+        return out.distance <= far && out.distance <= ray.to;
     }
 }

@@ -13,7 +13,7 @@ package starlogo.intersection.ray
      *
      * @param ray in the space of the hull
      * @param hull may be flat
-     * @param out receives the place and the normal
+     * @param out receives the distance and the normal
      * @return whether the ray meets the hull
      * @private
      */
@@ -56,9 +56,9 @@ package starlogo.intersection.ray
         out.begin(ray);
         if (near > ray.from)
         {
-            out.place = exact > near && exact <= far ? exact : near;
+            out.distance = exact > near && exact <= far ? exact : near;
             out.setNormal(ray, planes[entered], planes[int(entered + 1)], planes[int(entered + 2)]);
         }
-        return out.place <= far;
+        return out.distance <= far;
     }
 }

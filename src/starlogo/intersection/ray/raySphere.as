@@ -9,7 +9,7 @@ package starlogo.intersection.ray
      *
      * @param ray in the space of the sphere
      * @param sphere a radius of 0 makes it a point
-     * @param out receives the place and the normal
+     * @param out receives the distance and the normal
      * @return whether the ray meets the sphere
      * @private
      */
@@ -33,15 +33,15 @@ package starlogo.intersection.ray
         out.begin(ray);
         if (closest - half > ray.from)
         {
-            out.place = closest - half;
+            out.distance = closest - half;
             if (sphere.radius > 0)
             {
-                x = ray.x + out.place * ray.directionX - center.x;
-                y = ray.y + out.place * ray.directionY - center.y;
-                z = ray.z + out.place * ray.directionZ - center.z;
+                x = ray.x + out.distance * ray.directionX - center.x;
+                y = ray.y + out.distance * ray.directionY - center.y;
+                z = ray.z + out.distance * ray.directionZ - center.z;
                 out.setOutwards(x, y, z);
             }
         }
-        return out.place <= closest + half && out.place <= ray.to;
+        return out.distance <= closest + half && out.distance <= ray.to;
     }
 }

@@ -15,7 +15,7 @@ package starlogo.intersection.ray
      * @param ray in the space of the structure
      * @param structure a sphere, a capsule, a box, a hull, or another convex structure
      * @param convex tests convex structures without half-spaces, which are further structures of the engine; null if there are none
-     * @param out receives the place and the normal
+     * @param out receives the distance and the normal
      * @return whether the ray meets the structure
      * @throws ArgumentError for any other structure
      * @private

@@ -87,8 +87,8 @@ package starlogo.queries.motion
 
         /**
          * Finds when the whole body first touches the row that its core meets. The two may touch from the beginning, for example if one agent is
-         * the floor under the body and also the wall in its way. Then the result is the time of the core, made earlier by the width of the slop
-         * at the contact.
+         * the floor under the body and also the wall in its way. Then the result is the time of the core, made earlier by how far
+         * the core is behind the body's surface at the contact.
          *
          * @param impact what <code>findFirst()</code> has found on this motion. It receives the time
          */
@@ -98,10 +98,10 @@ package starlogo.queries.motion
             var whole:Body = _body.wholeAt(_end);
             var contact:ContactPoint = impact.contact;
             var left:Number = 1 - impact.time;
-            var skin:Number = _body.shrink * (contact.normalX * (whole.x - left * motion.x - contact.x)
+            var inset:Number = _body.shrink * (contact.normalX * (whole.x - left * motion.x - contact.x)
                     + contact.normalY * (whole.y - left * motion.y - contact.y)
                     + contact.normalZ * (whole.z - left * motion.z - contact.z));
-            var early:Number = Math.max(0, Math.min(1, impact.time + skin / impact.along));
+            var early:Number = Math.max(0, Math.min(1, impact.time + inset / impact.along));
             if (isNaN(impact.touchTime))
             {
                 _seen.narrowPhase.testsOf(whole, _seen.table.bodyOf(impact.row)).findImpact(whole, _seen.table.bodyOf(impact.row), _motion, null);

@@ -30,7 +30,7 @@ package starlogo.queries.rays
             {
                 // nodes that touch up to rounding overlap
                 var isEntry:Boolean = !areTriangles && crossings.sides[i] == RayCrossings.ENTERS;
-                left.add(i, isEntry ? crossings.places[i] - crossings.slacks[i] : crossings.places[i]);
+                left.add(i, isEntry ? crossings.distances[i] - crossings.slacks[i] : crossings.distances[i]);
             }
             left.sortFirst(left.count);
             // each crossing is read before a place at or before its own is written
@@ -57,10 +57,10 @@ package starlogo.queries.rays
                 switch (crossings.sides[index])
                 {
                     case RayCrossings.INSIDE:
-                        start = crossings.places[index];
+                        start = crossings.distances[index];
                         break;
                     case RayCrossings.ENTERS:
-                        isKept = depth == 0 && crossings.places[index] != start;
+                        isKept = depth == 0 && crossings.distances[index] != start;
                         depth++;
                         break;
                     default:
@@ -86,7 +86,7 @@ package starlogo.queries.rays
                 var side:int = crossings.sides[index];
                 if (side == RayCrossings.EDGE_ON)
                 {
-                    var runsOn:Boolean = crossings.places[index] <= runsUntil;
+                    var runsOn:Boolean = crossings.distances[index] <= runsUntil;
                     runsUntil = Math.max(runsUntil, crossings.ends[index]);
                     if (runsOn)
                     {
@@ -106,12 +106,12 @@ package starlogo.queries.rays
         // gives way to one that it crosses at the same place.
         private function joinKept(crossings:RayCrossings, index:int, side:int, mostSlack:Number):Boolean
         {
-            var place:Number = crossings.places[index];
+            var distance:Number = crossings.distances[index];
             var slack:Number = crossings.slacks[index];
             for (var k:int = left.count - 1; k >= 0; k--)
             {
                 var other:int = left.numbers[k];
-                var gap:Number = place - crossings.places[other];
+                var gap:Number = distance - crossings.distances[other];
                 if (gap > slack + mostSlack)
                 {
                     return false;
@@ -137,7 +137,7 @@ package starlogo.queries.rays
         private function replaceKept(crossings:RayCrossings, kept:int, index:int):void
         {
             var side:int = _sides[kept];
-            while (kept + 1 < left.count && crossings.places[left.numbers[kept + 1]] < crossings.places[index])
+            while (kept + 1 < left.count && crossings.distances[left.numbers[kept + 1]] < crossings.distances[index])
             {
                 left.numbers[kept] = left.numbers[kept + 1];
                 _sides[kept] = _sides[kept + 1];

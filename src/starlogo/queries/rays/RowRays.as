@@ -94,7 +94,7 @@ package starlogo.queries.rays
             for (var i:int = 0; i < _order.left.count; i++)
             {
                 crossings.readEntry(_order.left.numbers[i], _entry);
-                if (isGround ? _entry.place <= ray.to : bringBack(_entry, line, body.placement, ray))
+                if (isGround ? _entry.distance <= ray.to : bringBack(_entry, line, body.placement, ray))
                 {
                     out.addEntry(row, ray, _entry);
                     isMet = true;
@@ -147,8 +147,8 @@ package starlogo.queries.rays
             entry.normalX = placement.r00 * x + placement.r01 * y + placement.r02 * z;
             entry.normalY = placement.r10 * x + placement.r11 * y + placement.r12 * z;
             entry.normalZ = placement.r20 * x + placement.r21 * y + placement.r22 * z;
-            entry.place = entry.place > line.from ? Math.max(0, entry.place * placement.size + aheadOf(ray, placement)) : 0;
-            return entry.place <= ray.to;
+            entry.distance = entry.distance > line.from ? Math.max(0, entry.distance * placement.size + aheadOf(ray, placement)) : 0;
+            return entry.distance <= ray.to;
         }
 
         private function findHitOfShape(body:Body, line:Ray, out:RayEntry):Boolean

@@ -3,7 +3,6 @@ package starlogo.queries.trees
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.search.Body;
-    import starlogo.search.ModelShape;
     import starlogo.search.table.ListedAgents;
 
     use namespace engine;
@@ -79,7 +78,7 @@ package starlogo.queries.trees
         public function beginAround(extents:RowTree, body:Body):void
         {
             begin(extents, body.x, body.y, body.z, body.halfX, body.halfY, body.halfZ);
-            if (body.form >= ModelShape.GROUND)
+            if (body.isOfWorld)
             {
                 widen(4 * Agent.LARGEST_COORDINATE);
             }

@@ -9,7 +9,6 @@ package starlogo.search.pairs
     import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.OverlapMiddle;
     import starlogo.search.table.AgentTable;
-    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
@@ -41,12 +40,11 @@ package starlogo.search.pairs
         public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
         {
             var body:Body = table.bodyOf(row);
-            var isNearAll:Boolean = row < ListedAgents.FIRST_LISTED;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                if ((isNearAll || NarrowPhase.areNear(table.extents, slack, row, other)) && areTouching(table.bodyOf(other), body))
+                if ((body.isOfWorld || NarrowPhase.areNear(table.extents, slack, row, other)) && areTouching(table.bodyOf(other), body))
                 {
                     others[kept] = other;
                     kept++;

@@ -1,7 +1,6 @@
 package starlogo.search.table
 {
     import starlogo.agents.Agent;
-    import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.geometry.HashTable;
     import starlogo.search.NumberList;
@@ -82,7 +81,7 @@ package starlogo.search.table
         /** The row of an agent; -1 if it is not listed. The ground and the edges of the world have their rows from the last search on. */
         public function rowOf(agent:Agent):int
         {
-            if (Breeds.isReserved(agent.breedNumber))
+            if (agent.isOfWorld)
             {
                 return agents[GROUND] === agent ? GROUND : agents[EDGES] === agent ? EDGES : -1;
             }
@@ -96,7 +95,7 @@ package starlogo.search.table
          */
         public function rankOf(agent:Agent):int
         {
-            if (Breeds.isReserved(agent.breedNumber))
+            if (agent.isOfWorld)
             {
                 return int.MAX_VALUE;
             }
@@ -203,7 +202,7 @@ package starlogo.search.table
             {
                 throw new ArgumentError("agents[" + index + "] " + (agent == null ? "is null" : "must be an Agent, not " + textOf(agent, "an Agent")));
             }
-            if (Breeds.isReserved(agent.breedNumber))
+            if (agent.isOfWorld)
             {
                 throw new ArgumentError("agents[" + index + "] must be an agent of the game, not " + agent
                         + ", which stands for the ground or the edges of the world");

@@ -21,10 +21,10 @@ package starlogo.collision.snapshots
         [Test]
         public function takesWhatAgentsCanHave():void
         {
-            assertTrue(SnapshotPlatforms.areValid(standing(), AGENTS));
+            assertTrue(SnapshotPlatforms.passOver(standing(), AGENTS));
             for each (var size:Number in [Agent.SMALLEST_SIZE, 1, Agent.LARGEST_SIZE])
             {
-                assertTrue("size " + size, SnapshotPlatforms.areValid(standing(SIZE, size), AGENTS));
+                assertTrue("size " + size, SnapshotPlatforms.passOver(standing(SIZE, size), AGENTS));
             }
         }
 
@@ -38,7 +38,7 @@ package starlogo.collision.snapshots
             {
                 for each (var value:Number in each[1])
                 {
-                    assertFalse("at " + each[0] + ": " + value, SnapshotPlatforms.areValid(standing(each[0], value), AGENTS));
+                    assertFalse("at " + each[0] + ": " + value, SnapshotPlatforms.passOver(standing(each[0], value), AGENTS));
                 }
             }
         }
@@ -52,7 +52,7 @@ package starlogo.collision.snapshots
                 bytes.position = each[0];
                 bytes.writeInt(each[1]);
                 bytes.position = 0;
-                assertFalse("at " + each[0] + ": " + each[1], SnapshotPlatforms.areValid(bytes, AGENTS));
+                assertFalse("at " + each[0] + ": " + each[1], SnapshotPlatforms.passOver(bytes, AGENTS));
             }
         }
 

@@ -52,7 +52,7 @@ package starlogo.intersection.ray
                     counts[isMet ? 1 : 0]++;
                     if (isMet)
                     {
-                        assertTrue(message + ": " + expected + ", not " + entry.place, Math.abs(expected - entry.place) < 1e-7);
+                        assertTrue(message + ": " + expected + ", not " + entry.distance, Math.abs(expected - entry.distance) < 1e-7);
                         assertNormal(message, entry, structure, origin, direction);
                     }
                 }
@@ -223,12 +223,12 @@ package starlogo.intersection.ray
             var normal:Vector3D = new Vector3D(entry.normalX, entry.normalY, entry.normalZ);
             assertTrue(message + ": length of " + normal, Math.abs(normal.length - 1) < 1e-9);
             assertTrue(message + ": against the ray", normal.dotProduct(direction) < 1e-6);
-            if (entry.place > 0)
+            if (entry.distance > 0)
             {
                 // a step out along it leads as far away
                 normal.scaleBy(1e-3);
                 var at:Vector3D = direction.clone();
-                at.scaleBy(entry.place);
+                at.scaleBy(entry.distance);
                 var gap:Number = RayReference.distance(structure, origin.add(at).add(normal));
                 assertTrue(message + ": out of it, " + gap, Math.abs(gap - 1e-3) < 1e-6);
             }
@@ -237,7 +237,7 @@ package starlogo.intersection.ray
         private static function distanceTo(structure:BoundingStructure, origin:Vector3D, direction:Vector3D):Number
         {
             var entry:RayEntry = new RayEntry();
-            return rayStructure(rayOf(origin, direction), structure, new ConvexRay(), entry) ? entry.place : Infinity;
+            return rayStructure(rayOf(origin, direction), structure, new ConvexRay(), entry) ? entry.distance : Infinity;
         }
 
         private static function rayOf(origin:Vector3D, direction:Vector3D):Ray

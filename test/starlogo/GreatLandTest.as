@@ -153,7 +153,7 @@ package starlogo
 
         private function isPrepared(name:String):Boolean
         {
-            return _greatLand.hierarchies.treeOf(name).isPrepared;
+            return _greatLand.hierarchies.treeOf(name).hasInterior;
         }
     }
 }

@@ -72,24 +72,23 @@ package starlogo.convex
                 var vx:Number = p[k] - p[i];
                 var vy:Number = p[int(k + 1)] - p[int(i + 1)];
                 var vz:Number = p[int(k + 2)] - p[int(i + 2)];
-                // a face without area has no normal
-                if (setAcross(ux, uy, uz, vx, vy, vz))
-                {
-                    tryDirection(cores, out);
-                }
+                setAcross(ux, uy, uz, vx, vy, vz);
+                tryDirection(cores, out);
             }
         }
 
-        // Sets the direction to try to the one across two vectors. Returns whether they are not parallel.
-        private function setAcross(ux:Number, uy:Number, uz:Number, vx:Number, vy:Number, vz:Number):Boolean
+        // Sets the direction to try to the one across two vectors, or to 0 if they are parallel. Then a face has no area, and two edges have no
+        // common perpendicular.
+        private function setAcross(ux:Number, uy:Number, uz:Number, vx:Number, vy:Number, vz:Number):void
         {
             var x:Number = uy * vz - uz * vy;
             var y:Number = uz * vx - ux * vz;
             var z:Number = ux * vy - uy * vx;
-            _along.x = x;
-            _along.y = y;
-            _along.z = z;
-            return x * x + y * y + z * z > Tolerances.DIRECTION * Tolerances.DIRECTION * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz);
+            var least:Number = Tolerances.DIRECTION * Tolerances.DIRECTION * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz);
+            var isParallel:Boolean = !(x * x + y * y + z * z > least);
+            _along.x = isParallel ? 0 : x;
+            _along.y = isParallel ? 0 : y;
+            _along.z = isParallel ? 0 : z;
         }
 
         // The perpendicular of two edges of boxes or segments always points out of both, at one of the parallel edges.
@@ -110,10 +109,8 @@ package starlogo.convex
                 {
                     from = edgesB[k];
                     to = edgesB[int(k + 1)];
-                    if (setAcross(ux, uy, uz, q[to] - q[from], q[int(to + 1)] - q[int(from + 1)], q[int(to + 2)] - q[int(from + 2)]))
-                    {
-                        tryDirection(cores, out);
-                    }
+                    setAcross(ux, uy, uz, q[to] - q[from], q[int(to + 1)] - q[int(from + 1)], q[int(to + 2)] - q[int(from + 2)]);
+                    tryDirection(cores, out);
                 }
             }
         }
@@ -169,10 +166,7 @@ package starlogo.convex
             var vx:Number = v[k];
             var vy:Number = v[int(k + 1)];
             var vz:Number = v[int(k + 2)];
-            if (!setAcross(ux, uy, uz, vx, vy, vz))
-            {
-                return;
-            }
+            setAcross(ux, uy, uz, vx, vy, vz);
             // The cores overlap along it by at least as much as the two edges do. On which side is known unless both cores end at their edges.
             var side:Number = vx * (u[3] + u[6]) + vy * (u[4] + u[7]) + vz * (u[5] + u[8])
                 + ux * (v[int(k + 3)] + v[int(k + 6)]) + uy * (v[int(k + 4)] + v[int(k + 7)]) + uz * (v[int(k + 5)] + v[int(k + 8)]);
@@ -300,15 +294,20 @@ package starlogo.convex
             along.z /= length;
         }
 
-        // Tries a displacement along the direction, and the one against it. The direction gets a length of 1 unless both are too long.
+        // Tries a displacement along the direction, and the one against it. The direction gets a length of 1 unless both are too long. If it is 0,
+        // there is nothing to try.
         private function tryDirection(cores:CorePair, out:ContactPoint):void
         {
             var along:Vector3D = _along;
+            var squared:Number = along.x * along.x + along.y * along.y + along.z * along.z;
+            if (!(squared > 0))
+            {
+                return;
+            }
             measure(cores, _differences);
             // how long the two displacements are, times the direction's length
             var forth:Number = -_differences.least;
             var back:Number = _differences.greatest;
-            var squared:Number = along.x * along.x + along.y * along.y + along.z * along.z;
             var least:Number = back < forth ? back : forth;
             if (least > 0 && least * least >= out.depth * out.depth * squared)
             {

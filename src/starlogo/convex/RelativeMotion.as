@@ -46,6 +46,12 @@ package starlogo.convex
             this.time = time;
         }
 
+        /** Whether the shape does not move. */
+        public function get isStill():Boolean
+        {
+            return x == 0 && y == 0 && z == 0;
+        }
+
         /** Sets a motion that ends at the shape's stored place, at time 1. */
         public function endAfter(x:Number, y:Number, z:Number):void
         {

@@ -125,7 +125,7 @@ package starlogo.ground
                 while (_pieces.nextTriangle())
                 {
                     var isFootInside:Boolean = _pieces.pair.findBehind(RelativeMotion.NONE, _tried);
-                    if (isFootInside && isClearlyDeeper(deepest) && isNeeded(_tried) && isDeeperThan(deepest, out))
+                    if (isFootInside && !isNoDeeper(deepest) && isNeeded(_tried) && isDeepest(deepest, out))
                     {
                         deepest = _pieces.box.above = _tried.depth;
                         keep(out);
@@ -145,7 +145,7 @@ package starlogo.ground
                 {
                     // no overlap is deeper than the piece is behind the plane
                     _pieces.pair.findBehind(RelativeMotion.NONE, _tried);
-                    if (isClearlyDeeper(deepest) && findOverlap() && isDeeperThan(deepest, out))
+                    if (!isNoDeeper(deepest) && findOverlap() && isDeepest(deepest, out))
                     {
                         deepest = _tried.depth;
                         _pieces.pair.leadOutside(RelativeMotion.NONE, _tried);
@@ -155,14 +155,14 @@ package starlogo.ground
             }
         }
 
-        // Whether the last contact is deeper than the deepest one so far by more than rounding. NaN counts as deeper.
-        private function isClearlyDeeper(deepest:Number):Boolean
+        // Whether the last contact is not deeper than the deepest one so far by more than rounding. NaN might be deeper.
+        private function isNoDeeper(deepest:Number):Boolean
         {
-            return !(deepest > 0 && _tried.depth < deepest + _pieces.triangle.margin);
+            return deepest > 0 && _tried.depth < deepest + _pieces.triangle.margin;
         }
 
-        // Whether the last contact is deeper than the deepest one so far, or the first one.
-        private function isDeeperThan(deepest:Number, out:ContactPoint):Boolean
+        // Whether the last contact is the deepest one so far, or the first one.
+        private function isDeepest(deepest:Number, out:ContactPoint):Boolean
         {
             return _tried.depth > deepest || _tried.depth == deepest && !out.ground.hasTriangle;
         }

@@ -86,7 +86,7 @@ package starlogo.ground
          */
         public function findFirst(motion:RelativeMotion, out:ContactPoint):void
         {
-            var touching:Number = 0;
+            var time:Number = 0;
             if (!overlapsAt(motion, 0))
             {
                 findImpact(motion, out);
@@ -95,10 +95,10 @@ package starlogo.ground
                     return;
                 }
                 // rounding can miss a touch at the end of the motion
-                touching = overlapsAt(motion, 1) ? 1 : RelativeMotion.NEVER;
+                time = overlapsAt(motion, 1) ? 1 : RelativeMotion.NEVER;
             }
-            motion.time = touching;
-            if (out != null && touching != RelativeMotion.NEVER)
+            motion.time = time;
+            if (out != null && time != RelativeMotion.NEVER)
             {
                 findContact(motion, out);
             }
@@ -152,7 +152,7 @@ package starlogo.ground
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
             var time:Number = motion.time;
-            if (motion.x != 0 || motion.y != 0 || motion.z != 0)
+            if (!motion.isStill)
             {
                 findImpact(motion, out);
                 var isSame:Boolean = motion.time <= time + Tolerances.SAME_TIME;

@@ -15,8 +15,8 @@ package starlogo.hierarchy
      * Finds the distance of two trees. The distance of two boxes' extents, along the axes of one box or the other, is a lower bound of the
      * boxes' distance and takes few products. Only pairs that decide are measured exactly.
      *
-     * <p>The results are nested, to the last bit: a result is never greater than the result for greater depths, or for the leaves'
-     * contents. Nodes are a little larger than the nodes below them (Tolerances.NESTING). That outweighs the rounding of short distances.
+     * <p>The results are nested, to the last bit: a result is never greater than the result for greater depths, or for the nodes'
+     * triangles. Nodes are a little larger than the nodes below them (Tolerances.NESTING). That outweighs the rounding of short distances.
      * To outweigh the rounding of long distances, a measured distance is reduced a little. The deeper the nodes are, the less it is
      * reduced.</p>
      *
@@ -24,7 +24,7 @@ package starlogo.hierarchy
      */
     public final class BoxDistanceTraversal extends NodePairTraversal
     {
-        /** The closest points of the nearest pair, and their distance, in the first model's space. A test of leaves writes them too. */
+        /** The closest points of the nearest pair, and their distance, in the first model's space. A test of triangles writes them too. */
         public var points:ClosestPoints = new ClosestPoints();
 
         // An estimate is smaller than the distances below it by this fraction, which is more than the errors of rounding and nesting.
@@ -184,9 +184,9 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafPairTest, out:NodePairBounds):void
+        override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairTest, out:NodePairBounds):void
         {
-            if (leaves == null ? isNearer(treeA, a, treeB, b, out) : leaves.testLeaves(treeA, a, treeB, b, out))
+            if (decider == null ? isNearer(treeA, a, treeB, b, out) : decider.testNodes(treeA, a, treeB, b, out))
             {
                 _directionX = points.bX - points.aX;
                 _directionY = points.bY - points.aY;

@@ -4,8 +4,8 @@ package starlogo.hierarchy
     import starlogo.intersection.ray.Ray;
 
     /**
-     * Finds the leaves of a tree that an axis-aligned box may meet while it moves, or that are near it: the loop over a shape and a tree. The
-     * nearer of two children comes first. A ray is a box without extents. A box that stands has no motion.
+     * Visits a tree, and tests the nodes that decide (see BoxTree): those that an axis-aligned box may meet while it moves, or those that are near
+     * it. The nearer of two children comes first. A ray is a box without extents. A box that stands has no motion.
      *
      * <p>A time is a multiple of the motion. The box meets a node between two times on each axis (Kay and Kajiya, "Ray tracing
      * complex scenes", SIGGRAPH 1986).</p>
@@ -114,13 +114,13 @@ package starlogo.hierarchy
         }
 
         /**
-         * Tests the leaves that the box may meet during its motion.
+         * Tests the nodes that the box may meet during its motion.
          *
          * @param tree the tree
-         * @param depth how many of its levels are visited. Nodes at the last one count as leaves
+         * @param depth how many of its levels are visited
          * @param test its <code>limit</code> must be the latest time; 0 if the box stands
          */
-        public function find(tree:BoxTree, depth:int, test:LeafTest):void
+        public function find(tree:BoxTree, depth:int, test:NodeTest):void
         {
             var slack:Number = SLACK * tree.radius;
             var fromX:Number = x;
@@ -154,7 +154,7 @@ package starlogo.hierarchy
                 visits++;
                 if (stop[node] >= depth)
                 {
-                    test.testLeaf(tree, node);
+                    test.testNode(tree, node);
                     latest = test.limit < latest ? test.limit : latest;
                 }
                 else
@@ -226,13 +226,13 @@ package starlogo.hierarchy
         }
 
         /**
-         * Tests the leaves that are near the standing box.
+         * Tests the nodes that are near the standing box.
          *
          * @param tree the tree
-         * @param depth how many of its levels are visited. Nodes at the last one count as leaves
-         * @param test its <code>limit</code> must be the distance up to which leaves count
+         * @param depth how many of its levels are visited
+         * @param test its <code>limit</code> must be the distance up to which nodes count
          */
-        public function findNear(tree:BoxTree, depth:int, test:LeafTest):void
+        public function findNear(tree:BoxTree, depth:int, test:NodeTest):void
         {
             var nodes:Vector.<int> = _nodes;
             var distances:Vector.<Number> = _enters;
@@ -251,7 +251,7 @@ package starlogo.hierarchy
                 _counts.nodeVisits++;
                 if (tree.stop[node] >= depth)
                 {
-                    test.testLeaf(tree, node);
+                    test.testNode(tree, node);
                     continue;
                 }
                 node = tree.left[node];

@@ -36,7 +36,7 @@ package starlogo.hierarchy
         }
 
         /**
-         * Whether two nodes that decide overlap.
+         * Whether two nodes that decide overlap: see BoxTree.
          *
          * <p>The steps for a pair are: the faces of a, each with the vector from the middle of a's box to the middle of b's box along it (x, y, z);
          * the distance of b's middle from a, compared with the spheres around b and inside of it; the faces of b; and if the boxes decide, the
@@ -45,7 +45,7 @@ package starlogo.hierarchy
          * <p>The entries of b's rotation (m00 ...) and their absolute values (abs00 ...) contain b's scale. b's half-extents (bX ...) do not, except
          * for the edges. The absolute values are larger by a rounding error, because cross products of nearly parallel edges cancel.</p>
          *
-         * <p>The method is long because a pair takes less time than a few calls: all values are locals, and only the test of leaves and the axis
+         * <p>The method is long because a pair takes less time than a few calls: all values are locals, and only the test of two nodes and the axis
          * of a node are calls.</p>
          *
          * @param pose the pose of the second tree's nodes in the first model's space
@@ -53,9 +53,9 @@ package starlogo.hierarchy
          * @param depthA how many of its levels are visited
          * @param treeB the second tree
          * @param depthB how many of its levels are visited
-         * @param leaves decides about such nodes; null if their boxes decide
+         * @param decider decides about such nodes; null if their boxes decide
          */
-        public function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, leaves:LeafPairTest):Boolean
+        public function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairTest):Boolean
         {
             var relative:Placement = pose.placement;
             var scale:Number = relative.size;
@@ -82,7 +82,7 @@ package starlogo.hierarchy
             var abs21:Number = m21 < 0 ? widened - m21 : widened + m21;
             var abs22:Number = m22 < 0 ? widened - m22 : widened + m22;
             var scaleSquared:Number = scale * scale;
-            var touching:Number = pose.tolerance;
+            var tolerance:Number = pose.tolerance;
             var boxesA:Vector.<Number> = treeA.boxes;
             var boxesB:Vector.<Number> = treeB.boxes;
             var stopA:Vector.<int> = treeA.stop;
@@ -113,17 +113,17 @@ package starlogo.hierarchy
                 var squaredRadius:Number = 0;
 
                 var z:Number = m20 * middleX + m21 * middleY + m22 * middleZ + moveZ - boxesA[int(atA + 2)];
-                var halfZ:Number = boxesA[int(atA + 5)] + touching;
+                var halfZ:Number = boxesA[int(atA + 5)] + tolerance;
                 var radius:Number = halfZ + abs20 * bX + abs21 * bY + abs22 * bZ;
                 if (z <= radius && z >= -radius)
                 {
                     x = m00 * middleX + m01 * middleY + m02 * middleZ + moveX - boxesA[atA];
-                    halfX = boxesA[int(atA + 3)] + touching;
+                    halfX = boxesA[int(atA + 3)] + tolerance;
                     radius = halfX + abs00 * bX + abs01 * bY + abs02 * bZ;
                     if (x <= radius && x >= -radius)
                     {
                         y = m10 * middleX + m11 * middleY + m12 * middleZ + moveY - boxesA[int(atA + 1)];
-                        halfY = boxesA[int(atA + 4)] + touching;
+                        halfY = boxesA[int(atA + 4)] + tolerance;
                         radius = halfY + abs10 * bX + abs11 * bY + abs12 * bZ;
                         if (y <= radius && y >= -radius)
                         {
@@ -146,7 +146,7 @@ package starlogo.hierarchy
                                         along = m02 * x + m12 * y + m22 * z;
                                         radius = scaleSquared * bZ + abs02 * halfX + abs12 * halfY + abs22 * halfZ;
                                         overlap = along <= radius && along >= -radius;
-                                        if (overlap && leaves == null && stopA[a] >= depthA && stopB[b] >= depthB)
+                                        if (overlap && decider == null && stopA[a] >= depthA && stopB[b] >= depthB)
                                         {
                                             bX *= scale;
                                             bY *= scale;
@@ -165,7 +165,7 @@ package starlogo.hierarchy
                     var bEnds:Boolean = stopB[b] >= depthB;
                     if (aEnds && bEnds)
                     {
-                        if (leaves == null || leaves.testLeaves(treeA, a, treeB, b, null))
+                        if (decider == null || decider.testNodes(treeA, a, treeB, b, null))
                         {
                             _counts.nodeVisits += visits;
                             return true;

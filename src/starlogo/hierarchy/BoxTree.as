@@ -20,23 +20,23 @@ package starlogo.hierarchy
      * <p>A node is an index into the columns. The root is 0. The two children of a node stand side by side, after their parent. Once the
      * tree is made, only <code>refit()</code> changes it: it gives all nodes new boxes. Clients see a node as a HierarchyNode.</p>
      *
-     * <p>A tree of triangles goes on below the thesis's leaves, down to a few triangles, for exact tests. Only a visit without a depth limit
-     * reaches these nodes.</p>
+     * <p>A leaf is a leaf of the thesis's tree. A tree of triangles goes on below its leaves, down to nodes with a few triangles, for exact tests.
+     * A visit ends at nodes without children, or at those that its depth limit says. These nodes decide, by their boxes or by their items.</p>
      *
      * @private
      */
     public final class BoxTree
     {
-        /** In place of a depth limit: a visit goes on below the thesis's leaves, to nodes without children. */
+        /** In place of a depth limit: a visit goes on below the leaves, to nodes without children. */
         public static const NO_LIMIT:int = int.MAX_VALUE;
 
-        /** The largest depth limit. A visit with it ends at the thesis's leaves. */
+        /** The largest depth limit. A visit with it ends at the leaves. */
         public static const LARGEST_DEPTH:int = int.MAX_VALUE - 1;
 
         private static const NODES_PER_STEP:int = 300;
 
-        // A node with more triangles is divided.
-        private static const LEAF_SIZE:int = 8;
+        // The most triangles of a node without children.
+        private static const MOST_TRIANGLES:int = 8;
 
         // The extents of all nodes while a tree is refitted.
         private static var sExtents:Vector.<Number> = new Vector.<Number>();
@@ -63,8 +63,8 @@ package starlogo.hierarchy
         public var end:Vector.<int> = new Vector.<int>();
 
         /**
-         * For each node, the largest depth limit for which a visit does not go below it: the node's level; LARGEST_DEPTH for a leaf of the
-         * thesis; NO_LIMIT without children.
+         * For each node, the largest depth limit for which a visit ends at it: the node's level; LARGEST_DEPTH for a leaf or a node
+         * below one, if it has children; NO_LIMIT without children.
          */
         public var stop:Vector.<int> = new Vector.<int>();
 
@@ -146,11 +146,11 @@ package starlogo.hierarchy
         /** Whether a node without children has so many triangles that it must be divided. */
         public function isLarge(node:int):Boolean
         {
-            return hasTriangles && end[node] - first[node] > LEAF_SIZE;
+            return hasTriangles && end[node] - first[node] > MOST_TRIANGLES;
         }
 
         /**
-         * Whether a node below the thesis's leaves is divided in the middle of its items, wherever they are. So these levels are few, even if a
+         * Whether a node below the leaves is divided in the middle of its items, wherever they are. So these levels are few, even if a
          * division by place takes one item at a time.
          */
         public function isHalved(node:int):Boolean
@@ -323,7 +323,7 @@ package starlogo.hierarchy
          *
          * @param axis the axis along which it is split
          * @param middle the index in the order of the right child's first item
-         * @param isBelow whether the node is a leaf of the thesis's tree, or below one
+         * @param isBelow whether the node is a leaf, or below one
          * @return the left child
          */
         engine function divide(node:int, axis:int, middle:int, isBelow:Boolean):int

@@ -8,11 +8,11 @@ package starlogo.hierarchy
     /**
      * Makes a tree of boxes from the root down (thesis §4.4): divides a node's items between two new nodes, and their items in turn.
      *
-     * <p>In a tree of triangles it goes on below the thesis's leaves, down to a few triangles each, for exact tests and rays.</p>
+     * <p>In a tree of triangles it goes on below the leaves (see BoxTree), down to a few triangles each, for exact tests and rays.</p>
      *
      * <p>An item goes to the side of the split on which the centre of its extents is. The thesis splits halfway along the box's longest
      * axis, or at the mean. If that leaves all triangles on one side, the split is halfway along the axis on which their centres are spread
-     * most. A node is a leaf if all its items have the same centre. Below the thesis's leaves such a node is divided by the number of its
+     * most. A node is a leaf if all its items have the same centre. Below the leaves such a node is divided by the number of its
      * items. So is every node there from level Tolerances.NESTED_LEVELS on. Models of many parallel needles would make trees as deep as the
      * number of their triangles otherwise.</p>
      *
@@ -43,7 +43,7 @@ package starlogo.hierarchy
         private var _splitByMean:Boolean;
         private var _items:TreeItems;
 
-        // The nodes still to visit, the next one last, and for each, whether it is a leaf of the thesis or below one.
+        // The nodes still to visit, the next one last, and for each, whether it is a leaf or below one.
         private var _waiting:Vector.<int> = new Vector.<int>();
         private var _areBelow:Vector.<Boolean> = new Vector.<Boolean>();
 
@@ -53,9 +53,9 @@ package starlogo.hierarchy
 
         /**
          * @param tree without nodes; receives them, and the order of its items
-         * @param minVerticesToSplit a node with at most this many vertices is a leaf of the thesis
-         * @param maxDepth a node on this level is a leaf of the thesis
-         * @param splitByMean whether to split at the mean, down to the thesis's leaves
+         * @param minVerticesToSplit a node with at most this many vertices is a leaf
+         * @param maxDepth a node on this level is a leaf
+         * @param splitByMean whether to split at the mean, down to the leaves
          */
         public function BoxTreeBuilder(tree:BoxTree, minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean)
         {

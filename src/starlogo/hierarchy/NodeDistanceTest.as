@@ -10,7 +10,7 @@ package starlogo.hierarchy
     use namespace engine;
 
     /** Finds the distance of a structure from the boxes of a tree. The results are nested, as those of BoxDistanceTraversal. @private */
-    public final class NodeDistanceTest extends LeafTest
+    public final class NodeDistanceTest extends NodeTest
     {
         // Finds the nodes near the structure.
         private var _boxes:BoxSearch;
@@ -48,7 +48,7 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override public function testLeaf(tree:BoxTree, node:int):void
+        override public function testNode(tree:BoxTree, node:int):void
         {
             PairTable.findClosest(tree.writeBox(node, _box), _structure, _measured);
             BoxDistanceTraversal.reduce(_measured, tree.levelOf(node), 0, _radii);

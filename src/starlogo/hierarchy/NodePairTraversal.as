@@ -8,7 +8,7 @@ package starlogo.hierarchy
     /**
      * Finds the best pair of nodes of two trees, by branch and bound, depth-first (thesis §4.6; Larsen, Gottschalk, Lin and Manocha, "Fast
      * proximity queries with swept sphere volumes", 1999). A node's box encloses its children's boxes. So a pair is skipped if nothing
-     * below it can be better than the best pair so far. The nodes that decide are leaves or at their depth limit.
+     * below it can be better than the best pair so far. Which nodes decide, says the BoxTree.
      *
      * <p>Which pair is best depends on the question, and each question has a subclass: when two moving trees first touch, how far two trees
      * are apart. Whether two standing trees overlap needs no bounds: see BoxTraversal.</p>
@@ -44,10 +44,10 @@ package starlogo.hierarchy
          * @param depthA how many of its levels are visited
          * @param treeB the second tree
          * @param depthB how many of its levels are visited
-         * @param leaves decides about such nodes; null if their boxes decide
+         * @param decider decides about such nodes; null if their boxes decide
          * @return whether there is such a pair
          */
-        public function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, leaves:LeafPairTest):Boolean
+        public function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairTest):Boolean
         {
             var leftA:Vector.<int> = treeA.left;
             var leftB:Vector.<int> = treeB.left;
@@ -106,7 +106,7 @@ package starlogo.hierarchy
                         }
                         continue;
                     }
-                    settle(treeA, a, treeB, b, leaves, out);
+                    settle(treeA, a, treeB, b, decider, out);
                     if (out.current < out.least)
                     {
                         out.least = out.current;
@@ -155,7 +155,7 @@ package starlogo.hierarchy
          * Sets <code>out.current</code> to the time or distance of a pair that decides. If it is not less than <code>out.least</code>, it
          * need not be exact.
          */
-        protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafPairTest, out:NodePairBounds):void
+        protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairTest, out:NodePairBounds):void
         {
             throw new IllegalOperationError(this + " does not implement settle");
         }

@@ -18,7 +18,7 @@ package starlogo.hierarchy
      *
      * @private
      */
-    public final class NodeRayTest extends LeafTest
+    public final class NodeRayTest extends NodeTest
     {
         private var _ray:Ray = new Ray();
         private var _reversed:Ray = new Ray();
@@ -73,7 +73,7 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override public function testLeaf(tree:BoxTree, node:int):void
+        override public function testNode(tree:BoxTree, node:int):void
         {
             tree.writeBox(node, _box);
             if (_all != null)

@@ -14,7 +14,7 @@ package starlogo.hierarchy
      *
      * @private
      */
-    public final class NodeStructureTest extends LeafTest
+    public final class NodeStructureTest extends NodeTest
     {
         /** The node that the structure touches first; -1 if it touches none. */
         public var firstNode:int = -1;
@@ -72,18 +72,18 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override public function testLeaf(tree:BoxTree, node:int):void
+        override public function testNode(tree:BoxTree, node:int):void
         {
             tree.writeBox(node, _box);
             var time:Number = 0;
-            if (_motion !== RelativeMotion.NONE)
+            if (_motion.isStill)
             {
-                PairTable.findTime(_structure, _box, _motion);
-                time = _motion.time;
+                time = PairTable.areTouching(_box, _structure) ? 0 : RelativeMotion.NEVER;
             }
             else
             {
-                time = PairTable.areTouching(_box, _structure) ? 0 : RelativeMotion.NEVER;
+                PairTable.findTime(_structure, _box, _motion);
+                time = _motion.time;
             }
             if (time < limit || time == limit && firstNode < 0)
             {

@@ -38,10 +38,10 @@ package starlogo.hierarchy
          *
          * @param motion of the second tree, from the pose on; receives the time
          */
-        public function findTime(pose:RelativePose, motion:RelativeMotion, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, leaves:LeafPairTest):void
+        public function findTime(pose:RelativePose, motion:RelativeMotion, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairTest):void
         {
             _motion = motion;
-            find(pose, treeA, depthA, treeB, depthB, leaves);
+            find(pose, treeA, depthA, treeB, depthB, decider);
             motion.time = bounds.least;
         }
 
@@ -68,15 +68,15 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, leaves:LeafPairTest, out:NodePairBounds):void
+        override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairTest, out:NodePairBounds):void
         {
-            if (leaves == null)
+            if (decider == null)
             {
                 sweep(a, b, true, out);
             }
             else
             {
-                leaves.testLeaves(treeA, a, treeB, b, out);
+                decider.testNodes(treeA, a, treeB, b, out);
             }
         }
 

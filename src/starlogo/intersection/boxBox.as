@@ -32,10 +32,10 @@ package starlogo.intersection
             centerA = a.center;
             centerB = b.center;
         }
-        var touching:Number = Tolerances.TOUCHING;
-        var toX:Number = (centerB.x - centerA.x) / touching;
-        var toY:Number = (centerB.y - centerA.y) / touching;
-        var toZ:Number = (centerB.z - centerA.z) / touching;
+        var touchingFactor:Number = Tolerances.TOUCHING;
+        var toX:Number = (centerB.x - centerA.x) / touchingFactor;
+        var toY:Number = (centerB.y - centerA.y) / touchingFactor;
+        var toZ:Number = (centerB.z - centerA.z) / touchingFactor;
 
         // The vector between the centres, in a's axes.
         var axis:Vector3D = a.axisX;

@@ -109,7 +109,7 @@ package starlogo.libraries
             if (modelTree != null)
             {
                 finish(buildingTree);
-                modelTree.prepare();
+                modelTree.prepareExact();
             }
             return newFile(settings, load, CookedWriter.of(_model));
         }
@@ -226,7 +226,7 @@ package starlogo.libraries
             {
                 finish(buildingTree);
                 contents[CookedFile.HIERARCHY] = CookedTree.write(modelTree.tree);
-                if (modelTree.isPrepared)
+                if (modelTree.hasInterior)
                 {
                     contents[CookedFile.SURFACE] = CookedFile.newBytes();
                     modelTree.surface.writeTo(contents[CookedFile.SURFACE]);

@@ -121,7 +121,7 @@ package starlogo.search
                     testStanding(table, a, b, 1, motion, out);
                 }
             }
-            else if (motion.x == 0 && motion.y == 0 && motion.z == 0)
+            else if (motion.isStill)
             {
                 // two that move alike touch from the beginning on, and two that have not moved where they are
                 testStanding(table, a, b, hasMoved(a) ? 0 : 1, motion, out);

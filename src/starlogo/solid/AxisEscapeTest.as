@@ -5,19 +5,19 @@ package starlogo.solid
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.LeafTest;
+    import starlogo.hierarchy.NodeTest;
 
     use namespace engine;
 
     /**
-     * Whether a point has an open side: from there, a ray along an axis meets no leaf of a tree. Then no surface is around the point. This
+     * Whether a point has an open side: from there, a ray along an axis meets no node without children. Then no surface is around the point. This
      * needs nothing but the tree. It is asked before the inside of a model is known, because a level is mostly open to the sky.
      */
-    internal final class AxisEscapeTest extends LeafTest
+    internal final class AxisEscapeTest extends NodeTest
     {
         private var _boxes:BoxSearch = new BoxSearch();
 
-        /** Whether a ray from the point along one of the six directions of the axes meets no leaf of the tree. */
+        /** Whether a ray from the point along one of the six directions of the axes meets no node without children. */
         public function hasOpenSide(point:Vector3D, tree:BoxTree):Boolean
         {
             // Corners may move when seams are welded.
@@ -37,7 +37,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function testLeaf(tree:BoxTree, node:int):void
+        override public function testNode(tree:BoxTree, node:int):void
         {
             limit = -Infinity;
         }

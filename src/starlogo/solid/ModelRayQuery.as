@@ -18,7 +18,7 @@ package starlogo.solid
      * of a closed surface meets the model at once.
      *
      * <p>The answers are nested: no depth finds a hit farther away than a greater depth or the triangles do. The inside is tested at every
-     * depth, because the leaves cover only the surface. Nothing is allocated once the stacks have grown and the model's triangles are
+     * depth, because the nodes cover only the surface. Nothing is allocated once the stacks have grown and the model's triangles are
      * prepared.</p>
      *
      * @private

@@ -16,8 +16,8 @@ package starlogo.solid
      * and their inside are prepared when they are first needed, or when the model is loaded. For the engine.
      *
      * <p>The package solid says how two models meet if trees, or for exact tests triangles, decide: whether they overlap, when they first touch,
-     * how far they are apart. A query for each of these (TreeOverlapQuery, TreeImpactQuery, TreeDistanceQuery) finds pairs of leaves that are
-     * near each other, and a test of the leaves' triangles decides about them. Read this class first, then TreeOverlapQuery, then
+     * how far they are apart. A query for each of these (TreeOverlapQuery, TreeImpactQuery, TreeDistanceQuery) finds pairs of nodes that are
+     * near each other, and a test of the nodes' triangles decides about them. Read this class first, then TreeOverlapQuery, then
      * TrianglePairTest, then Interior with its WindingCounter, which knows what is inside of a surface.</p>
      *
      * @private
@@ -51,9 +51,9 @@ package starlogo.solid
         /**
          * @private The work that makes the nodes. Its steps throw an ArgumentError if a coordinate is larger than 1e60.
          *
-         * @param minVerticesToSplit a node with at most this many vertices is a leaf of the thesis
-         * @param maxDepth a node on this level is a leaf of the thesis
-         * @param splitByMean whether to split at the mean, down to the thesis's leaves
+         * @param minVerticesToSplit a node with at most this many vertices is a leaf
+         * @param maxDepth a node on this level is a leaf
+         * @param splitByMean whether to split at the mean, down to the leaves
          * @param preparesExact whether to prepare the triangles for exact tests and rays now; otherwise the first of these does
          * @param restoring <code>():Steps</code>, called in the first step: makes the nodes from stored results, or returns null if there are none.
          *     If it makes no nodes, the items are divided as usual
@@ -92,7 +92,7 @@ package starlogo.solid
         /** Returns what is inside of the triangles. If it is not prepared, prepares it, which is slow. Only for models with triangles. */
         internal function prepareInterior():Interior
         {
-            prepare();
+            prepareExact();
             return interior;
         }
 
@@ -132,8 +132,8 @@ package starlogo.solid
             return prepareMesh().corners;
         }
 
-        /** @private Prepares the triangles for exact tests if they are not prepared yet. */
-        engine function prepare():void
+        /** @private Prepares all that exact tests need, if it is not prepared yet: the triangles and what is inside of them. */
+        engine function prepareExact():void
         {
             if (interior == null && hasTriangles)
             {
@@ -160,8 +160,8 @@ package starlogo.solid
             }
         }
 
-        /** @private Whether the triangles are prepared for exact tests. */
-        engine function get isPrepared():Boolean
+        /** @private Whether it is known what is inside of the triangles. */
+        engine function get hasInterior():Boolean
         {
             return interior != null;
         }

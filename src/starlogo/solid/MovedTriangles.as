@@ -13,7 +13,7 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Two models' triangles in one space: those of the first model as they are, and those of one leaf of the second model, moved. A triangle of each
+     * Two models' triangles in one space: those of the first model as they are, and those of one node of the second model, moved. A triangle of each
      * is a shape, and ConvexPair decides about the two.
      */
     internal final class MovedTriangles
@@ -33,7 +33,7 @@ package starlogo.solid
          */
         public var outerTolerance:Number = 0;
 
-        /** The corners of the triangles in the leaf of the last <code>move()</code>: nine numbers each. */
+        /** The corners of the triangles of the node of the last <code>move()</code>: nine numbers each. */
         public var moved:Vector.<Number> = new Vector.<Number>();
 
         /** The extents of these triangles: minX, maxX, minY, maxY, minZ, maxZ of each. */
@@ -75,11 +75,11 @@ package starlogo.solid
             _off = outerTolerance + meshA.flatness;
         }
 
-        /** Computes the triangles of a leaf of the second model, and returns their number. If the leaf is the same as the last one, they are kept. */
-        public function move(tree:BoxTree, leaf:int):int
+        /** Computes the triangles of a node of the second model, and returns their number. If the node is the same as the last one, they are kept. */
+        public function move(tree:BoxTree, node:int):int
         {
-            var first:int = tree.first[leaf];
-            var count:int = tree.end[leaf] - first;
+            var first:int = tree.first[node];
+            var count:int = tree.end[node] - first;
             if (first == _first)
             {
                 return count;
@@ -104,7 +104,7 @@ package starlogo.solid
          * test. The first model's planes must be prepared.
          *
          * @param first the first model's triangle
-         * @param second the second model's, by its number in the leaf
+         * @param second the second model's, by its number in the node
          * @param motion of the second model; RelativeMotion.NONE if it stands
          */
         public function staysOnOneSide(first:int, second:int, motion:RelativeMotion):Boolean
@@ -132,7 +132,7 @@ package starlogo.solid
             a.setTriangle(meshA.corners, 9 * triangle);
         }
 
-        /** Sets the shape of the second model's triangle, by its number in the leaf. It has the margin of both. */
+        /** Sets the shape of the second model's triangle, by its number in the node. It has the margin of both. */
         public function setSecond(triangle:int):void
         {
             b.setTriangle(moved, 9 * triangle);

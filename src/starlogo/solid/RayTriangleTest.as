@@ -2,7 +2,7 @@ package starlogo.solid
 {
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.LeafTest;
+    import starlogo.hierarchy.NodeTest;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
 
@@ -20,7 +20,7 @@ package starlogo.solid
      *
      * @private
      */
-    public final class RayTriangleTest extends LeafTest
+    public final class RayTriangleTest extends NodeTest
     {
         // A triangle is seen edge on if its height across the ray is less than six times so many gaps. The place where the ray crosses its plane
         // is then a rounding error, so the places where the ray passes its edges count. Of two triangles at one place, one that is not seen edge on
@@ -105,7 +105,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function testLeaf(tree:BoxTree, node:int):void
+        override public function testNode(tree:BoxTree, node:int):void
         {
             testTriangles(tree.first[node], tree.end[node]);
         }

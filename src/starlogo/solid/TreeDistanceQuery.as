@@ -22,7 +22,7 @@ package starlogo.solid
         private var _pose:RelativePose = new RelativePose();
         private var _boxes:BoxDistanceTraversal;
 
-        // The tests that decide about leaves.
+        // What decides about nodes.
         private var _trianglePairs:TrianglePairDistance;
         private var _nodes:NodeDistanceTest;
         private var _triangles:TriangleDistanceTest;

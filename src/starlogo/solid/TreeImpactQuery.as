@@ -8,7 +8,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.hierarchy.LeafPairTest;
+    import starlogo.hierarchy.NodePairTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.NodeStructureTest;
@@ -39,7 +39,7 @@ package starlogo.solid
 
         private var _boxes:SweptBoxTraversal;
 
-        // The tests that decide about leaves.
+        // What decides about nodes.
         private var _trianglePairs:TrianglePairSweep;
         private var _nodes:NodeStructureTest;
         private var _triangles:TriangleStructureTest;
@@ -70,7 +70,7 @@ package starlogo.solid
          */
         public function findFirst(pair:TreePair, motion:RelativeMotion, out:ContactPoint):void
         {
-            var touching:Number = 0;
+            var time:Number = 0;
             if (!overlapAt(pair, motion, 0))
             {
                 findImpact(pair, motion, out);
@@ -78,10 +78,10 @@ package starlogo.solid
                 {
                     return;
                 }
-                touching = overlapAt(pair, motion, 1) ? 1 : RelativeMotion.NEVER;
+                time = overlapAt(pair, motion, 1) ? 1 : RelativeMotion.NEVER;
             }
-            motion.time = touching;
-            if (out != null && touching != RelativeMotion.NEVER)
+            motion.time = time;
+            if (out != null && time != RelativeMotion.NEVER)
             {
                 findContact(pair, motion, out);
             }
@@ -105,7 +105,7 @@ package starlogo.solid
 
         /**
          * Finds the contact of two models that overlap. It is the contact of the first two triangles that touch, or of the first two nodes
-         * that are leaves or at their depth limit. If one model is inside of the other, it is the contact of the boxes of their roots.
+         * that decide. If one model is inside of the other, it is the contact of the boxes of their roots.
          *
          * @param motion of the first model, relative to the second; its time is the time of impact
          * @param out receives the contact, in the world
@@ -170,8 +170,8 @@ package starlogo.solid
             RelativePose.relateMotion(pair.placementA, motion, _motion);
             if (b != null)
             {
-                var leaves:LeafPairTest = isExact ? _trianglePairs.begin(a, b, _pose, _motion) : null;
-                _boxes.findTime(_pose, _motion, a.tree, pair.depthA, b.tree, pair.depthB, leaves);
+                var decider:NodePairTest = isExact ? _trianglePairs.begin(a, b, _pose, _motion) : null;
+                _boxes.findTime(_pose, _motion, a.tree, pair.depthA, b.tree, pair.depthB, decider);
             }
             else if (isExact)
             {

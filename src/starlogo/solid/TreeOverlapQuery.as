@@ -4,7 +4,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTraversal;
-    import starlogo.hierarchy.LeafPairTest;
+    import starlogo.hierarchy.NodePairTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.NodeStructureTest;
@@ -16,10 +16,10 @@ package starlogo.solid
      * have grown and the models' triangles are prepared.
      *
      * <p>The thesis transforms both structures into the world for each pair of nodes (§4.5). Here one RelativePose for each pair of models
-     * transforms the second model into the first model's space. There a traversal of pairs of nodes decides, depth-first, down to two nodes
-     * that are leaves or at their depth limit; or a search for the nodes near a structure. For exact tests, triangles decide about the leaves.</p>
+     * transforms the second model into the first model's space. There a traversal of pairs of nodes decides, depth-first, or a search for
+     * the nodes near a structure. For exact tests, the nodes' triangles decide.</p>
      *
-     * <p>The answers are nested. The leaves cover only the surface, so a ContainmentTest decides about a model inside a closed one.</p>
+     * <p>The answers are nested. The nodes cover only the surface, so a ContainmentTest decides about a model inside a closed one.</p>
      *
      * @private
      */
@@ -30,7 +30,7 @@ package starlogo.solid
 
         private var _boxes:BoxTraversal;
 
-        // The tests that decide about leaves.
+        // What decides about nodes.
         private var _trianglePairs:TrianglePairTest;
         private var _nodes:NodeStructureTest;
         private var _triangles:TriangleStructureTest;
@@ -56,7 +56,7 @@ package starlogo.solid
             {
                 return touchesStructure(pair) || findInside(pair);
             }
-            var decider:LeafPairTest = pair.isExact ? _trianglePairs.begin(a, b, pose) : null;
+            var decider:NodePairTest = pair.isExact ? _trianglePairs.begin(a, b, pose) : null;
             // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
             return _boxes.find(pose, a.tree, pair.depthA, b.tree, pair.depthB, decider)
                 || _boxes.rootsOverlapped && findInside(pair);

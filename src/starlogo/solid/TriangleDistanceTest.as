@@ -5,7 +5,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.LeafTest;
+    import starlogo.hierarchy.NodeTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.ConvexTrianglePair;
@@ -13,9 +13,9 @@ package starlogo.solid
     use namespace engine;
 
     /** Finds the distance of a solid structure from the triangles of a model. */
-    internal final class TriangleDistanceTest extends LeafTest
+    internal final class TriangleDistanceTest extends NodeTest
     {
-        // Finds the leaves near the structure's extents.
+        // Finds the nodes near the structure's extents.
         private var _boxes:BoxSearch;
         private var _counts:TreeCounts;
 
@@ -60,7 +60,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function testLeaf(tree:BoxTree, node:int):void
+        override public function testNode(tree:BoxTree, node:int):void
         {
             var end:int = tree.end[node];
             for (var i:int = tree.first[node]; i < end && limit > 0; i++)

@@ -4,15 +4,15 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.LeafPairTest;
+    import starlogo.hierarchy.NodePairTest;
     import starlogo.hierarchy.NodePairBounds;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
 
     use namespace engine;
 
-    /** Finds the distance of the triangles in leaves. It measures only pairs whose extents are nearer than the nearest pair so far. */
-    internal final class TrianglePairDistance extends LeafPairTest
+    /** Finds the distance of the triangles of two nodes. It measures only pairs whose extents are nearer than the nearest pair so far. */
+    internal final class TrianglePairDistance extends NodePairTest
     {
         private var _triangles:MovedTriangles;
 
@@ -38,7 +38,7 @@ package starlogo.solid
          *
          * @param points receives the closest points, and their distance; kept
          */
-        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, points:ClosestPoints):LeafPairTest
+        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, points:ClosestPoints):NodePairTest
         {
             _triangles.begin(a, b, pose, RelativeMotion.NONE);
             _points = points;
@@ -47,7 +47,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function testLeaves(treeA:BoxTree, a:int, treeB:BoxTree, b:int, bounds:NodePairBounds):Boolean
+        override public function testNodes(treeA:BoxTree, a:int, treeB:BoxTree, b:int, bounds:NodePairBounds):Boolean
         {
             var count:int = _triangles.move(treeB, b);
             for (var i:int = 0; i < count && _points.distance > 0; i++)

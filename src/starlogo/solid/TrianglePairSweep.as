@@ -4,15 +4,15 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.LeafPairTest;
+    import starlogo.hierarchy.NodePairTest;
     import starlogo.hierarchy.NodePairBounds;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
 
     use namespace engine;
 
-    /** Decides by triangles when two leaves first touch, for models that move. */
-    internal final class TrianglePairSweep extends LeafPairTest
+    /** Decides by triangles when two nodes first touch, for models that move. */
+    internal final class TrianglePairSweep extends NodePairTest
     {
         private var _triangles:MovedTriangles;
         private var _motion:RelativeMotion = new RelativeMotion();
@@ -31,7 +31,7 @@ package starlogo.solid
         }
 
         /** Begins with two models that have triangles. The pose must relate them already. Returns this. */
-        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, motion:RelativeMotion):LeafPairTest
+        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, motion:RelativeMotion):NodePairTest
         {
             _triangles.begin(a, b, pose, motion);
             _triangles.meshA.preparePlanes();
@@ -42,11 +42,11 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function testLeaves(treeA:BoxTree, a:int, treeB:BoxTree, b:int, bounds:NodePairBounds):Boolean
+        override public function testNodes(treeA:BoxTree, a:int, treeB:BoxTree, b:int, bounds:NodePairBounds):Boolean
         {
             var count:int = _triangles.move(treeB, b);
             _motion.latest = bounds.least < 1 ? bounds.least : 1;
-            // of leaves that touch at the same time the last ones count
+            // of nodes that touch at the same time the last ones count
             bounds.current = RelativeMotion.NEVER;
             // Higher indices come first, as in the traversal.
             for (var k:int = count - 1; k >= 0 && bounds.current > 0; k--)
@@ -60,7 +60,7 @@ package starlogo.solid
         }
 
         // Whether a triangle of the second model touches one of a range of the first model until the motion's latest time, and earlier than those
-        // of this pair of leaves before. If so, keeps the time as the current one of the bounds, and as the latest one.
+        // of this pair of nodes before. If so, keeps the time as the current one of the bounds, and as the latest one.
         private function touchesEarlier(triangle:int, first:int, end:int, bounds:NodePairBounds):Boolean
         {
             var tolerance:Number = _triangles.outerTolerance;

@@ -3,7 +3,7 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.LeafPairTest;
+    import starlogo.hierarchy.NodePairTest;
     import starlogo.hierarchy.NodePairBounds;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
@@ -11,8 +11,8 @@ package starlogo.solid
 
     use namespace engine;
 
-    /** Decides by triangles whether two leaves touch, for models that stand still. */
-    internal final class TrianglePairTest extends LeafPairTest
+    /** Decides by triangles whether two nodes touch, for models that stand still. */
+    internal final class TrianglePairTest extends NodePairTest
     {
         private var _triangles:MovedTriangles;
 
@@ -23,7 +23,7 @@ package starlogo.solid
         }
 
         /** Begins with two models that have triangles. The pose must relate them already. Returns this. */
-        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose):LeafPairTest
+        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose):NodePairTest
         {
             _triangles.begin(a, b, pose, RelativeMotion.NONE);
             _triangles.meshA.preparePlanes();
@@ -31,7 +31,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function testLeaves(treeA:BoxTree, a:int, treeB:BoxTree, b:int, bounds:NodePairBounds):Boolean
+        override public function testNodes(treeA:BoxTree, a:int, treeB:BoxTree, b:int, bounds:NodePairBounds):Boolean
         {
             var count:int = _triangles.move(treeB, b);
             for (var i:int = 0; i < count; i++)

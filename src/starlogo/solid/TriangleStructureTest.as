@@ -11,7 +11,7 @@ package starlogo.solid
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.LeafTest;
+    import starlogo.hierarchy.NodeTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.ConvexTrianglePair;
@@ -22,9 +22,9 @@ package starlogo.solid
      * Decides whether a triangle of a model touches a solid structure, or when a moving one first touches a triangle. Most triangles are ruled
      * out by their extents and planes. If the structure moves, SweptAxes rules out most of the others.
      */
-    internal final class TriangleStructureTest extends LeafTest
+    internal final class TriangleStructureTest extends NodeTest
     {
-        // Finds the leaves near the structure's extents.
+        // Finds the nodes near the structure's extents.
         private var _boxes:BoxSearch;
         private var _counts:TreeCounts;
 
@@ -141,11 +141,11 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function testLeaf(tree:BoxTree, node:int):void
+        override public function testNode(tree:BoxTree, node:int):void
         {
-            var isMoving:Boolean = _motion !== RelativeMotion.NONE;
+            var isStill:Boolean = _motion.isStill;
             var end:int = tree.end[node];
-            for (var i:int = tree.first[node]; i < end; i++)
+            for (var i:int = tree.first[node]; i < end && limit >= 0; i++)
             {
                 if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) > _radius * _radius)
                 {
@@ -153,38 +153,33 @@ package starlogo.solid
                 }
                 _sweep.latest = limit;
                 findEarliest(i);
-                if (_sweep.earliest > limit || isMoving && _separatingAxes.areApart(_mesh.corners, 9 * i, _sweep))
+                if (_sweep.earliest > limit || !isStill && _separatingAxes.areApart(_mesh.corners, 9 * i, _sweep))
                 {
                     continue;
                 }
                 _counts.triangleTests++;
                 _pair.setTriangle(_mesh.corners, 9 * i);
-                if (isMoving ? !takeEarlierTime() : !_pair.areTouching())
+                findTimeOfTriangle(isStill);
+                if (_sweep.time < limit || _sweep.time == limit && !_isFound)
                 {
-                    continue;
-                }
-                _isFound = true;
-                _firstCornerAt = 9 * i;
-                if (!(limit > 0))
-                {
-                    // no triangle can be touched earlier
-                    limit = -Infinity;
-                    return;
+                    _isFound = true;
+                    _firstCornerAt = 9 * i;
+                    // no triangle can be touched earlier than at the beginning
+                    limit = _sweep.time > 0 ? _sweep.time : -Infinity;
                 }
             }
         }
 
-        // If the triangle of the test is touched earlier than all before, takes its time as the least. Returns whether it is.
-        private function takeEarlierTime():Boolean
+        private function findTimeOfTriangle(isStill:Boolean):void
         {
-            _pair.findTime(_sweep);
-            var time:Number = _sweep.time;
-            if (time < limit || !_isFound && time == limit)
+            if (isStill)
             {
-                limit = time;
-                return true;
+                _sweep.time = _pair.areTouching() ? 0 : RelativeMotion.NEVER;
             }
-            return false;
+            else
+            {
+                _pair.findTime(_sweep);
+            }
         }
 
         /**

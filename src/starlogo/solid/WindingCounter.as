@@ -5,7 +5,7 @@ package starlogo.solid
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.LeafTest;
+    import starlogo.hierarchy.NodeTest;
 
     use namespace engine;
 
@@ -13,7 +13,7 @@ package starlogo.solid
      * Counts how often the shells of a surface wind around a point, so it knows what is inside of them. As a test, it counts the triangles that a
      * ray along an axis crosses. An InteriorBuilder makes it.
      */
-    internal final class WindingCounter extends LeafTest
+    internal final class WindingCounter extends NodeTest
     {
         /** The triangles. */
         public var mesh:TriangleMesh;
@@ -166,7 +166,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function testLeaf(tree:BoxTree, node:int):void
+        override public function testNode(tree:BoxTree, node:int):void
         {
             var end:int = tree.end[node];
             for (var i:int = tree.first[node]; i < end; i++)

@@ -88,7 +88,7 @@ package starlogo.solid
                             vertices[3 * middle + axis] += share * (vertices[3 * c + axis] - vertices[3 * middle + axis]);
                         }
                         hierarchy.refit();
-                        hierarchy.prepare();
+                        hierarchy.prepareExact();
                         for (axis = 3 * middle; axis < 3 * middle + 3; axis++)
                         {
                             vertices[axis] = straight[axis];

@@ -47,7 +47,7 @@ package starlogo.solid
             for each (var model:Model in SolidModels.all())
             {
                 var known:ModelTree = hierarchyOf(model.vertices, model.triangles);
-                known.prepare();
+                known.prepareExact();
                 for (var i:int = 0; i < 20; i++)
                 {
                     var point:Vector3D = new Vector3D(random.between(-0.5, 0.5), random.between(-0.5, 0.5), random.between(0, 1));
@@ -55,7 +55,7 @@ package starlogo.solid
                     var isInside:Boolean = known.isInside(point, 0);
                     assertEquals(model.name + " at " + point, isInside, asked.isInside(point, 0));
                     insides += isInside ? 1 : 0;
-                    spared += asked.isPrepared ? 0 : 1;
+                    spared += asked.hasInterior ? 0 : 1;
                 }
             }
             assertTrue(insides + " inside, " + spared + " spared", insides > 20 && spared > 10);

@@ -34,7 +34,7 @@ package starlogo.solid
             {
                 var hierarchy:ModelTree = hierarchyOf(model, 6);
                 var before:String = describe(hierarchy.root);
-                hierarchy.prepare();
+                hierarchy.prepareExact();
                 assertEquals(model.name, before, describe(hierarchy.root));
             }
         }
@@ -45,7 +45,7 @@ package starlogo.solid
             for each (var model:Model in models())
             {
                 var hierarchy:ModelTree = hierarchyOf(model, 4);
-                hierarchy.prepare();
+                hierarchy.prepareExact();
                 var isListed:Vector.<Boolean> = new Vector.<Boolean>(hierarchy.tree.order.length, true);
                 for each (var triangle:int in hierarchy.tree.order)
                 {
@@ -67,7 +67,7 @@ package starlogo.solid
             }
             var hierarchy:ModelTree = hierarchyOf(new Model("pile", vertices, triangles), 10);
             assertTrue(hierarchy.root.isLeaf);
-            hierarchy.prepare();
+            hierarchy.prepareExact();
             assertTrue(hierarchy.root.isLeaf);
             assertNull(hierarchy.root.left);
             assertEquals(37, hierarchy.root.triangleCount);
@@ -88,7 +88,7 @@ package starlogo.solid
             }
             var hierarchy:ModelTree = hierarchyOf(new Model("needles", vertices, triangles), 10);
             assertEquals("one at a time", 1, hierarchy.root.left.triangleCount);
-            hierarchy.prepare();
+            hierarchy.prepareExact();
             check(hierarchy.tree, 0, hierarchy.prepareMesh().prepareExtents());
             var deepest:int = deepestOf(hierarchy.tree);
             assertTrue(deepest + " levels", deepest > 20 && deepest <= Tolerances.NESTED_LEVELS + 12);
@@ -118,7 +118,7 @@ package starlogo.solid
             agents[2].moveTo(0.7, 0.5, 0.1);
             agents[2].traversalDepth = int.MAX_VALUE;
             var before:int = visitsOf(collider, agents);
-            greatLand.hierarchies.treeOf("bear").prepare();
+            greatLand.hierarchies.treeOf("bear").prepareExact();
             assertEquals(before, visitsOf(collider, agents));
         }
 

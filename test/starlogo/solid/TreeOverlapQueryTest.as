@@ -136,7 +136,7 @@ package starlogo.solid
             var stands:Placement = new Placement();
             assertTrue("one node each", a.root.isLeaf && b.root.isLeaf);
             assertFalse("apart", treesOverlap(a, stands, 1, b, placed(0.5, 2, 0, 0), 1, true));
-            assertFalse("no inside", a.isPrepared || b.isPrepared);
+            assertFalse("no inside", a.hasInterior || b.hasInterior);
             assertTrue("one in the other", treesOverlap(a, stands, 1, b, placed(0.1, 0, 0, 0.1), 1, true));
             assertTrue("the other way round", treesOverlap(b, placed(0.1, 0, 0, 0.1), 1, a, stands, 1, true));
             assertFalse("in a corner of the box", treesOverlap(a, stands, 1, b, placed(0.1, 0.3, 0.3, 0.8), 1, true));

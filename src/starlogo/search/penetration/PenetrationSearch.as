@@ -86,7 +86,7 @@ package starlogo.search.penetration
         // Whether the first body moves, and touches the second only after the motion's beginning.
         private static function isComing(motion:RelativeMotion):Boolean
         {
-            return motion.time > 0 && (motion.x != 0 || motion.y != 0 || motion.z != 0);
+            return motion.time > 0 && !motion.isStill;
         }
 
         // Finds the shortest way out that it can. If triangles decide and the depth is more than IMPROVED_DEPTH, the leaves find a direction

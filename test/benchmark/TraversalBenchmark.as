@@ -42,7 +42,7 @@ package benchmark
         private var _pair:TreePair = new TreePair();
         private var _counts:TreeCounts = new TreeCounts();
         private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery(_counts);
-        private var _impacts:TreeImpactQuery = new TreeImpactQuery(_overlaps, _counts);
+        private var _impacts:TreeImpactQuery = new TreeImpactQuery(_pair, _overlaps, _counts);
         private var _pose:RelativePose = new RelativePose();
         private var _random:SeededRandom = new SeededRandom(2101);
         private var _ball:ModelTree;
@@ -138,14 +138,14 @@ package benchmark
             measure(name, function(i:int, answers:ByteArray):void
                 {
                     _pair.setTo(a, first[i], DEPTH, b, null, second[i], DEPTH, exact);
-                    _impacts.findFirst(_pair, motions[i], null);
+                    _impacts.findFirst(motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)
                     {
                         answers.writeDouble(time);
                         if (time <= 1)
                         {
-                            _impacts.findContact(_pair, motions[i], contact);
+                            _impacts.findContact(motions[i], contact);
                             writeContact(contact, answers);
                         }
                     }
@@ -162,14 +162,14 @@ package benchmark
             measure(name, function(i:int, answers:ByteArray):void
                 {
                     _pair.setTo(a, first[i], DEPTH, null, structures[i], second[i], 1, exact);
-                    _impacts.findFirst(_pair, motions[i], null);
+                    _impacts.findFirst(motions[i], null);
                     var time:Number = motions[i].time;
                     if (answers != null)
                     {
                         answers.writeDouble(time);
                         if (time <= 1)
                         {
-                            _impacts.findContact(_pair, motions[i], contact);
+                            _impacts.findContact(motions[i], contact);
                             writeContact(contact, answers);
                         }
                     }

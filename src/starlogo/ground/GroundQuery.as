@@ -7,13 +7,14 @@ package starlogo.ground
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.solid.ImpactQuery;
     import starlogo.solid.ModelTree;
 
     use namespace engine;
 
     /**
      * Tests a placed model against the ground: whether the two overlap, when and how they first touch, and how far they are apart. The model is
-     * a structure or a tree.
+     * a structure or a tree. The normals of contacts point out of the ground.
      *
      * <p>A connected piece that does not touch the ground's surface is wholly under the ground or wholly outside of it, so one point decides.
      * So each convex piece is tested against the triangles of the surface near it, and a point of it against the height of the ground.</p>
@@ -23,7 +24,7 @@ package starlogo.ground
      *
      * @private
      */
-    public final class GroundQuery
+    public final class GroundQuery extends ImpactQuery
     {
         private var _pieces:GroundPieces = new GroundPieces();
         private var _depths:GroundDepthQuery = new GroundDepthQuery(_pieces);
@@ -56,8 +57,8 @@ package starlogo.ground
             return _depths.isDeeper(depth);
         }
 
-        /** Whether the two overlap or touch where the motion has brought the model at a time. */
-        public function overlapsAt(motion:RelativeMotion, time:Number):Boolean
+        /** @inheritDoc */
+        override public function overlapsAt(motion:RelativeMotion, time:Number):Boolean
         {
             _pieces.placeAt(motion, time);
             _pieces.begin(RelativeMotion.NONE, 0);
@@ -78,39 +79,8 @@ package starlogo.ground
             return false;
         }
 
-        /**
-         * Finds the first moment at which the two overlap while the model moves, and the contact then.
-         *
-         * @param motion of the model; receives the time, from 0 to 1, or RelativeMotion.NEVER
-         * @param out receives the contact, with a normal that points out of the ground; null if only the time is needed
-         */
-        public function findFirst(motion:RelativeMotion, out:ContactPoint):void
-        {
-            var time:Number = 0;
-            if (!overlapsAt(motion, 0))
-            {
-                findImpact(motion, out);
-                if (motion.time != RelativeMotion.NEVER)
-                {
-                    return;
-                }
-                // rounding can miss a touch at the end of the motion
-                time = overlapsAt(motion, 1) ? 1 : RelativeMotion.NEVER;
-            }
-            motion.time = time;
-            if (out != null && time != RelativeMotion.NEVER)
-            {
-                findContact(motion, out);
-            }
-        }
-
-        /**
-         * Finds when the model first touches the surface as it moves, and how.
-         *
-         * @param motion of the model; receives the time, from 0 to 1, or RelativeMotion.NEVER
-         * @param out receives the contact, with a normal that points out of the ground; null if only the time is needed
-         */
-        public function findImpact(motion:RelativeMotion, out:ContactPoint):void
+        /** @inheritDoc */
+        override public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
             var first:Number = RelativeMotion.NEVER;
             _sweep.x = motion.x;
@@ -143,13 +113,12 @@ package starlogo.ground
         }
 
         /**
-         * Finds the contact of the model and the ground, which overlap at the motion's time. If the moving model first touches the surface
-         * then, it is the contact of this touch. Otherwise it is the contact of the deepest piece, where the model stands then. If the model is
-         * wholly under the ground, the contact lifts it up.
+         * If the moving model first touches the surface then, it is the contact of this touch. Otherwise it is the contact of the deepest piece,
+         * where the model stands then. If the model is wholly under the ground, the contact lifts it up.
          *
-         * @param out receives the contact, with a normal that points out of the ground
+         * @inheritDoc
          */
-        public function findContact(motion:RelativeMotion, out:ContactPoint):void
+        override public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
             var time:Number = motion.time;
             if (!motion.isStill)

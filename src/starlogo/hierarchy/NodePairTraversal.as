@@ -17,12 +17,8 @@ package starlogo.hierarchy
      */
     public class NodePairTraversal
     {
-        /** The best time or distance found, and the bounds of the search. */
+        /** The best pair, and the bounds of the search. */
         public var bounds:NodePairBounds = new NodePairBounds();
-
-        /** The best pair of nodes. Undefined if none is found. */
-        public var bestA:int = 0;
-        public var bestB:int = 0;
 
         // The pairs of nodes still to visit, and their bounds.
         private var _nodes:Vector.<int> = new Vector.<int>();
@@ -110,8 +106,8 @@ package starlogo.hierarchy
                     if (out.current < out.least)
                     {
                         out.least = out.current;
-                        bestA = a;
-                        bestB = b;
+                        out.bestA = a;
+                        out.bestB = b;
                     }
                 }
                 if (top == 0 || !(out.least > 0))

@@ -36,13 +36,20 @@ package starlogo.hierarchy
         /**
          * Finds when two trees first touch. The other parameters are those of <code>find()</code>.
          *
-         * @param motion of the second tree, from the pose on; receives the time
+         * @param motion of the second tree, from the pose on
+         * @param out receives the time, and the nodes if their boxes decide
          */
-        public function findTime(pose:RelativePose, motion:RelativeMotion, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairTest):void
+        public function findTouch(pose:RelativePose, motion:RelativeMotion, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairTest,
+                out:FirstTouch):void
         {
             _motion = motion;
             find(pose, treeA, depthA, treeB, depthB, decider);
-            motion.time = bounds.least;
+            out.time = bounds.least;
+            if (decider == null)
+            {
+                out.a = bounds.bestA;
+                out.b = bounds.bestB;
+            }
         }
 
         /** @inheritDoc */

@@ -8,34 +8,36 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.FirstTouch;
     import starlogo.hierarchy.NodePairTest;
-    import starlogo.hierarchy.RelativePose;
-    import starlogo.hierarchy.TreeCounts;
     import starlogo.hierarchy.NodeStructureTest;
+    import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.SweptBoxTraversal;
+    import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.PairTable;
 
     use namespace engine;
 
     /**
-     * Finds when and where two models first touch while one of them moves. The second one is a tree, or a structure stands for it.
-     *
-     * <p>To get inside of a closed surface from outside, a part of a model has to cross it, and its nodes have to touch. So the nodes
-     * or triangles are tested over time, and the standing test is made only at the beginning and the end.</p>
+     * Finds when and where two models first touch while the first one moves, relative to the second. The second one is a tree, or a structure stands
+     * for it.
      *
      * @private
      */
-    public final class TreeImpactQuery
+    public final class TreeImpactQuery extends ImpactQuery
     {
         private var _overlaps:TreeOverlapQuery;
+        private var _pair:TreePair;
 
         // Where the first model's motion has brought it at a time, and the second model's pose as seen from there.
         private var _placed:Placement = new Placement();
-        private var _displaced:TreePair = new TreePair();
         private var _pose:RelativePose = new RelativePose();
 
-        // The second model's motion in the first model's space, from its pose on; and the time at which the two first touch.
+        // The second model's motion in the first model's space, from its pose on.
         private var _motion:RelativeMotion = new RelativeMotion();
+
+        // The nodes or triangles that touch first.
+        private var _touch:FirstTouch = new FirstTouch();
 
         private var _boxes:SweptBoxTraversal;
 
@@ -49,11 +51,13 @@ package starlogo.solid
         private var _boxB:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
         /**
+         * @param pair the two models; whoever made it sets it before each question
          * @param overlaps tests the two where they stand
          * @param counts counts what the query does
          */
-        public function TreeImpactQuery(overlaps:TreeOverlapQuery, counts:TreeCounts)
+        public function TreeImpactQuery(pair:TreePair, overlaps:TreeOverlapQuery, counts:TreeCounts)
         {
+            _pair = pair;
             _overlaps = overlaps;
             _boxes = new SweptBoxTraversal(counts);
             _trianglePairs = new TrianglePairSweep(counts);
@@ -61,68 +65,41 @@ package starlogo.solid
             _triangles = new TriangleStructureTest(counts);
         }
 
-        /**
-         * Finds the first moment at which the two overlap, and the contact then. Rounding can miss a touch at the end of the motion. So if
-         * nothing is found before, the standing test is made at time 1 too.
-         *
-         * @param motion of the first model, relative to the second; receives the time, from 0 to 1, or RelativeMotion.NEVER
-         * @param out receives the contact, in the world; null if only the time is needed
-         */
-        public function findFirst(pair:TreePair, motion:RelativeMotion, out:ContactPoint):void
+        /** @inheritDoc */
+        override public function overlapsAt(motion:RelativeMotion, time:Number):Boolean
         {
-            var time:Number = 0;
-            if (!overlapAt(pair, motion, 0))
-            {
-                findImpact(pair, motion, out);
-                if (motion.time != RelativeMotion.NEVER)
-                {
-                    return;
-                }
-                time = overlapAt(pair, motion, 1) ? 1 : RelativeMotion.NEVER;
-            }
-            motion.time = time;
-            if (out != null && time != RelativeMotion.NEVER)
-            {
-                findContact(pair, motion, out);
-            }
+            placeFirst(motion, time);
+            return _overlaps.areOverlappingAt(_pair, _placed);
         }
 
-        /**
-         * Finds when and where the two first touch. They must not touch at the beginning.
-         *
-         * @param motion of the first model, relative to the second; receives the time, from 0 to 1, or RelativeMotion.NEVER
-         * @param out receives the contact, in the world; null if only the time is needed
-         */
-        public function findImpact(pair:TreePair, motion:RelativeMotion, out:ContactPoint):void
+        /** @inheritDoc */
+        override public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            findFirstParts(pair, motion);
-            motion.time = _motion.time;
+            findTouch(motion);
+            motion.time = _motion.time = _touch.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
-                findContactOfParts(pair, motion, out);
+                findContactOfTouch(motion, out);
             }
         }
 
         /**
-         * Finds the contact of two models that overlap. It is the contact of the first two triangles that touch, or of the first two nodes
-         * that decide. If one model is inside of the other, it is the contact of the boxes of their roots.
+         * It is the contact of the first two triangles that touch, or of the first two nodes that decide. If one model is inside of the other, it is
+         * the contact of the boxes of their roots.
          *
-         * @param motion of the first model, relative to the second; its time is the time of impact
-         * @param out receives the contact, in the world
+         * @inheritDoc
          */
-        public function findContact(pair:TreePair, motion:RelativeMotion, out:ContactPoint):void
+        override public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
-            findFirstParts(pair, motion);
-            var isSame:Boolean = _motion.time <= motion.time + Tolerances.SAME_TIME;
+            findTouch(motion);
             _motion.time = motion.time;
-            if (isSame)
+            if (_touch.time <= motion.time + Tolerances.SAME_TIME)
             {
-                findContactOfParts(pair, motion, out);
+                findContactOfTouch(motion, out);
             }
             else
             {
-                var b:BoundingStructure = pair.b == null ? pair.structureB : pair.b.tree.writeBox(0, _boxB);
-                findContactOf(pair.a.tree.writeBox(0, _boxA), pair.placementA, b, motion, out);
+                findContactOfNodes(0, 0, motion, out);
             }
         }
 
@@ -143,65 +120,62 @@ package starlogo.solid
             findContactOf(a, placementA, b, RelativeMotion.NONE, out);
         }
 
-        private function overlapAt(pair:TreePair, motion:RelativeMotion, time:Number):Boolean
+        private function placeFirst(motion:RelativeMotion, time:Number):void
         {
-            placeFirst(pair, motion, time);
-            _displaced.copyFrom(pair);
-            _displaced.placementA = _placed;
-            return _overlaps.areOverlapping(_displaced);
-        }
-
-        private function placeFirst(pair:TreePair, motion:RelativeMotion, time:Number):void
-        {
-            _placed.copyFrom(pair.placementA);
+            _placed.copyFrom(_pair.placementA);
             _placed.x += motion.startX + time * motion.x;
             _placed.y += motion.startY + time * motion.y;
             _placed.z += motion.startZ + time * motion.z;
         }
 
-        // Finds the first two triangles or nodes that touch while the first model moves, and their time.
-        private function findFirstParts(pair:TreePair, motion:RelativeMotion):void
+        // Finds the triangles or nodes that touch first while the first model moves, and their time.
+        private function findTouch(motion:RelativeMotion):void
         {
+            var pair:TreePair = _pair;
             var a:ModelTree = pair.a;
             var b:ModelTree = pair.b;
-            var isExact:Boolean = pair.isExact;
-            placeFirst(pair, motion, 0);
+            placeFirst(motion, 0);
             _pose.relate(_placed, pair.placementB);
             RelativePose.relateMotion(pair.placementA, motion, _motion);
             if (b != null)
             {
-                var decider:NodePairTest = isExact ? _trianglePairs.begin(a, b, _pose, _motion) : null;
-                _boxes.findTime(_pose, _motion, a.tree, pair.depthA, b.tree, pair.depthB, decider);
+                var decider:NodePairTest = pair.isExact ? _trianglePairs.begin(a, b, _pose, _motion, _touch) : null;
+                _boxes.findTouch(_pose, _motion, a.tree, pair.depthA, b.tree, pair.depthB, decider, _touch);
             }
-            else if (isExact)
+            else if (pair.isExact)
             {
-                _triangles.findTime(a, pair.structureB, _pose, _motion);
+                _triangles.findTouch(a, pair.structureB, _pose, _motion, _touch);
             }
             else
             {
-                _nodes.findTime(a.tree, pair.depthA, pair.structureB, _pose, _motion);
+                _nodes.findTouch(a.tree, pair.depthA, pair.structureB, _pose, _motion, _touch);
             }
         }
 
-        // The contact of the two that findFirstParts has found, at the motion's time.
-        private function findContactOfParts(pair:TreePair, motion:RelativeMotion, out:ContactPoint):void
+        // The contact of the two that findTouch has found, at the motion's time.
+        private function findContactOfTouch(motion:RelativeMotion, out:ContactPoint):void
         {
-            if (!pair.isExact)
+            if (!_pair.isExact)
             {
-                var a:int = pair.b == null ? _nodes.firstNode : _boxes.bestA;
-                var b:BoundingStructure = pair.b == null ? pair.structureB : pair.b.tree.writeBox(_boxes.bestB, _boxB);
-                findContactOf(pair.a.tree.writeBox(a, _boxA), pair.placementA, b, motion, out);
+                findContactOfNodes(_touch.a, _touch.b, motion, out);
                 return;
             }
-            if (pair.b == null)
+            if (_pair.b == null)
             {
-                _triangles.findContact(_motion, out);
+                _triangles.findContact(_touch.a, _motion, out);
             }
             else
             {
-                _trianglePairs.findContact(_motion, out);
+                _trianglePairs.findContact(_touch, _motion, out);
             }
-            moveToWorld(out, pair.placementA, motion);
+            moveToWorld(out, _pair.placementA, motion);
+        }
+
+        // The contact of two nodes, or of a node and the structure that stands for the second model, at the motion's time.
+        private function findContactOfNodes(a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var structureB:BoundingStructure = _pair.b == null ? _pair.structureB : _pair.b.tree.writeBox(b, _boxB);
+            findContactOf(_pair.a.tree.writeBox(a, _boxA), _pair.placementA, structureB, motion, out);
         }
 
         // The contact of two structures in their models' spaces, at the motion's time.

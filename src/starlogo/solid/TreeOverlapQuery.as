@@ -1,9 +1,11 @@
 package starlogo.solid
 {
     import starlogo.convex.ClosestPoints;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTraversal;
+    import starlogo.hierarchy.FirstTouch;
     import starlogo.hierarchy.NodePairTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
@@ -35,6 +37,7 @@ package starlogo.solid
         private var _nodes:NodeStructureTest;
         private var _triangles:TriangleStructureTest;
         private var _containment:ContainmentTest = new ContainmentTest();
+        private var _touch:FirstTouch = new FirstTouch();
 
         /** @param counts counts what the query does */
         public function TreeOverlapQuery(counts:TreeCounts)
@@ -48,10 +51,16 @@ package starlogo.solid
         /** Whether two standing models overlap. */
         public function areOverlapping(pair:TreePair):Boolean
         {
+            return areOverlappingAt(pair, pair.placementA);
+        }
+
+        /** Whether two models overlap, if the first one stands at another place than that of the pair. */
+        public function areOverlappingAt(pair:TreePair, placementA:Placement):Boolean
+        {
             var a:ModelTree = pair.a;
             var b:ModelTree = pair.b;
             var pose:RelativePose = _pose;
-            pose.relate(pair.placementA, pair.placementB);
+            pose.relate(placementA, pair.placementB);
             if (b == null)
             {
                 return touchesStructure(pair) || findInside(pair);
@@ -65,8 +74,15 @@ package starlogo.solid
         // Whether a triangle or a node of the first model touches the structure that stands for the second one.
         private function touchesStructure(pair:TreePair):Boolean
         {
-            return pair.isExact ? _triangles.areTouching(pair.a, pair.structureB, _pose)
-                : _nodes.areTouching(pair.a.tree, pair.depthA, pair.structureB, _pose);
+            if (pair.isExact)
+            {
+                _triangles.findTouch(pair.a, pair.structureB, _pose, RelativeMotion.NONE, _touch);
+            }
+            else
+            {
+                _nodes.findTouch(pair.a.tree, pair.depthA, pair.structureB, _pose, RelativeMotion.NONE, _touch);
+            }
+            return _touch.time == 0;
         }
 
         /**

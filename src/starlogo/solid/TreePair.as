@@ -50,11 +50,5 @@ package starlogo.solid
             this.depthA = isExact ? BoxTree.NO_LIMIT : depthA;
             this.depthB = isExact ? BoxTree.NO_LIMIT : depthB;
         }
-
-        /** Copies another pair. */
-        public function copyFrom(other:TreePair):void
-        {
-            setTo(other.a, other.placementA, other.depthA, other.b, other.structureB, other.placementB, other.depthB, other.isExact);
-        }
     }
 }

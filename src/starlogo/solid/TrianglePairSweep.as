@@ -4,6 +4,7 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.FirstTouch;
     import starlogo.hierarchy.NodePairTest;
     import starlogo.hierarchy.NodePairBounds;
     import starlogo.hierarchy.RelativePose;
@@ -17,11 +18,10 @@ package starlogo.solid
         private var _triangles:MovedTriangles;
         private var _motion:RelativeMotion = new RelativeMotion();
 
-        // The triangles that touch first, by their numbers in both trees' order. Then the second's corners in the
-        // first model's space. This list begins empty, as the lists of MovedTriangles do, because V8 makes objects for Numbers that a method
+        private var _found:FirstTouch;
+
+        // The corners of the second model's triangle that touches first, in the first model's space. This list begins empty, as the lists of MovedTriangles do, because V8 makes objects for Numbers that a method
         // writes to lists of both kinds.
-        private var _firstA:int;
-        private var _firstB:int;
         private var _corners:Vector.<Number> = new Vector.<Number>();
 
         /** @param counts counts the pairs of triangles that are tested */
@@ -30,9 +30,14 @@ package starlogo.solid
             _triangles = new MovedTriangles(counts);
         }
 
-        /** Begins with two models that have triangles. The pose must relate them already. Returns this. */
-        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, motion:RelativeMotion):NodePairTest
+        /**
+         * Begins with two models that have triangles. The pose must relate them already. Returns this.
+         *
+         * @param found receives the triangles that touch first; kept
+         */
+        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, motion:RelativeMotion, found:FirstTouch):NodePairTest
         {
+            _found = found;
             _triangles.begin(a, b, pose, motion);
             _triangles.meshA.preparePlanes();
             _motion.x = motion.x;
@@ -53,7 +58,7 @@ package starlogo.solid
             {
                 if (touchesEarlier(k, treeA.first[a], treeA.end[a], bounds))
                 {
-                    _firstB = treeB.first[b] + k;
+                    _found.b = treeB.first[b] + k;
                 }
             }
             return bounds.current < RelativeMotion.NEVER;
@@ -105,7 +110,7 @@ package starlogo.solid
                 if (motion.time < bounds.current)
                 {
                     bounds.current = motion.latest = motion.time;
-                    _firstA = i;
+                    _found.a = i;
                     isEarlier = true;
                 }
             }
@@ -113,16 +118,17 @@ package starlogo.solid
         }
 
         /**
-         * Finds the contact of the triangles that touch first, in the first model's space.
+         * Finds the contact of two triangles that touch, in the first model's space. The models are those of the last <code>begin()</code>.
          *
+         * @param touch has the triangles
          * @param motion of the second model, which is where it is at the motion's time
          * @param out receives the contact, with a normal from the first model to the second
          */
-        public function findContact(motion:RelativeMotion, out:ContactPoint):void
+        public function findContact(touch:FirstTouch, motion:RelativeMotion, out:ContactPoint):void
         {
             var pose:RelativePose = _triangles.pose;
-            pose.placement.placePoints(_triangles.meshB.corners, 9 * _firstB, 9 * _firstB + 9, _corners);
-            _triangles.setFirst(_firstA);
+            pose.placement.placePoints(_triangles.meshB.corners, 9 * touch.b, 9 * touch.b + 9, _corners);
+            _triangles.setFirst(touch.a);
             _triangles.b.setTriangle(_corners, 0);
             _triangles.pair.findContact(_triangles.b, _triangles.a, motion, out);
         }

@@ -11,6 +11,7 @@ package starlogo.solid
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.FirstTouch;
     import starlogo.hierarchy.NodeTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
@@ -19,8 +20,8 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Decides whether a triangle of a model touches a solid structure, or when a moving one first touches a triangle. Most triangles are ruled
-     * out by their extents and planes. If the structure moves, SweptAxes rules out most of the others.
+     * Decides when a solid structure first touches a triangle of a model, and whether it does if it is still. Most triangles are ruled out by their
+     * extents and planes. If the structure moves, SweptAxes rules out most of the others.
      */
     internal final class TriangleStructureTest extends NodeTest
     {
@@ -47,9 +48,7 @@ package starlogo.solid
         private var _normal:Vector3D = new Vector3D();
         private var _ofShape:Interval = new Interval();
 
-        // Whether a triangle is touched, and the index of the first number of the one that is touched first.
-        private var _isFound:Boolean = false;
-        private var _firstCornerAt:int = 0;
+        private var _found:FirstTouch;
 
         /** @param counts counts the nodes that are visited and the triangles that are tested */
         public function TriangleStructureTest(counts:TreeCounts)
@@ -59,38 +58,29 @@ package starlogo.solid
         }
 
         /**
-         * Whether a triangle of a model touches a structure.
+         * Finds when a structure first touches a triangle of a model, and which one.
          *
          * @param model the model; has triangles
          * @param structure in the space of another model
          * @param pose the other model's pose in the first one's space
+         * @param motion of the structure, from the pose on. If it is still, it touches at time 0 or never
+         * @param out receives the time and the triangle
          */
-        public function areTouching(model:ModelTree, structure:BoundingStructure, pose:RelativePose):Boolean
-        {
-            begin(model, structure, pose, RelativeMotion.NONE);
-            limit = 0;
-            _boxes.find(_mesh.tree, BoxTree.NO_LIMIT, this);
-            return _isFound;
-        }
-
-        /**
-         * Finds when a moving structure first touches a triangle of a model. The other parameters are those of <code>areTouching()</code>.
-         *
-         * @param motion of the structure, from the pose on; receives the time
-         */
-        public function findTime(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
+        public function findTouch(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion, out:FirstTouch):void
         {
             begin(model, structure, pose, motion);
-            prepareMotion();
-            limit = _motion.latest;
+            if (!motion.isStill)
+            {
+                prepareMotion();
+            }
+            limit = motion.isStill ? 0 : motion.latest;
+            out.time = RelativeMotion.NEVER;
+            _found = out;
             _boxes.find(_mesh.tree, BoxTree.NO_LIMIT, this);
-            var time:Number = limit > 0 ? limit : 0;
-            motion.time = _isFound ? time : RelativeMotion.NEVER;
         }
 
         private function begin(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
         {
-            _isFound = false;
             _mesh = model.prepareMesh();
             _mesh.preparePlanes();
             _motion = motion;
@@ -160,10 +150,10 @@ package starlogo.solid
                 _counts.triangleTests++;
                 _pair.setTriangle(_mesh.corners, 9 * i);
                 findTimeOfTriangle(isStill);
-                if (_sweep.time < limit || _sweep.time == limit && !_isFound)
+                if (_sweep.time <= limit && _sweep.time < _found.time)
                 {
-                    _isFound = true;
-                    _firstCornerAt = 9 * i;
+                    _found.time = _sweep.time;
+                    _found.a = i;
                     // no triangle can be touched earlier than at the beginning
                     limit = _sweep.time > 0 ? _sweep.time : -Infinity;
                 }
@@ -183,14 +173,15 @@ package starlogo.solid
         }
 
         /**
-         * Finds the contact of the triangle that is touched first, in the model's space.
+         * Finds the contact of a triangle that is touched, in the model's space. The model and the structure are those of the last search.
          *
+         * @param triangle its number in the tree's order
          * @param motion of the structure, which is where it is at the motion's time
          * @param out receives the contact, with a normal from the triangle to the structure
          */
-        public function findContact(motion:RelativeMotion, out:ContactPoint):void
+        public function findContact(triangle:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            _pair.setTriangle(_mesh.corners, _firstCornerAt);
+            _pair.setTriangle(_mesh.corners, 9 * triangle);
             _pair.findContact(motion, out);
         }
 

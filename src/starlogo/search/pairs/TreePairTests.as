@@ -50,7 +50,7 @@ package starlogo.search.pairs
         public function TreePairTests(limits:TreeLimits)
         {
             this.limits = limits;
-            _impacts = new TreeImpactQuery(_overlaps, _counts);
+            _impacts = new TreeImpactQuery(_pair, _overlaps, _counts);
             _distances = new TreeDistanceQuery(_overlaps, _counts);
             _separation = new PenetrationSearch(this, limits);
         }
@@ -78,7 +78,7 @@ package starlogo.search.pairs
         {
             var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b));
             _testCount++;
-            _impacts.findFirst(_pair, own, out);
+            _impacts.findFirst(own, out);
             motion.time = own.time;
             finish(own, motion, out);
         }
@@ -88,7 +88,7 @@ package starlogo.search.pairs
         {
             // Two trees stay in this order. CollisionSearch puts two agents into the order of the list before, so a contact is the same in either order.
             var own:RelativeMotion = setMovingPair(a, b, motion, a.form != ModelShape.TREE);
-            _impacts.findContact(_pair, own, out);
+            _impacts.findContact(own, out);
             finish(own, motion, out);
         }
 
@@ -97,7 +97,7 @@ package starlogo.search.pairs
         {
             var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b));
             _testCount++;
-            _impacts.findImpact(_pair, own, out);
+            _impacts.findImpact(own, out);
             motion.time = own.time;
             finish(own, motion, out);
         }

@@ -1,0 +1,70 @@
+package starlogo.solid
+{
+    import flash.errors.IllegalOperationError;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+
+    /**
+     * Finds when and where a moving model first touches what its surfaces cannot pass: another model, or the ground. Abstract: a subclass is set to
+     * the two before each question.
+     *
+     * <p>To get inside of a closed surface from outside, a part of the model has to cross it. So the surfaces are tested over time, and the
+     * standing test is made only at the beginning and the end.</p>
+     *
+     * @private
+     */
+    public class ImpactQuery
+    {
+        /**
+         * Finds the first moment at which the two overlap while the model moves, and the contact then. Rounding can miss a touch at the end of the
+         * motion. So if nothing is found before, the standing test is made at time 1 too.
+         *
+         * @param motion of the model; receives the time, from 0 to 1, or RelativeMotion.NEVER
+         * @param out receives the contact, in the world; null if only the time is needed
+         */
+        public final function findFirst(motion:RelativeMotion, out:ContactPoint):void
+        {
+            var time:Number = 0;
+            if (!overlapsAt(motion, 0))
+            {
+                findImpact(motion, out);
+                if (motion.time != RelativeMotion.NEVER)
+                {
+                    return;
+                }
+                time = overlapsAt(motion, 1) ? 1 : RelativeMotion.NEVER;
+            }
+            motion.time = time;
+            if (out != null && time != RelativeMotion.NEVER)
+            {
+                findContact(motion, out);
+            }
+        }
+
+        /** Whether the two overlap or touch where the motion has brought the model at a time. */
+        public function overlapsAt(motion:RelativeMotion, time:Number):Boolean
+        {
+            throw new IllegalOperationError(this + " does not implement overlapsAt");
+        }
+
+        /**
+         * Finds when and where the surfaces of the two first touch. The parameters are those of <code>findFirst()</code>. The two must not touch at
+         * the beginning.
+         */
+        public function findImpact(motion:RelativeMotion, out:ContactPoint):void
+        {
+            throw new IllegalOperationError(this + " does not implement findImpact");
+        }
+
+        /**
+         * Finds the contact of the two, which overlap at the motion's time.
+         *
+         * @param motion of the model
+         * @param out receives the contact, in the world
+         */
+        public function findContact(motion:RelativeMotion, out:ContactPoint):void
+        {
+            throw new IllegalOperationError(this + " does not implement findContact");
+        }
+    }
+}

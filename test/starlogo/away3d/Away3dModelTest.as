@@ -316,6 +316,13 @@ package starlogo.away3d
             part.updateIndexData(new <uint>[0, 1, 2]);
             part.vertexData.length = 8;
             assertThrows(ModelError, /3 vertices, but only 8 numbers/, make, "thing", part);
+            var offset:OffsetSubGeometry = OffsetSubGeometry.like(CompactSubGeometry(new CubeGeometry(1, 1, 1).subGeometries[0]));
+            offset.vertexData.fixed = false;
+            // enough if the first vertex began at the first number
+            offset.vertexData.length = 23 * 13 + 3;
+            assertThrows(ModelError, /24 vertices, but only 302 numbers/, make, "thing", offset);
+            offset.vertexData.length = 23 * 13 + 5;
+            assertEquals(1, make("thing", offset).width);
         }
 
         private static function make(name:String, source:Object):Away3dModel

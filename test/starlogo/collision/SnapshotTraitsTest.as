@@ -189,6 +189,35 @@ package starlogo.collision
         }
 
         [Test]
+        public function afterGoingBackAContactIsOfAgentsThatStand():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collider:BaseCollider = BaseCollider(EachCollider.make(name, _greatLand));
+                var collision:Collision = new Collision(collider);
+                var agents:Vector.<Agent> = new <Agent>[new Agent("sphere", "balls"), agentAt("sphere", 0.9, 0, 0)];
+                agents[0].sweeps = true;
+                collision.onCollision("balls", "turtles", function(ball:Agent, wall:Agent):void
+                    {
+                    });
+                collision.update(agents);
+                var expected:Contact = collider.contactOf(agents[0], agents[1]);
+                assertTrue(name + ": " + expected.depth, expected.depth > 0.09);
+                var bytes:ByteArray = collision.snapshot(true);
+                agents[0].x = -7;
+                collision.update(agents);
+                agents[0].x = 8;
+                collision.update(agents);
+                assertTrue(name + ": it comes from afar", collider.contactOf(agents[0], agents[1]).time > 0);
+                collision.restore(bytes, agents);
+                var contact:Contact = collider.contactOf(agents[0], agents[1]);
+                assertEquals(name, expected.depth, contact.depth);
+                assertEquals(name, 0, contact.approachSpeed);
+                assertEquals(name, 1, contact.time);
+            }
+        }
+
+        [Test]
         public function badBytesChangeNothing():void
         {
             var game:PlatformGame = new PlatformGame(_greatLand);

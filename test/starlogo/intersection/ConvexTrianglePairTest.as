@@ -3,6 +3,7 @@ package starlogo.intersection
     import evaluation.pairs.RandomStructures;
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
@@ -161,6 +162,25 @@ package starlogo.intersection
                 _wrong.addIf(triangle.findBehind(new RelativeMotion(0), out), "behind", "triangle " + corners);
             }
             _wrong.assertNone();
+        }
+
+        /** Only what touches first on its motion may have a normal that points behind the triangle. */
+        [Test]
+        public function whatIsInTheGroundAtFirstIsLedOutside():void
+        {
+            var triangle:ConvexTrianglePair = new ConvexTrianglePair();
+            triangle.setStructure(new Sphere(new Vector3D(0, 0, -0.5), 1), new Placement());
+            triangle.setTriangle(new <Number>[-10, -10, 0, 10, -10, 0, 0, 10, 0], 0);
+            for (var up:int = -1; up <= 1; up++)
+            {
+                var motion:RelativeMotion = new RelativeMotion(0);
+                motion.z = up;
+                var out:ContactPoint = new ContactPoint();
+                triangle.findContact(motion, out);
+                assertEquals(-1, out.normalZ);
+                triangle.leadOutside(motion, out);
+                assertEquals("moves by " + up, "1,1.5", [out.normalZ, out.depth].join());
+            }
         }
 
         private static function timeOf(sweep:ConvexTrianglePair, structure:BoundingStructure, corners:Vector.<Number>, motion:RelativeMotion):Number

@@ -123,6 +123,18 @@ package starlogo.models
         }
 
         [Test]
+        public function aSurfaceMayHaveThePositionsOfLoosePoints():void
+        {
+            var triangle:Array = [5, 5, 5, 6, 5, 5, 6, 6, 5];
+            var position:int = _file.addNumbers(SQUARE.concat(), "VEC3", Gltf.FLOAT);
+            _file.addMesh({attributes: {POSITION: _file.addNumbers(triangle, "VEC3", Gltf.FLOAT)}}, {attributes: {POSITION: position}, mode: 0},
+                    {attributes: {POSITION: position}, indices: _file.addNumbers([0, 1, 2, 0, 2, 3], "SCALAR", Gltf.UNSIGNED_INT)});
+            _file.json.nodes.push({mesh: 0});
+            assertEquals(triangle.concat(SQUARE).join(), read().vertices.join());
+            assertEquals("0,1,2,3,4,5,3,5,6", read().triangles.join());
+        }
+
+        [Test]
         public function leavesOutWhatNoTriangleUsesAndSharesTheRest():void
         {
             var position:int = _file.addNumbers(SQUARE.concat([7, 7, 7]), "VEC3", Gltf.FLOAT);

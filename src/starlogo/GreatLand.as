@@ -7,7 +7,6 @@ package starlogo
     import starlogo.libraries.FitSettings;
     import starlogo.libraries.FitStore;
     import starlogo.libraries.HierarchiesLibrary;
-    import starlogo.libraries.ModelEntry;
     import starlogo.libraries.ModelResults;
     import starlogo.libraries.ModelTable;
     import starlogo.models.Model;
@@ -157,10 +156,7 @@ package starlogo
             return results.call(function():void
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model
-                    var entry:ModelEntry = _models.entryToWrite(model.name);
-                    entry.setTree(results.modelTree, results.buildingTree);
-                    entry.setStructures(results.structures);
-                    entry.setModel(model);
+                    _models.entryToWrite(model.name).replace(model, results.structures, results.modelTree, results.buildingTree);
                 });
         }
 
@@ -186,22 +182,19 @@ package starlogo
         /** @inheritDoc */
         public function expect(name:String):void
         {
-            _models.entryToWrite(name).loadingCount++;
+            _models.entryToWrite(name).beginLoading();
         }
 
         /** @inheritDoc */
         public function expectNoMore(name:String):void
         {
-            if (isLoading(name))
-            {
-                _models.entryOf(name).loadingCount--;
-            }
+            _models.entryOf(name).endLoading();
         }
 
         /** Whether a ModelLoader is loading a model of this name. A model of the same name may already be added. */
         public function isLoading(name:String):Boolean
         {
-            return _models.entryOf(name).loadingCount > 0;
+            return _models.entryOf(name).isLoading;
         }
 
         /** Whether a model of this name was added. */
@@ -223,10 +216,7 @@ package starlogo
             {
                 return false;
             }
-            var entry:ModelEntry = _models.entryOf(name);
-            entry.setModel(null);
-            entry.setTree(null);
-            entry.setStructures(null);
+            _models.entryOf(name).replace(null, null, null);
             return true;
         }
 

@@ -320,7 +320,7 @@ export function fitAll(vertices: Float64Array): number[] {
 	const hull = new ConvexHull(vertices);
 	log.push(`${library.tightestFit("cloud").volume}, ${hierarchies.has("cloud")}, ${hull.dimension}`);
 	const session = new FitSession(vertices);
-	const fit: Fit = new NaiveSphereFitter().begin(session);
+	const fit: Fit = new NaiveSphereFitter().fitting(session);
 	const counting = new Slices(7, 3, (first: number, end: number) => log.push(`${first} to ${end}`));
 	const work: Steps = new StepSequence().add(fit).add(counting);
 	finish(work);

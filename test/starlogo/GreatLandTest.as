@@ -38,7 +38,7 @@ package starlogo
             assertFalse(_greatLand.hasModel("a") || _greatLand.isLoading("a") || _greatLand.boundingStructures.has("a") || _greatLand.hierarchies.has("a"));
             assertFalse(_greatLand.removeModel("a"));
             assertStrictlyEquals(table.entryOf("a"), table.entryOf("b"));
-            table.entryToWrite("a").loadingCount++;
+            table.entryToWrite("a").beginLoading();
             assertTrue(_greatLand.isLoading("a"));
             assertFalse(_greatLand.isLoading("b"));
         }

@@ -17,7 +17,7 @@ package support
         }
 
         /** @inheritDoc */
-        override public function begin(session:FitSession):Fit
+        override public function fitting(session:FitSession):Fit
         {
             return new Fit(session, find);
         }

@@ -4,6 +4,7 @@ package starlogo.away3d
 {
     import flash.geom.Vector3D;
     import starlogo.models.Model;
+    import starlogo.models.ModelData;
 
     /**
      * A model made from Away3D's own objects or geometry. A point (x, y, z) of Away3D, with y up, becomes (x, z, y) in the engine.
@@ -27,14 +28,14 @@ package starlogo.away3d
          * Reads a model at once.
          *
          * @param name what agents call the shape, not empty
-         * @param source the object or geometry, which is not changed; or, for the engine alone, a SourceReader that has read it
-         * @throws ModelError if the source is none of the above or has no vertices, if its data end early, if a coordinate is not finite,
+         * @param object the source, which is not changed; or, for the engine alone, the ModelData that a SourceReader has read
+         * @throws ModelError if the object is no such source or has no vertices, if its data end early, if a coordinate is not finite,
          * or if the name is empty
          */
-        public function Away3dModel(name:String, source:Object)
+        public function Away3dModel(name:String, object:Object)
         {
-            super(name, null, null, Model.FOOTPRINT, source is SourceReader ? SourceReader(source) : new SourceReader(name, source));
-            var offset:Vector3D = this.source.offset;
+            super(name, null, null, Model.FOOTPRINT, object as ModelData || new SourceReader(name, object).readAll());
+            var offset:Vector3D = source.offset;
             _origin = new Vector3D(offset.x, offset.z, offset.y);
         }
 
@@ -49,7 +50,7 @@ package starlogo.away3d
         /** The width of the source in its own units. It is the length of the model's unit. */
         public function get width():Number
         {
-            return this.source.unit;
+            return source.unit;
         }
     }
 }

@@ -27,12 +27,12 @@ package starlogo.away3d
          * Creates the reader. It does nothing yet.
          *
          * @param name what agents call the shape
-         * @param source as for Away3dModel
+         * @param object as for Away3dModel
          */
-        public function Away3dModelReader(name:String, source:Object)
+        public function Away3dModelReader(name:String, object:Object)
         {
             _name = name;
-            _reader = new SourceReader(name, source);
+            _reader = new SourceReader(name, object);
             _work = new StepSequence().add(_reader).call(makeModel);
         }
 
@@ -66,7 +66,7 @@ package starlogo.away3d
 
         private function makeModel():void
         {
-            _model = new Away3dModel(_name, _reader);
+            _model = new Away3dModel(_name, _reader.data);
             _reader = null;
         }
     }

@@ -62,7 +62,7 @@ package starlogo.away3d
                 {
                     for (var i:int = first; i < end; i++)
                     {
-                        pointOf(i, points);
+                        addPoint(i, points);
                     }
                     progress = end / Math.max(1, vertexCount);
                 });
@@ -112,12 +112,12 @@ package starlogo.away3d
                 {
                     throw new ModelError(_name, "", "triangle " + i / 3 + " of a sub-geometry names vertex " + most + ", the last one is " + (vertexCount - 1));
                 }
-                triangles.push(pointOf(a, points), pointOf(b, points), pointOf(c, points));
+                triangles.push(addPoint(a, points), addPoint(b, points), addPoint(c, points));
             }
         }
 
-        // The index of a vertex's point.
-        private function pointOf(vertex:int, points:PointTable):int
+        // Adds the point of a vertex, if it is not there yet. Returns its index.
+        private function addPoint(vertex:int, points:PointTable):int
         {
             if (_pointOf[vertex] < 0)
             {
@@ -126,7 +126,7 @@ package starlogo.away3d
                 _point[1] = _numbers[int(at + 1)];
                 _point[2] = _numbers[int(at + 2)];
                 _transform.transformPoints(_point, 0, 1, _point, 0);
-                _pointOf[vertex] = points.indexOf(_point[0], _point[1], _point[2]);
+                _pointOf[vertex] = points.add(_point[0], _point[1], _point[2]);
             }
             return _pointOf[vertex];
         }

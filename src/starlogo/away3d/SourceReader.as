@@ -19,23 +19,23 @@ package starlogo.away3d
         // swaps y and z, which mirrors
         private static const SWAP:AffineTransform = new AffineTransform(new <Number>[1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0]);
 
-        private var _source:Object;
+        private var _object:Object;
         private var _parts:Vector.<PartReader> = new Vector.<PartReader>();
 
         /**
          * @param name what agents call the shape
-         * @param source as for Away3dModel
+         * @param object as for Away3dModel
          */
-        public function SourceReader(name:String, source:Object)
+        public function SourceReader(name:String, object:Object)
         {
             super(name || "", "z", Model.FOOTPRINT);
-            _source = source;
+            _object = object;
             begin(readingParts).begin(normalising);
         }
 
         private function readingParts():Steps
         {
-            addSource(_source);
+            addSource(_object);
             var vertexCount:int = 0;
             var hasTriangles:Boolean = false;
             for each (var part:PartReader in _parts)

@@ -144,7 +144,7 @@ package starlogo.debug
             var triangles:Vector.<uint> = new Vector.<uint>();
             for (var i:int = 0; i < surface.vertices.length; i += 3)
             {
-                triangles.push(points.indexOf(surface.vertices[i], surface.vertices[i + 1], surface.vertices[i + 2]));
+                triangles.push(points.add(surface.vertices[i], surface.vertices[i + 1], surface.vertices[i + 2]));
             }
             return ofTriangles(points.coordinates, triangles, out);
         }

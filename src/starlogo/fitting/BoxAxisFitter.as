@@ -33,9 +33,9 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
-        override public function begin(session:FitSession):Fit
+        override public function fitting(session:FitSession):Fit
         {
-            return new Fit(session, findStructure, _boxFitter.beginOnce(session));
+            return new Fit(session, findStructure, _boxFitter.fittingOnce(session));
         }
 
         /** @inheritDoc */

@@ -64,7 +64,7 @@ package starlogo.fitting
             {
                 return _fits[i];
             }
-            var fit:Fit = fitter.begin(this);
+            var fit:Fit = fitter.fitting(this);
             _fitters.push(fitter);
             _fits.push(fit);
             return fit;

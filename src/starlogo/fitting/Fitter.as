@@ -15,7 +15,7 @@ package starlogo.fitting
      * model's size. This holds for any vertices: for one or two, for vertices on a line or in a plane, and for repeated ones.
      *
      * <p>This is the abstract base class. Each algorithm is a subclass, which implements <code>findStructure()</code>, or
-     * <code>begin()</code> if it works in steps. Only vertices on the convex hull decide how tight a fit can be (thesis §3.4.2), so the
+     * <code>fitting()</code> if it works in steps. Only vertices on the convex hull decide how tight a fit can be (thesis §3.4.2), so the
      * algorithms search with those. A FitSession computes the hull once for all fitters of the same vertices. The structures are then
      * measured over every vertex in double precision.</p>
      *
@@ -68,19 +68,19 @@ package starlogo.fitting
          * @param session the vertices and their hull; the hull may not exist before the first step
          * @return the work, not begun yet
          */
-        public function begin(session:FitSession):Fit
+        public function fitting(session:FitSession):Fit
         {
             return new Fit(session, findStructure);
         }
 
         /**
-         * Finds a structure around a session's vertices without steps. Subclasses that do not override <code>begin()</code> implement it.
+         * Finds a structure around a session's vertices without steps. Subclasses that do not override <code>fitting()</code> implement it.
          *
          * @param session the vertices, and their hull
          */
         protected function findStructure(session:FitSession):BoundingStructure
         {
-            throw new IllegalOperationError(this + " implements neither findStructure nor begin");
+            throw new IllegalOperationError(this + " implements neither findStructure nor fitting");
         }
 
         /**
@@ -103,7 +103,7 @@ package starlogo.fitting
          */
         public final function fitOnce(session:FitSession):BoundingStructure
         {
-            var work:Fit = beginOnce(session);
+            var work:Fit = fittingOnce(session);
             finish(work);
             return work.structure;
         }
@@ -114,7 +114,7 @@ package starlogo.fitting
          *
          * @param session the vertices, and their hull
          */
-        public final function beginOnce(session:FitSession):Fit
+        public final function fittingOnce(session:FitSession):Fit
         {
             return session.fitOf(this);
         }

@@ -51,7 +51,7 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
-        override public function begin(session:FitSession):Fit
+        override public function fitting(session:FitSession):Fit
         {
             var enclosure:HullEnclosure = new HullEnclosure(session, _maxCorners);
             return new Fit(session, function(session:FitSession):BoundingStructure

@@ -26,9 +26,9 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
-        override public function begin(session:FitSession):Fit
+        override public function fitting(session:FitSession):Fit
         {
-            var search:CapsuleSearch = new CapsuleSearch(session, _sphereFitter.beginOnce(session));
+            var search:CapsuleSearch = new CapsuleSearch(session, _sphereFitter.fittingOnce(session));
             return new Fit(session, function(session:FitSession):BoundingStructure
                 {
                     return search.best;

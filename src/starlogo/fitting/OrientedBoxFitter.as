@@ -49,7 +49,7 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
-        override public function begin(session:FitSession):Fit
+        override public function fitting(session:FitSession):Fit
         {
             return RotationSearch.newFit(session, _degIncrement, _degIncrement);
         }

@@ -45,7 +45,7 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
-        override public function begin(session:FitSession):Fit
+        override public function fitting(session:FitSession):Fit
         {
             return RotationSearch.newFit(session, 90, _degIncrement);
         }

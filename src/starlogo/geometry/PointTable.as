@@ -35,8 +35,8 @@ package starlogo.geometry
             _slots = new Vector.<int>(size, true);
         }
 
-        /** The index of the point at a place. If there is none, it is added. */
-        public function indexOf(x:Number, y:Number, z:Number):int
+        /** Adds the point at a place, if it is not there yet. Returns its index. */
+        public function add(x:Number, y:Number, z:Number):int
         {
             var mask:int = _slots.length - 1;
             var slot:int = hash(x, y, z) & mask;

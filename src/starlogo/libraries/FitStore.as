@@ -214,7 +214,7 @@ package starlogo.libraries
             {
                 bytes.position = 0;
             }
-            return file.isFor(geometry);
+            return file.isOf(geometry);
         }
 
         // The fingerprint of a model's vertices and triangles.

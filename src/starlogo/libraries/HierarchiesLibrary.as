@@ -97,9 +97,12 @@ package starlogo.libraries
         public function add(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null):void
         {
             ModelTable.checkName(name);
-            refuse(name, VertexData.vertexProblem(vertices));
             var hasTriangles:Boolean = triangles != null && triangles.length > 0;
-            refuse(name, hasTriangles ? VertexData.triangleProblem(triangles, vertices.length / 3) : null);
+            var problem:String = VertexData.vertexProblem(vertices) || (hasTriangles ? VertexData.triangleProblem(triangles, vertices.length / 3) : null);
+            if (problem != null)
+            {
+                throw ModelTable.errorOf(name, problem);
+            }
             var tree:ModelTree = new ModelTree(new BoxTree(vertices.concat(), hasTriangles ? triangles.concat() : null));
             finish(building(tree));
             models.entryToWrite(name).setTree(tree);
@@ -154,14 +157,6 @@ package starlogo.libraries
             if (value < 1)
             {
                 throw new RangeError(setting + " must be at least 1: " + value);
-            }
-        }
-
-        private static function refuse(name:String, problem:String):void
-        {
-            if (problem != null)
-            {
-                throw new ArgumentError("shape \"" + name + "\": " + problem);
             }
         }
     }

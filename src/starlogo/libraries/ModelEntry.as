@@ -19,28 +19,45 @@ package starlogo.libraries
      */
     public final class ModelEntry implements PoseListener
     {
-        /** The number of models of this name that are loading. */
-        public var loadingCount:int = 0;
-
-        /** The number of times that data under this name was replaced, removed or posed. */
-        public var revision:int = 0;
-
-        /** The model; null if none was added. Set it with setModel(). */
-        public var model:Model = null;
-
-        /** The structures; null if there are none. Set them with setStructures(). */
-        public var structures:ModelStructures = null;
-
         private var _table:ModelTable;
+        private var _model:Model = null;
+        private var _structures:ModelStructures = null;
 
         // The tree, or null; and the work that makes it when it is first needed, null if it is made.
         private var _tree:ModelTree = null;
         private var _building:Steps = null;
 
+        private var _revision:int = 0;
+        private var _loadingCount:int = 0;
+
         /** @param table counts replaced and removed data of all shapes */
         public function ModelEntry(table:ModelTable)
         {
             _table = table;
+        }
+
+        /** The number of times that data under this name was replaced, removed or posed. */
+        public function get revision():int
+        {
+            return _revision;
+        }
+
+        /** The model; null if none was added. */
+        public function get model():Model
+        {
+            return _model;
+        }
+
+        /** The structures; null if there are none. */
+        public function get structures():ModelStructures
+        {
+            return _structures;
+        }
+
+        public function set structures(value:ModelStructures):void
+        {
+            countChange(_structures);
+            _structures = value;
         }
 
         /** Whether there is a hierarchy. Its tree may not be built yet. */
@@ -60,18 +77,28 @@ package starlogo.libraries
             return _tree;
         }
 
-        /** Sets the model; null for none. */
-        public function setModel(value:Model):void
+        /**
+         * Replaces everything under this name.
+         *
+         * @param model null for none
+         * @param structures null for none
+         * @param tree null for none
+         * @param building as for <code>setTree()</code>
+         */
+        public function replace(model:Model, structures:ModelStructures, tree:ModelTree, building:Steps = null):void
         {
-            countChange(model);
-            if (model != null)
+            countChange(_structures);
+            _structures = structures;
+            setTree(tree, building);
+            countChange(_model);
+            if (_model != null)
             {
-                model.removeListener(this);
+                _model.removeListener(this);
             }
-            model = value;
-            if (model != null)
+            _model = model;
+            if (_model != null)
             {
-                model.addListener(this);
+                _model.addListener(this);
             }
         }
 
@@ -82,14 +109,7 @@ package starlogo.libraries
             {
                 _tree.refit();
             }
-            countChange(model);
-        }
-
-        /** Sets the structures; null for none. */
-        public function setStructures(value:ModelStructures):void
-        {
-            countChange(structures);
-            structures = value;
+            countChange(_model);
         }
 
         /** Sets the tree; null for none. @param building makes it when it is first needed; null if it is made */
@@ -100,11 +120,29 @@ package starlogo.libraries
             _building = building;
         }
 
+        /** Counts one more model of this name that is loading. */
+        public function beginLoading():void
+        {
+            _loadingCount++;
+        }
+
+        /** Counts one less, if one is loading. */
+        public function endLoading():void
+        {
+            _loadingCount = Math.max(0, _loadingCount - 1);
+        }
+
+        /** Whether a model of this name is loading. */
+        public function get isLoading():Boolean
+        {
+            return _loadingCount > 0;
+        }
+
         private function countChange(before:Object):void
         {
             if (before != null)
             {
-                revision++;
+                _revision++;
                 _table.revision++;
             }
         }

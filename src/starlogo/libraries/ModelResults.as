@@ -126,7 +126,7 @@ package starlogo.libraries
             var stored:CookedFile = _store.fileOf(_geometry, _settings);
             return new StepSequence().add(stored).call(function():void
                 {
-                    if (stored.isFor(_geometry))
+                    if (stored.isOf(_geometry))
                     {
                         takeFrom(stored);
                     }

@@ -43,6 +43,12 @@ package starlogo.libraries
             }
         }
 
+        /** The error for something that is wrong with a shape. */
+        public static function errorOf(name:String, problem:String):ArgumentError
+        {
+            return new ArgumentError("shape \"" + name + "\": " + problem);
+        }
+
         /**
          * The error for something that is missing under a name.
          *

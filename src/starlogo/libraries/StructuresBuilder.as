@@ -48,24 +48,24 @@ package starlogo.libraries
             this.keepsAll = keepsAll;
             if (fitters == null || fitters.length == 0)
             {
-                throw errorOf("the library's list of fitters is empty");
+                throw ModelTable.errorOf(name, "the library's list of fitters is empty");
             }
             if (fitters.indexOf(null) >= 0)
             {
-                throw errorOf("a fitter must not be null");
+                throw ModelTable.errorOf(name, "a fitter must not be null");
             }
             _fitters = fitters.concat();
             var session:FitSession = new FitSession(vertices, false);
             add(session);
             for each (var fitter:Fitter in _fitters)
             {
-                var fit:Fit = fitter.beginOnce(session);
+                var fit:Fit = fitter.fittingOnce(session);
                 _fits.push(fit);
                 add(fit);
             }
             if (hullFitter != null)
             {
-                _hullFit = hullFitter.beginOnce(session);
+                _hullFit = hullFitter.fittingOnce(session);
                 add(_hullFit);
             }
             slices(fitters.length, 1, check).call(choose);
@@ -93,7 +93,7 @@ package starlogo.libraries
             }
             catch (error:ArgumentError)
             {
-                throw errorOf(error.message);
+                throw ModelTable.errorOf(_name, error.message);
             }
             return false;
         }
@@ -150,11 +150,6 @@ package starlogo.libraries
             var wider:BoundingStructure = structure.clone();
             wider.widenForSurfaces();
             return wider;
-        }
-
-        private function errorOf(problem:String):ArgumentError
-        {
-            return new ArgumentError("shape \"" + _name + "\": " + problem);
         }
     }
 }

@@ -98,10 +98,8 @@ package starlogo.models
             {
                 throw new RangeError("the time must be a finite number, not " + time);
             }
-            _file.renewBudget();
-            var reader:GltfReader = new GltfReader(_name, _file, _upAxis, null, chosen.valuesAt(time));
-            finish(reader);
-            return reader.data.vertices;
+            _file.renewLimits();
+            return new GltfReader(_name, _file, _upAxis, null, chosen.valuesAt(time)).readAll().vertices;
         }
 
         private function animationOf(animation:int):GltfAnimation

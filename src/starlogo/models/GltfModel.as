@@ -34,7 +34,7 @@ package starlogo.models
          */
         public function GltfModel(name:String, bytes:ByteArray, upAxis:Object = null, scaling:String = Model.FOOTPRINT, buffers:Object = null)
         {
-            super(name, null, null, scaling, new GltfReader(name, fileOf(name, bytes, buffers), upAxis, scaling));
+            super(name, null, null, scaling, new GltfReader(name, fileOf(name, bytes, buffers), upAxis, scaling).readAll());
         }
 
         /**
@@ -66,8 +66,12 @@ package starlogo.models
             finish(file);
             for each (var uri:String in file.otherFiles)
             {
-                file.setBuffer(uri, buffers != null && uri in buffers ? buffers[uri] as ByteArray : null, "\"" + TextWords.shorten(uri) +
-                        "\" is another file and was not given: a ModelLoader's load() fetches it");
+                var buffer:ByteArray = buffers != null && uri in buffers ? buffers[uri] as ByteArray : null;
+                if (buffer == null)
+                {
+                    throw file.missingBuffer(uri, "\"" + TextWords.shorten(uri) + "\" is another file and was not given: a ModelLoader's load() fetches it");
+                }
+                file.setBuffer(uri, buffer);
             }
             return file;
         }

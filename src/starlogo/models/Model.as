@@ -7,7 +7,6 @@ package starlogo.models
     import starlogo.geometry.areSameNumbers;
     import starlogo.geometry.VertexBounds;
     import starlogo.geometry.VertexData;
-    import starlogo.steps.finish;
 
     use namespace engine;
 
@@ -68,18 +67,14 @@ package starlogo.models
          * @param triangles three vertex indices for each triangle (0 is the first vertex); null or empty if only vertices are known; is not
          * changed
          * @param scaling <code>FOOTPRINT</code>, <code>VOLUME</code> or <code>AS_GIVEN</code>
-         * @param reader for the engine alone: reads the model. The name, the scaling and the data are the reader's then; those given here are ignored
+         * @param fromFile for the engine alone: what a ModelReader has read, in place of all other arguments
          * @throws ModelError if the name is empty, if there is no vertex, if a coordinate is missing, not finite or so large that the
          * model's extent is not finite, if an index names no vertex, or if the scaling is unknown
          * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295. In a Vector all indices are such integers
          */
-        public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT, reader:ModelReader = null)
+        public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT, fromFile:ModelData = null)
         {
-            if (reader != null)
-            {
-                finish(reader);
-            }
-            _data = reader == null ? ModelData.of(name, vertices, triangles, scaling) : reader.data;
+            _data = fromFile || ModelData.of(name, vertices, triangles, scaling);
         }
 
         /** The model's place and scale in its source, for a renderer that draws the source. Shared with the model. */

@@ -3,6 +3,7 @@ package starlogo.models
     import starlogo.geometry.AffineTransform;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
+    import starlogo.steps.finish;
 
     /**
      * Reads a model's file into a ModelData, and normalises it. Each format has a subclass, which adds the parts of the work in its constructor.
@@ -38,6 +39,13 @@ package starlogo.models
             _upAxis = data.transform == null ? String(upAxis) : "z";
             refuseIf(_upAxis != "x" && _upAxis != "y" && _upAxis != "z", name,
                     "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not " + (upAxis is String ? "\"" + upAxis + "\"" : upAxis));
+        }
+
+        /** Does all steps that are left. Returns the data. */
+        public final function readAll():ModelData
+        {
+            finish(this);
+            return data;
         }
 
         /** The model's name. */

@@ -34,9 +34,9 @@ package starlogo.models
         {
             _data = data;
             var vertices:Vector.<Number> = data.vertices;
-            refuse(data.name == "" ? "a model needs a name that is not empty" : null);
-            refuse(vertices.length == 0 ? "no vertices: a model needs at least one" : null);
-            refuse(vertices.length % 3 == 0 ? null : VertexData.vertexProblem(vertices));
+            refuseIf(data.name == "", data.name, "a model needs a name that is not empty");
+            refuseIf(vertices.length == 0, data.name, "no vertices: a model needs at least one");
+            refuseIf(vertices.length % 3 != 0, data.name, "vertices have three coordinates each, but there are " + vertices.length + " in all");
             vertices.fixed = true;
             var unit:Number = data.scaling == Model.AS_GIVEN ? data.unit : 1;
             var factors:Vector3D = data.transform == null ? new Vector3D(unit, unit, unit) : data.transform.scale;
@@ -54,13 +54,13 @@ package starlogo.models
                     addTurning().addScaling(factors).begin(translating);
                     break;
                 default:
-                    refuse("the scaling must be Model.FOOTPRINT, VOLUME or AS_GIVEN, not \"" + data.scaling + "\"");
+                    refuseIf(true, data.name, "the scaling must be Model.FOOTPRINT, VOLUME or AS_GIVEN, not \"" + data.scaling + "\"");
             }
             data.frame ||= _frame;
             var triangleCount:int = data.triangles.length / 3;
             data.materials = data.materials.trim(triangleCount);
             data.meshes = data.meshes.trim(triangleCount);
-            refuse(VertexData.triangleProblem(data.triangles, vertices.length / 3, 0, 0));
+            checkCorners(0, 0);
             data.triangles = triangleCount == 0 ? null : data.triangles;
             if (triangleCount > 0)
             {
@@ -70,15 +70,6 @@ package starlogo.models
                 {
                     call(reverseTriangles);
                 }
-            }
-        }
-
-        // Throws a ModelError if there is a problem.
-        private function refuse(problem:String):void
-        {
-            if (problem != null)
-            {
-                throw new ModelError(_data.name, "", problem);
             }
         }
 
@@ -120,7 +111,10 @@ package starlogo.models
         {
             _bounds = first == 0 ? new VertexBounds() : _bounds;
             _bounds.add(_data.vertices, first, end);
-            refuse(_bounds.areFinite ? null : VertexData.vertexProblem(_data.vertices));
+            if (!_bounds.areFinite)
+            {
+                throw new ModelError(_data.name, "", VertexData.vertexProblem(_data.vertices));
+            }
         }
 
         private function placingFootprint():Steps
@@ -165,7 +159,7 @@ package starlogo.models
         private function placing(firstX:Number, firstY:Number, firstZ:Number, secondX:Number, secondY:Number, secondZ:Number, divisor:Number):Steps
         {
             var size:Number = _bounds.extentX + _bounds.extentY + _bounds.extentZ;
-            refuse(size < Infinity ? null : "the coordinates are too large: the model's extent is not a finite number");
+            refuseIf(!(size < Infinity), _data.name, "the coordinates are too large: the model's extent is not a finite number");
             _frame.addMove(firstX + secondX, firstY + secondY, firstZ + secondZ, divisor);
             return new Slices(_data.vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
@@ -192,7 +186,8 @@ package starlogo.models
 
         private function checkCorners(first:int, end:int):void
         {
-            refuse(VertexData.triangleProblem(_data.triangles, _data.vertices.length / 3, first, end));
+            var problem:String = VertexData.triangleProblem(_data.triangles, _data.vertices.length / 3, first, end);
+            refuseIf(problem != null, _data.name, problem);
         }
 
         // A mirror image's triangles get the reverse corner order, so that they still face outwards. Their own order is reversed too.

@@ -23,18 +23,18 @@ package starlogo.models
         // The number of each triangle, after it was first needed.
         private var _list:Vector.<int> = null;
 
-        /** The number of a key. A new key gets the next number. @param name its name; null if it has none */
-        public function numberFor(key:String, name:String):int
+        /** Adds a key, if it is new, and gives it the next number. Returns its number. @param name the number's name; null if it has none */
+        public function addKey(key:String, name:String):int
         {
             if (_known["#" + key] === undefined)
             {
-                _known["#" + key] = addNumber(name);
+                _known["#" + key] = addName(name);
             }
             return _known["#" + key];
         }
 
-        /** The next number, which has no key. @param name its name; null if it has none */
-        public function addNumber(name:String):int
+        /** Adds the next number, without a key. Returns it. @param name its name; null if it has none */
+        public function addName(name:String):int
         {
             names.push(name);
             return names.length - 1;

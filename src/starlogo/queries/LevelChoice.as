@@ -37,7 +37,7 @@ package starlogo.queries
         {
             var tree:ModelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
             finish(tree.building(BoxTreeBuilder.MIN_VERTICES_TO_SPLIT, BoxTreeBuilder.MAX_DEPTH, false, true));
-            replace(model.name, model, tree, null);
+            _models.entryToWrite(model.name).replace(model, null, tree);
         }
 
         /**
@@ -49,15 +49,7 @@ package starlogo.queries
         {
             ModelTable.checkName(name);
             Body.requireStructure(structure);
-            replace(name, null, null, ModelStructures.of(structure));
-        }
-
-        private function replace(name:String, model:Model, tree:ModelTree, structures:ModelStructures):void
-        {
-            var entry:ModelEntry = _models.entryToWrite(name);
-            entry.setModel(model);
-            entry.setTree(tree);
-            entry.setStructures(structures);
+            _models.entryToWrite(name).replace(null, ModelStructures.of(structure), null);
         }
 
         /** @inheritDoc */

@@ -178,7 +178,7 @@ package starlogo.away3d
             var triangles:Vector.<uint> = new Vector.<uint>();
             for each (var vertex:uint in model.triangles)
             {
-                triangles.push(points.indexOf(model.vertices[3 * vertex], model.vertices[3 * vertex + 1], model.vertices[3 * vertex + 2]));
+                triangles.push(points.add(model.vertices[3 * vertex], model.vertices[3 * vertex + 1], model.vertices[3 * vertex + 2]));
             }
             return new Model(model.name, points.coordinates, triangles);
         }

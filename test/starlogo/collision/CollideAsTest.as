@@ -165,9 +165,9 @@ internal class CountingFitter extends Fitter
 
     private var _fitter:RitterSphereFitter = new RitterSphereFitter();
 
-    override public function begin(session:FitSession):Fit
+    override public function fitting(session:FitSession):Fit
     {
         count++;
-        return _fitter.begin(session);
+        return _fitter.fitting(session);
     }
 }

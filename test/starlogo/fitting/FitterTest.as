@@ -169,8 +169,8 @@ package starlogo.fitting
             {
                 var counting:CountingFitter = new CountingFitter();
                 var session:FitSession = new FitSession(PointSets.box(1, 1, 1));
-                var capsule:Fit = new CapsuleFitter(counting).begin(session);
-                var box:Fit = counting.beginOnce(session);
+                var capsule:Fit = new CapsuleFitter(counting).fitting(session);
+                var box:Fit = counting.fittingOnce(session);
                 assertEquals(0, counting.count);
                 for (var i:int = 0; i < ahead; i++)
                 {
@@ -205,7 +205,7 @@ package starlogo.fitting
         public function minimalCapsulesAreFoundInManySteps():void
         {
             var session:FitSession = new FitSession(PointSets.cloud(new SeededRandom(60), 40, 1, 0.5, 0.2));
-            var fit:Fit = new MinimalCapsuleFitter().begin(session);
+            var fit:Fit = new MinimalCapsuleFitter().fitting(session);
             var count:int = 1;
             while (fit.step())
             {
@@ -225,7 +225,7 @@ package starlogo.fitting
             {
                 var expected:Number = fitter.fit(points).volume;
                 var session:FitSession = new FitSession(points, false);
-                var work:Fit = fitter.begin(session);
+                var work:Fit = fitter.fitting(session);
                 fitter.degIncrement = 90;
                 finish(session);
                 finish(work);
@@ -248,7 +248,7 @@ package starlogo.fitting
             {
                 assertThrows(ArgumentError, /./, finish, new FitSession(vertices, false));
             }
-            assertThrows(IllegalOperationError, /begin/, new Fitter().fit, PointSets.box(1, 1, 1));
+            assertThrows(IllegalOperationError, /fitting/, new Fitter().fit, PointSets.box(1, 1, 1));
             for each (var increment:Number in [0, -10, NaN, Infinity])
             {
                 assertThrows(ArgumentError, /.{10}/, create, OrientedBoxFitter, increment);

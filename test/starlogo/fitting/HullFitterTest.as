@@ -174,7 +174,7 @@ package starlogo.fitting
             for each (var model:Model in SteppedModels.odd())
             {
                 var session:FitSession = new FitSession(model.vertices, false);
-                var fit:Fit = new HullFitter().begin(session);
+                var fit:Fit = new HullFitter().fitting(session);
                 var steps:int = 1;
                 while (session.step())
                 {

@@ -533,7 +533,7 @@ import starlogo.fitting.Fitter;
 /** Finds a sphere that is large enough for every model. */
 class UnsignedFitter extends Fitter
 {
-    override public function begin(session:FitSession):Fit
+    override public function fitting(session:FitSession):Fit
     {
         return new Fit(session, function(session:FitSession):BoundingStructure
             {

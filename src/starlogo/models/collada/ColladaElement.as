@@ -231,7 +231,7 @@ package starlogo.models.collada
         /** The error for something that is wrong with the element. */
         public function error(problem:String):ModelError
         {
-            return new ModelError(document.budget.name, String(this), problem);
+            return new ModelError(document.limits.modelName, String(this), problem);
         }
 
         /** The path from the root: names, with ids. Elements without an id that have siblings of the same name get numbers from 1. */

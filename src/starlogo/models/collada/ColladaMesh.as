@@ -32,7 +32,7 @@ package starlogo.models.collada
         {
             this.geometry = geometry;
             _mesh = geometry.child("mesh") || geometry.child("convex_mesh");
-            addSteps(new Triangulator(geometry.document.budget, vertices, triangles));
+            addSteps(new Triangulator(geometry.document.limits, vertices, triangles));
         }
 
         private function addSteps(triangulator:Triangulator):void
@@ -65,7 +65,7 @@ package starlogo.models.collada
                 {
                     var work:StepSequence = new StepSequence();
                     var symbol:String = element.attribute("material");
-                    symbols.beginRun(symbol == "" ? -1 : symbols.numberFor(symbol, symbol), triangles.length / 3);
+                    symbols.beginRun(symbol == "" ? -1 : symbols.addKey(symbol, symbol), triangles.length / 3);
                     var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(element)), work);
                     return work.call(function():void
                         {

@@ -107,7 +107,7 @@ package starlogo.models.collada
             var at:int = _triangles.length;
             for (var i:int = first; i < end; i++)
             {
-                _triangles[at++] = cornerAt(indices, i * _stride);
+                _triangles[at++] = readCorner(indices, i * _stride);
             }
         }
 
@@ -135,7 +135,7 @@ package starlogo.models.collada
                         var count:int = Number(sizes[index]);
                         if (count > 2)
                         {
-                            _triangulator.addPolygon(cornersAt(indices, next, count));
+                            _triangulator.addPolygon(readCorners(indices, next, count));
                         }
                         next += count * _stride;
                         return count;
@@ -172,11 +172,11 @@ package starlogo.models.collada
         private function readPolygon(list:ColladaElement):int
         {
             var hasHoles:Boolean = list.name == "ph";
-            var outline:Vector.<uint> = loopOf(hasHoles ? list.requiredChild("p") : list);
+            var outline:Vector.<uint> = readLoop(hasHoles ? list.requiredChild("p") : list);
             var holes:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
             for each (var hole:ColladaElement in hasHoles ? list.childrenNamed("h") : null)
             {
-                holes.push(loopOf(hole));
+                holes.push(readLoop(hole));
             }
             _triangulator.addPolygon(outline, holes);
             return outline.length;
@@ -186,7 +186,7 @@ package starlogo.models.collada
         private function readStrip(list:ColladaElement):int
         {
             var isFan:Boolean = _element.name == "trifans";
-            var strip:Vector.<uint> = loopOf(list);
+            var strip:Vector.<uint> = readLoop(list);
             for (var i:int = 2; i < strip.length; i++)
             {
                 var first:int = isFan ? 0 : i - 2 + (i & 1);
@@ -196,19 +196,19 @@ package starlogo.models.collada
             return strip.length;
         }
 
-        private function loopOf(list:ColladaElement):Vector.<uint>
+        private function readLoop(list:ColladaElement):Vector.<uint>
         {
             var indices:Array = list.splitText();
-            return cornersAt(indices, 0, cornersIn(indices));
+            return readCorners(indices, 0, cornersIn(indices));
         }
 
-        // Some corners. The indices of the first one begin at the given place.
-        private function cornersAt(indices:Array, place:int, count:int):Vector.<uint>
+        // Reads some corners. The indices of the first one begin at the given place.
+        private function readCorners(indices:Array, place:int, count:int):Vector.<uint>
         {
             var corners:Vector.<uint> = new Vector.<uint>(count);
             for (var i:int = 0; i < count; i++)
             {
-                corners[i] = cornerAt(indices, place + i * _stride);
+                corners[i] = readCorner(indices, place + i * _stride);
             }
             return corners;
         }
@@ -223,8 +223,8 @@ package starlogo.models.collada
             return indices.length / _stride;
         }
 
-        // The point of a corner, which is marked as used. The corner's indices begin at the given place.
-        private function cornerAt(indices:Array, place:int):uint
+        // Reads a corner, whose indices begin at the given place. Returns its point, and marks it as used.
+        private function readCorner(indices:Array, place:int):uint
         {
             var word:String = indices[int(place + _offset)];
             var value:Number = Decimal.ofIndex(word);

@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    import starlogo.models.ModelBudget;
+    import starlogo.models.FileLimits;
     import starlogo.models.ModelReader;
     import starlogo.models.TriangleLabels;
     import starlogo.models.refuseIf;
@@ -22,7 +22,7 @@ package starlogo.models.collada
         // whether the caller has named the up axis
         private var _isAxisNamed:Boolean;
 
-        private var _budget:ModelBudget;
+        private var _limits:FileLimits;
 
         /**
          * @param name the model's name
@@ -35,8 +35,8 @@ package starlogo.models.collada
             super(name, upAxis == null ? "z" : upAxis, scaling);
             refuseIf(text == null, name, "there is no text to read");
             _isAxisNamed = upAxis != null;
-            _budget = new ModelBudget(name, text.length);
-            addSteps(new XmlReader(text, _budget));
+            _limits = new FileLimits(name, text.length);
+            addSteps(new XmlReader(text, _limits));
         }
 
         private function addSteps(xml:XmlReader):void
@@ -88,7 +88,7 @@ package starlogo.models.collada
             var firstCorner:int = data.triangles.length;
             var vertexCount:int = mesh.vertices.length / 3;
             var triangleCount:int = mesh.triangles.length / 3;
-            _budget.requireMesh(firstVertex + vertexCount, firstCorner / 3 + triangleCount, instance.element);
+            _limits.requireMesh(firstVertex + vertexCount, firstCorner / 3 + triangleCount, instance.element);
             if (triangleCount > 0)
             {
                 addLabels(instance, firstCorner / 3);
@@ -109,15 +109,15 @@ package starlogo.models.collada
             var element:ColladaElement = instance.element;
             var symbols:TriangleLabels = instance.mesh.symbols;
             var label:String = nameOf(element.name != "geometry" && element.parent != null ? element.parent : element) || nameOf(instance.mesh.geometry);
-            data.meshes.beginRun(data.meshes.addNumber(label), firstTriangle);
+            data.meshes.beginRun(data.meshes.addName(label), firstTriangle);
             data.materials.beginRun(-1, firstTriangle);
             var bound:Vector.<int> = new Vector.<int>();
             for each (var symbol:String in symbols.names)
             {
                 var material:ColladaElement = element.materialOf(symbol);
                 // A symbol may be equal to another material's id.
-                bound.push(material == null ? data.materials.numberFor("symbol " + symbol, symbol) :
-                        data.materials.numberFor("material " + material.id, nameOf(material)));
+                bound.push(material == null ? data.materials.addKey("symbol " + symbol, symbol) :
+                        data.materials.addKey("material " + material.id, nameOf(material)));
             }
             for (var i:int = 0; i < symbols.starts.length; i++)
             {

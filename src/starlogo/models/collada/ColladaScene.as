@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.geometry.AffineTransform;
-    import starlogo.models.ModelBudget;
+    import starlogo.models.FileLimits;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
 
@@ -18,7 +18,7 @@ package starlogo.models.collada
         /** The geometries in the document's order, when no step is left. */
         public var instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
 
-        private var _budget:ModelBudget;
+        private var _limits:FileLimits;
         private var _meshes:Object = {}; // of geometries in the scene; the key is "#" and the geometry's id
 
         // The elements that are to be visited, the next one last, and the node that each is in.
@@ -31,7 +31,7 @@ package starlogo.models.collada
          */
         public function ColladaScene(root:ColladaElement, up:AffineTransform)
         {
-            _budget = root.document.budget;
+            _limits = root.document.limits;
             var scene:ColladaElement = root.child("scene");
             var instance:ColladaElement = scene == null ? null : scene.child("instance_visual_scene");
             if (instance != null)
@@ -70,7 +70,7 @@ package starlogo.models.collada
         {
             var children:Vector.<ColladaElement> = node.element.children;
             node.element.refuseIf(node.depth > MAX_DEPTH, "its nodes are nested more than " + MAX_DEPTH + " deep");
-            _budget.take(ModelBudget.THINGS, THINGS_PER_ELEMENT * (1 + children.length), node.element);
+            _limits.count(FileLimits.THINGS, THINGS_PER_ELEMENT * (1 + children.length), node.element);
             for (var i:int = children.length - 1; i >= 0; i--)
             {
                 _pending.push(children[i]);
@@ -114,7 +114,7 @@ package starlogo.models.collada
             var target:ColladaElement = element.target("url", ["controller"]);
             for (var i:int = 0; target.name == "controller"; i++)
             {
-                _budget.take(ModelBudget.THINGS, THINGS_PER_ELEMENT, element);
+                _limits.count(FileLimits.THINGS, THINGS_PER_ELEMENT, element);
                 var skin:ColladaElement = target.child("skin");
                 var deformer:ColladaElement = skin || target.requiredChild("morph");
                 var shape:ColladaElement = skin == null ? null : skin.child("bind_shape_matrix");

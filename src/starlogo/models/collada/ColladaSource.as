@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    import starlogo.models.ModelBudget;
+    import starlogo.models.FileLimits;
     import starlogo.models.text.Decimal;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
@@ -33,8 +33,8 @@ package starlogo.models.collada
         private function addSteps(accessor:ColladaElement, array:ColladaElement):void
         {
             var text:ColladaWords = new ColladaWords(new <ColladaElement>[array]);
-            accessor.document.budget.take(ModelBudget.NUMBERS, text.length / 2, accessor);
-            accessor.document.budget.take(ModelBudget.THINGS, accessor.children.length, accessor);
+            accessor.document.limits.count(FileLimits.NUMBERS, text.length / 2, accessor);
+            accessor.document.limits.count(FileLimits.THINGS, accessor.children.length, accessor);
             add(text).begin(function():Steps
                 {
                     return readingPoints(accessor, array, text.words);
@@ -51,7 +51,7 @@ package starlogo.models.collada
             var last:Number = offset + stride * (wanted - 1) + Math.max(columns[0], columns[1], columns[2]);
             accessor.refuseIf(wanted > 0 && last >= words.length, "its count of " + wanted + " with a stride of " + stride +
                     " reaches beyond the " + words.length + " numbers of its array");
-            accessor.document.budget.take(ModelBudget.NUMBERS, 3 * wanted, accessor);
+            accessor.document.limits.count(FileLimits.NUMBERS, 3 * wanted, accessor);
             count = wanted;
             first = _points.length / 3;
             return new Slices(count, POINTS_PER_STEP, function(from:int, end:int):void

@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
-    import starlogo.models.ModelBudget;
-    import starlogo.models.refuseIf;
+    import starlogo.models.FileLimits;
+    import starlogo.models.ModelError;
     import starlogo.models.text.NextOfTwo;
     import starlogo.steps.Steps;
 
@@ -42,11 +42,11 @@ package starlogo.models.collada
 
         /**
          * @param text the text
-         * @param budget pays for the elements
+         * @param limits limit the elements
          */
-        public function XmlReader(text:String, budget:ModelBudget)
+        public function XmlReader(text:String, limits:FileLimits)
         {
-            _document = new ColladaDocument(budget);
+            _document = new ColladaDocument(limits);
             _text = text;
             _quotes = new NextOfTwo(text, "\"", "'");
         }
@@ -68,7 +68,7 @@ package starlogo.models.collada
                     readTag();
                 }
             }
-            refuse(_at == _text.length && _open != null);
+            refuseIf(_at == _text.length && _open != null);
             return _at < _text.length;
         }
 
@@ -111,7 +111,7 @@ package starlogo.models.collada
         {
             var start:int = _at + 1;
             _at = endOf(">");
-            refuse(_open == null || _text.substring(start, _at - 1).split(NAME_END, 1)[0] != _names.pop());
+            refuseIf(_open == null || _text.substring(start, _at - 1).split(NAME_END, 1)[0] != _names.pop());
             _open = _open.parent;
         }
 
@@ -120,8 +120,8 @@ package starlogo.models.collada
             var end:int = endOf(">") - 1;
             var quote:int = _quotes.after(_at);
             var name:String = _text.substring(_at, Math.min(quote, end)).split(NAME_END, 1)[0];
-            refuse(name == "" || root != null && _open == null);
-            _document.budget.take(ModelBudget.THINGS, 1, this);
+            refuseIf(name == "" || root != null && _open == null);
+            _document.limits.count(FileLimits.THINGS, 1, this);
             var element:ColladaElement = new ColladaElement(_document, localName(name), _open);
             root ||= element;
             _at += name.length;
@@ -129,14 +129,14 @@ package starlogo.models.collada
             {
                 var words:Array = ATTRIBUTE.exec(_text.substring(_at, quote));
                 var close:int = _text.indexOf(_text.charAt(quote), quote + 1);
-                refuse(words == null || close < 0);
+                refuseIf(words == null || close < 0);
                 element.setAttribute(localName(words[1]), decoded(_text.substring(quote + 1, close)));
                 _at = close + 1;
                 end = end < close ? endOf(">") - 1 : end;
                 quote = _quotes.after(_at);
             }
-            refuse(quote < end, "an element has more than " + MAX_ATTRIBUTES + " attributes");
-            refuse(!TAG_END.test(_text.substring(_at, end)));
+            refuseIf(quote < end, "an element has more than " + MAX_ATTRIBUTES + " attributes");
+            refuseIf(!TAG_END.test(_text.substring(_at, end)));
             if (element.id != "")
             {
                 _document.elementsById[element.name + "#" + element.id] ||= element;
@@ -146,7 +146,7 @@ package starlogo.models.collada
                 _names.push(name);
                 _open = element;
             }
-            refuse(_names.length > MAX_DEPTH, "elements are nested more than " + MAX_DEPTH + " deep");
+            refuseIf(_names.length > MAX_DEPTH, "elements are nested more than " + MAX_DEPTH + " deep");
             _at = end + 1;
         }
 
@@ -162,13 +162,16 @@ package starlogo.models.collada
         private function endOf(piece:String):int
         {
             var place:int = _text.indexOf(piece, _at);
-            refuse(place < 0);
+            refuseIf(place < 0);
             return place + piece.length;
         }
 
-        private function refuse(isWrong:Boolean, problem:String = "this is not well-formed XML, or cut off"):void
+        private function refuseIf(isWrong:Boolean, problem:String = "this is not well-formed XML, or cut off"):void
         {
-            refuseIf(isWrong, _document.budget.name, problem, this);
+            if (isWrong)
+            {
+                throw new ModelError(_document.limits.modelName, String(this), problem);
+            }
         }
 
         private static function localName(name:String):String

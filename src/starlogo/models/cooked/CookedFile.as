@@ -3,7 +3,7 @@ package starlogo.models.cooked
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import starlogo.geometry.Fingerprint;
-    import starlogo.models.ModelBudget;
+    import starlogo.models.FileLimits;
     import starlogo.steps.StepSequence;
 
     /**
@@ -143,14 +143,14 @@ package starlogo.models.cooked
             return bytes;
         }
 
-        /** Whether the file is complete and its model has these settings. */
-        public function isFor(settings:Fingerprint):Boolean
+        /** Whether the file is complete and its model has this fingerprint: see MODEL. */
+        public function isOf(model:Fingerprint):Boolean
         {
             if (isWhole)
             {
                 _bytes.position = TABLE;
             }
-            return isWhole && settings.isNextOf(_bytes);
+            return isWhole && model.isNextOf(_bytes);
         }
 
         /**
@@ -220,7 +220,7 @@ package starlogo.models.cooked
         private static function hasRightLength(bytes:ByteArray):Boolean
         {
             var length:int = bytes.length;
-            return length % Fingerprint.LENGTH == 0 && length <= ModelBudget.MOST_BYTES && bytes.readInt() == length && length >= HEAD_LENGTH + Fingerprint.LENGTH;
+            return length % Fingerprint.LENGTH == 0 && length <= FileLimits.MOST_BYTES && bytes.readInt() == length && length >= HEAD_LENGTH + Fingerprint.LENGTH;
         }
     }
 }

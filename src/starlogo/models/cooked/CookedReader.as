@@ -5,8 +5,8 @@ package starlogo.models.cooked
     import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.geometry.Fingerprint;
+    import starlogo.models.FileLimits;
     import starlogo.models.Model;
-    import starlogo.models.ModelBudget;
     import starlogo.models.ModelError;
     import starlogo.models.ModelReader;
     import starlogo.models.ModelTransform;
@@ -64,7 +64,7 @@ package starlogo.models.cooked
         // Reads the head. The work that it returns reads the numbers.
         private function reading():Steps
         {
-            refuseIf(_settings != null && _file.isWhole && !_file.isFor(_settings), name, "the cooked file is for another up axis, transform or scaling");
+            refuseIf(_settings != null && _file.isWhole && !_file.isOf(_settings), name, "the cooked file is for another up axis, transform or scaling");
             _bytes = _file.section(CookedFile.MODEL, null);
             refuseIf(_file.isOfOtherVersion, name, "the cooked file is of another version of the engine: cook it again");
             refuseIf(_bytes == null, name, "the cooked file is damaged: cook it again");
@@ -74,7 +74,7 @@ package starlogo.models.cooked
             var hasTransform:Boolean = readCount(1) == 1;
             var vertexCount:int = readCount(int.MAX_VALUE);
             var triangleCount:int = readCount(int.MAX_VALUE);
-            new ModelBudget(name, _bytes.length).requireMesh(vertexCount, triangleCount);
+            new FileLimits(name, _bytes.length).requireMesh(vertexCount, triangleCount);
             data.transform = hasTransform ? readTransform() : null;
             if (form == CookedWriter.DOUBLE)
             {

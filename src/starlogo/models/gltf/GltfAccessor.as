@@ -1,8 +1,7 @@
 package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
-    import starlogo.models.ModelBudget;
-    import starlogo.models.ModelError;
+    import starlogo.models.FileLimits;
     import starlogo.steps.StepSequence;
 
     /**
@@ -32,8 +31,8 @@ package starlogo.models.gltf
         /** The number of elements. Each has one or more numbers. */
         public var count:int;
 
-        /** Its place in the file, for errors. */
-        public var place:String;
+        /** Where the JSON says where its numbers are. */
+        public var json:GltfJson;
 
         private var _width:int;
         private var _componentType:int;
@@ -48,7 +47,7 @@ package starlogo.models.gltf
          */
         public function GltfAccessor(file:GltfFile, data:GltfJson, layout:GltfJson)
         {
-            place = data.place;
+            json = data;
             count = layout.whole("count", int.MAX_VALUE, -1);
             _width = WIDTHS[layout.value.type];
             _componentType = layout.whole("componentType", int.MAX_VALUE, -1);
@@ -60,7 +59,7 @@ package starlogo.models.gltf
             {
                 addRows(file, view, offset);
             }
-            file.budget.take(view < 0 ? ModelBudget.ZEROS : ModelBudget.NUMBERS, Number(count) * _width, place);
+            file.limits.count(view < 0 ? FileLimits.ZEROS : FileLimits.NUMBERS, Number(count) * _width, data.place);
             numbers = new Vector.<Number>(count * _width);
             var sparse:GltfJson = data == layout ? data.object("sparse") : null;
             if (sparse != null)
@@ -79,16 +78,16 @@ package starlogo.models.gltf
         private function addRows(file:GltfFile, view:int, offset:int):void
         {
             var size:int = SIZES[_componentType] * _width;
-            var entry:GltfJson = file.json.entry("bufferViews", view);
+            var entry:GltfJson = file.json.fileEntry("bufferViews", view);
             var stride:int = entry.whole("byteStride", 252, size);
             entry.refuseIf(stride < size, "expected at least " + size + ", but found " + stride, "byteStride");
-            file.openView(view, offset, count == 0 ? 0 : Number(count - 1) * stride + size, place);
+            file.openView(view, offset, count == 0 ? 0 : Number(count - 1) * stride + size, json);
             slices(count, NUMBERS_PER_STEP / _width, function(first:int, end:int):void
                 {
                     if (first < end)
                     {
                         var length:Number = Number(end - first - 1) * stride + size;
-                        readRows(file.openView(view, offset + Number(first) * stride, length, place), first, end, stride, stride == size);
+                        readRows(file.openView(view, offset + Number(first) * stride, length, json), first, end, stride, stride == size);
                     }
                 });
         }
@@ -126,18 +125,18 @@ package starlogo.models.gltf
                             componentType: accessor.componentType, normalized: accessor.normalized}));
             add(at).add(by).slices(some, NUMBERS_PER_STEP / _width, function(first:int, end:int):void
                 {
-                    replace(sparse.name, at.numbers, by.numbers, first, end);
+                    replace(at, by.numbers, first, end);
                 });
         }
 
-        private function replace(name:String, indices:Vector.<Number>, values:Vector.<Number>, first:int, end:int):void
+        private function replace(indices:GltfAccessor, values:Vector.<Number>, first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {
-                var index:Number = indices[i];
+                var index:Number = indices.numbers[i];
                 if (!(index >= 0 && index < count && int(index) == index))
                 {
-                    throw new ModelError(name, place + ".sparse.indices", "element " + i + " is " + index + ", but there are only " + count + " to replace");
+                    throw indices.json.error("element " + i + " is " + index + ", but there are only " + count + " to replace");
                 }
                 for (var k:int = 0; k < _width; k++)
                 {

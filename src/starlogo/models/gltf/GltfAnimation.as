@@ -24,7 +24,7 @@ package starlogo.models.gltf
          */
         public function GltfAnimation(file:GltfFile, index:int)
         {
-            var animation:GltfJson = file.json.entry("animations", index);
+            var animation:GltfJson = file.json.fileEntry("animations", index);
             name = animation.text("name") || "";
             var channelCount:int = animation.count("channels");
             var samplerCount:int = animation.count("samplers");
@@ -40,7 +40,7 @@ package starlogo.models.gltf
                 {
                     continue;
                 }
-                target.refuseIf(target.entry("nodes", node).has("matrix") && path != "weights", "a node with a matrix can't be animated");
+                target.refuseIf(target.fileEntry("nodes", node).has("matrix") && path != "weights", "a node with a matrix can't be animated");
                 var sampler:GltfJson = animation.element("samplers", channel.whole("sampler", samplerCount - 1, -1));
                 var reader:GltfSampler = new GltfSampler(file, sampler, path);
                 _samplers[node + " " + path] = reader;

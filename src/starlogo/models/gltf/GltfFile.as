@@ -2,10 +2,10 @@ package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
     import flash.utils.Endian;
-    import starlogo.models.ModelBudget;
+    import starlogo.models.FileLimits;
     import starlogo.models.ModelError;
-    import starlogo.models.text.ModelAddress;
     import starlogo.models.refuseIf;
+    import starlogo.models.text.ModelAddress;
     import starlogo.models.text.ModelText;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
@@ -40,10 +40,8 @@ package starlogo.models.gltf
         /** The JSON, when no step is left. */
         internal var json:GltfJson = null;
 
-        /** What reading the file may cost. It grows with the buffers in other files. */
-        internal var budget:ModelBudget;
-
-        private var _meter:JsonMeter;
+        /** What the file may have and cost. It grows with the buffers in other files. */
+        internal var limits:FileLimits;
 
         // the bytes of each buffer (null if it is missing), and the binary chunk of a .glb file
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
@@ -66,9 +64,16 @@ package starlogo.models.gltf
                 text = bytes != null && isBinary(bytes) ? openChunks(name, bytes) : ModelText.decode(name, bytes, "glTF");
             }
             text = TextWords.withoutByteOrderMark(text);
-            budget = new ModelBudget(name, text.length);
-            _meter = new JsonMeter(text, budget);
-            add(_meter).call(parse);
+            limits = new FileLimits(name, text.length);
+            addSteps(new JsonMeter(text, limits));
+        }
+
+        private function addSteps(meter:JsonMeter):void
+        {
+            add(meter).call(function():void
+                {
+                    parse(meter.marked);
+                });
         }
 
         /** Whether bytes begin like a binary glTF file. */
@@ -90,26 +95,30 @@ package starlogo.models.gltf
         }
 
         /** Lets the meshes be read once more. What that may cost is counted anew. */
-        public function renewBudget():void
+        public function renewLimits():void
         {
-            budget = budget.renewed();
+            limits = limits.renewed();
         }
 
         /**
          * Gives the content of a buffer that is in another file.
          *
          * @param uri its address, as the file has it
-         * @param bytes its content; the endianness is set; null if it is missing
-         * @param problem the error's text if it is missing
+         * @param bytes its content; the endianness is set
          */
-        public function setBuffer(uri:String, bytes:ByteArray, problem:String):void
+        public function setBuffer(uri:String, bytes:ByteArray):void
         {
-            json.refuseIf(bytes == null, problem, "buffers[" + _buffersAt["#" + uri][0] + "].uri");
-            budget.addBytes(bytes.length);
+            limits.addBytes(bytes.length);
             for each (var index:int in _buffersAt["#" + uri])
             {
                 keep(index, bytes);
             }
+        }
+
+        /** The error for a buffer in another file that there is not. @param uri its address, as the file has it */
+        public function missingBuffer(uri:String, problem:String):ModelError
+        {
+            return json.error(problem, "buffers[" + _buffersAt["#" + uri][0] + "].uri");
         }
 
         /**
@@ -120,24 +129,24 @@ package starlogo.models.gltf
          */
         internal function accessor(index:int, type:String):GltfAccessor
         {
-            var found:GltfJson = json.entry("accessors", index);
+            var found:GltfJson = json.fileEntry("accessors", index);
             found.refuseIf(found.value.type !== type, "expected \"" + type + "\", but found \"" + found.value.type + "\"", "type");
             return _accessors["#" + index] ||= new GltfAccessor(this, found, found);
         }
 
-        /** Checks a bufferView and returns its bytes. Their position is set to the given offset in the view. */
-        internal function openView(index:int, offset:Number, length:Number, place:String):ByteArray
+        /** Checks a bufferView and returns its bytes. Their position is set to an offset in the view. @param user needs the bytes, for errors */
+        internal function openView(index:int, offset:Number, length:Number, user:GltfJson):ByteArray
         {
-            var view:GltfJson = json.entry("bufferViews", index);
+            var view:GltfJson = json.fileEntry("bufferViews", index);
             var buffer:int = view.reference("buffer", "buffers");
             view.refuseIf(buffer < 0, "it names no buffer");
             var start:int = view.whole("byteOffset", int.MAX_VALUE, 0);
             var size:int = view.whole("byteLength", int.MAX_VALUE, -1);
-            json.refuseIf(offset + length > size, "it needs " + (offset + length) + " bytes of " + view.place + ", which has " + size, place);
+            user.refuseIf(offset + length > size, "it needs " + (offset + length) + " bytes of " + view.place + ", which has " + size);
             if (_buffers[buffer] == null)
             {
                 view.refuseIf(view.hasExtension("EXT_meshopt_compression") || view.hasExtension("KHR_meshopt_compression"), "its data are " + MESHOPT_PROBLEM);
-                throw new ModelError(budget.name, "buffers[" + buffer + "]", "its data are missing");
+                throw json.fileEntry("buffers", buffer).error("its data are missing");
             }
             view.refuseIf(Number(start) + size > _buffers[buffer].length, "it ends at byte " + (Number(start) + size) + " of buffers[" + buffer +
                     "], which has " + _buffers[buffer].length);
@@ -188,18 +197,17 @@ package starlogo.models.gltf
             return bytes.readUnsignedInt();
         }
 
-        private function parse():void
+        private function parse(text:String):void
         {
             try
             {
-                var root:Object = JSON.parse(_meter.marked);
+                var root:Object = JSON.parse(text);
             }
             catch (failure:Error)
             {
-                throw new ModelError(budget.name, "", "its JSON can't be read: " + failure.message);
+                throw new ModelError(limits.modelName, "", "its JSON can't be read: " + failure.message);
             }
-            _meter = null;
-            json = new GltfJson(budget.name, root);
+            json = new GltfJson(limits.modelName, root);
             var asset:GltfJson = json.object("asset");
             // a file of a later 2.x can be read, unless it says that it needs one
             var version:String = asset == null ? "none" : String(asset.value.minVersion || asset.value.version);
@@ -231,20 +239,20 @@ package starlogo.models.gltf
             for (var i:int = first; i < end; i++)
             {
                 _buffers.push(null);
-                readBuffer(i, json.entry("buffers", i));
+                readBuffer(i, json.fileEntry("buffers", i));
             }
         }
 
         private function readBuffer(index:int, buffer:GltfJson):void
         {
-            buffer.whole("byteLength", ModelBudget.MOST_BYTES, -1);
+            buffer.whole("byteLength", FileLimits.MOST_BYTES, -1);
             var uri:* = buffer.value.uri;
             buffer.refuseIf(uri !== undefined && !(uri is String), "expected an address", "uri");
             if (uri === undefined)
             {
                 if (index == 0 && _chunk != null)
                 {
-                    budget.addBytes(_chunk.length);
+                    limits.addBytes(_chunk.length);
                     keep(0, _chunk);
                 }
                 return;
@@ -254,7 +262,7 @@ package starlogo.models.gltf
                 var comma:int = uri.indexOf(",");
                 buffer.refuseIf(uri.substring(0, comma).substr(-7) != ";base64", "expected data in base64", "uri");
                 var bytes:ByteArray = new ByteArray();
-                add(Base64.decoding(budget.name, uri, comma + 1, buffer.place + ".uri", bytes)).call(function():void
+                add(Base64.decoding(limits.modelName, uri, comma + 1, buffer.place + ".uri", bytes)).call(function():void
                     {
                         keep(index, bytes);
                     });
@@ -264,7 +272,7 @@ package starlogo.models.gltf
                     TextWords.shorten(uri) + "\"", "uri");
             if (!_buffersAt.hasOwnProperty("#" + uri))
             {
-                budget.take(ModelBudget.FILES, 1, buffer.place + ".uri");
+                limits.count(FileLimits.FILES, 1, buffer.place + ".uri");
                 otherFiles.push(uri);
                 _buffersAt["#" + uri] = [];
             }
@@ -273,8 +281,8 @@ package starlogo.models.gltf
 
         private function keep(index:int, bytes:ByteArray):void
         {
-            var buffer:GltfJson = json.entry("buffers", index);
-            var wanted:int = buffer.whole("byteLength", ModelBudget.MOST_BYTES, -1);
+            var buffer:GltfJson = json.fileEntry("buffers", index);
+            var wanted:int = buffer.whole("byteLength", FileLimits.MOST_BYTES, -1);
             buffer.refuseIf(bytes.length < wanted, "it should have " + wanted + " bytes, but has " + bytes.length);
             bytes.endian = Endian.LITTLE_ENDIAN;
             _buffers[index] = bytes;

@@ -18,14 +18,14 @@ package starlogo.models.gltf
          */
         public function GltfJoints(file:GltfFile, scene:GltfScene, index:int)
         {
-            var skin:GltfJson = file.json.entry("skins", index);
+            var skin:GltfJson = file.json.fileEntry("skins", index);
             var matrices:GltfAccessor = null;
             skin.refuseIf(skin.count("joints") == 0, "expected at least one joint", "joints");
             var accessor:int = skin.reference("inverseBindMatrices", "accessors");
             if (accessor >= 0)
             {
                 matrices = file.accessor(accessor, "MAT4");
-                file.json.refuseIf(matrices.count < skin.count("joints"), "there are " + skin.count("joints") + " joints, but fewer matrices", matrices.place);
+                matrices.json.refuseIf(matrices.count < skin.count("joints"), "there are " + skin.count("joints") + " joints, but fewer matrices");
                 add(matrices);
             }
             addSteps(skin, scene, matrices);

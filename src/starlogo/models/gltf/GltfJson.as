@@ -16,20 +16,20 @@ package starlogo.models.gltf
         public var place:String;
 
         /** The model's name. */
-        public var name:String;
+        public var modelName:String;
 
         private var _root:GltfJson;
 
         /**
-         * @param name the model's name
+         * @param modelName the model's name
          * @param value the object
          * @param place its place
          * @param root the outermost object; null if this is it
          * @throws ModelError if the value is no object
          */
-        public function GltfJson(name:String, value:*, place:String = "", root:GltfJson = null)
+        public function GltfJson(modelName:String, value:*, place:String = "", root:GltfJson = null)
         {
-            this.name = name;
+            this.modelName = modelName;
             this.value = value;
             this.place = place;
             _root = root || this;
@@ -42,7 +42,7 @@ package starlogo.models.gltf
         /** Another object in the place of this one. */
         public function replaced(other:Object):GltfJson
         {
-            return new GltfJson(name, other, place, _root);
+            return new GltfJson(modelName, other, place, _root);
         }
 
         /** Throws a ModelError if something is wrong. The message is built in any case. @param key the property that is wrong; "" for the object */
@@ -54,9 +54,10 @@ package starlogo.models.gltf
             }
         }
 
-        private function error(problem:String, key:String = ""):ModelError
+        /** The error for something that is wrong with the object. @param key as for refuseIf() */
+        public function error(problem:String, key:String = ""):ModelError
         {
-            return new ModelError(name, placeOf(key), problem);
+            return new ModelError(modelName, placeOf(key), problem);
         }
 
         /** Whether there is a property. */
@@ -91,7 +92,7 @@ package starlogo.models.gltf
         /** An element of a list of objects. */
         public function element(key:String, index:int):GltfJson
         {
-            return new GltfJson(name, list(key)[index], placeOf(key) + "[" + index + "]", _root);
+            return new GltfJson(modelName, list(key)[index], placeOf(key) + "[" + index + "]", _root);
         }
 
         /** An element of a list of indices of the entries of one of the file's lists. */
@@ -103,11 +104,11 @@ package starlogo.models.gltf
         /** A property that is an object; null if there is none. */
         public function object(key:String):GltfJson
         {
-            return has(key) ? new GltfJson(name, value[key], placeOf(key), _root) : null;
+            return has(key) ? new GltfJson(modelName, value[key], placeOf(key), _root) : null;
         }
 
         /** An entry of one of the file's lists, for example "nodes". */
-        public function entry(list:String, index:int):GltfJson
+        public function fileEntry(list:String, index:int):GltfJson
         {
             return _root.element(list, index);
         }

@@ -1,6 +1,6 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.ModelBudget;
+    import starlogo.models.FileLimits;
     import starlogo.models.ModelReader;
     import starlogo.models.VertexFilter;
     import starlogo.steps.StepSequence;
@@ -40,7 +40,7 @@ package starlogo.models.gltf
             var json:GltfJson = _file.json;
             for (var i:int = 0; i < json.count("materials"); i++)
             {
-                data.materials.addNumber(json.entry("materials", i).text("name"));
+                data.materials.addName(json.fileEntry("materials", i).text("name"));
             }
             var scene:GltfScene = new GltfScene(json, turnUp, _animated);
             var next:int = 0;
@@ -58,8 +58,8 @@ package starlogo.models.gltf
         // The work on the mesh of a node.
         private function readingNode(scene:GltfScene, nodeIndex:int):Steps
         {
-            var node:GltfJson = _file.json.entry("nodes", nodeIndex);
-            var mesh:GltfJson = node.entry("meshes", node.reference("mesh", "meshes"));
+            var node:GltfJson = _file.json.fileEntry("nodes", nodeIndex);
+            var mesh:GltfJson = node.fileEntry("meshes", node.reference("mesh", "meshes"));
             var count:int = mesh.count("primitives");
             var weights:Vector.<Number> = GltfAnimation.valueIn(_animated, nodeIndex, "weights") || node.numbers("weights", -1)
                 || mesh.numbers("weights", -1, new Vector.<Number>());
@@ -69,7 +69,7 @@ package starlogo.models.gltf
             var next:int = 0;
             return new StepSequence().beginEach(function():Steps
                 {
-                    _file.budget.take(ModelBudget.THINGS, 1 + weights.length, mesh.place);
+                    _file.limits.count(FileLimits.THINGS, 1 + weights.length, mesh.place);
                     return next == count ? null : readingPrimitive(scene, nodeIndex, label, mesh.element("primitives", next++), weights, placed);
                 });
         }
@@ -95,7 +95,7 @@ package starlogo.models.gltf
             work.add(points);
             if (hasSurface)
             {
-                data.meshes.beginRun(data.meshes.numberFor(String(node), label), data.triangles.length / 3);
+                data.meshes.beginRun(data.meshes.addKey(String(node), label), data.triangles.length / 3);
                 data.materials.beginRun(primitive.reference("material", "materials"), data.triangles.length / 3);
                 work.add(new GltfTriangles(_file, primitive, points, data.triangles));
             }

@@ -35,8 +35,8 @@ package starlogo.models.gltf
             _values = file.accessor(output, path == "weights" ? "SCALAR" : (_isRotation ? "VEC4" : "VEC3"));
             var perKey:int = _interpolation == CUBIC ? 3 : 1;
             var wanted:Number = Number(_times.count) * perKey;
-            file.json.refuseIf(_times.count == 0 || _values.count < wanted || _values.count % wanted != 0 || path != "weights" && _values.count != wanted,
-                    "it has " + _values.count + " elements for " + _times.count + " keys", _values.place);
+            _values.json.refuseIf(_times.count == 0 || _values.count < wanted || _values.count % wanted != 0 || path != "weights" && _values.count != wanted,
+                    "it has " + _values.count + " elements for " + _times.count + " keys");
             add(_times).add(_values);
         }
 

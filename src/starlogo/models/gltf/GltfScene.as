@@ -75,7 +75,7 @@ package starlogo.models.gltf
         {
             for (var i:int = first; i < end; i++)
             {
-                var node:GltfJson = _json.entry("nodes", i);
+                var node:GltfJson = _json.fileEntry("nodes", i);
                 var count:int = node.count("children");
                 for (var k:int = 0; k < count; k++)
                 {
@@ -93,7 +93,7 @@ package starlogo.models.gltf
             var sceneCount:int = _json.count("scenes");
             for (var index:int = Math.max(shown, 0); index < (shown < 0 ? sceneCount : shown + 1); index++)
             {
-                var scene:GltfJson = _json.entry("scenes", index);
+                var scene:GltfJson = _json.fileEntry("scenes", index);
                 var rootCount:int = scene.count("nodes");
                 for (var i:int = 0; i < rootCount; i++)
                 {
@@ -124,7 +124,7 @@ package starlogo.models.gltf
             for (var i:int = 0; i < NODES_PER_STEP && _pending.length > 0; i++)
             {
                 var node:int = _pending.pop();
-                var entry:GltfJson = _json.entry("nodes", node);
+                var entry:GltfJson = _json.fileEntry("nodes", node);
                 if (entry.has("mesh"))
                 {
                     nodes.push(node);
@@ -139,7 +139,7 @@ package starlogo.models.gltf
 
         private function localTransformOf(index:int):AffineTransform
         {
-            var node:GltfJson = _json.entry("nodes", index);
+            var node:GltfJson = _json.fileEntry("nodes", index);
             var m:Vector.<Number> = node.numbers("matrix", 16);
             if (m != null)
             {

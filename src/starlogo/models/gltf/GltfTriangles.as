@@ -1,7 +1,6 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.ModelBudget;
-    import starlogo.models.ModelError;
+    import starlogo.models.FileLimits;
     import starlogo.steps.StepSequence;
 
     /** Adds the triangles of a primitive to a model, at the place of a node, in steps. The primitive's vertices are already added. */
@@ -13,11 +12,10 @@ package starlogo.models.gltf
         private static const STRIP:int = 5;
         private static const FAN:int = 6;
 
-        private var _json:GltfJson;
         private var _triangles:Vector.<uint>;
         private var _indices:GltfAccessor = null;
+        private var _primitive:GltfJson;
         private var _mode:int;
-        private var _place:String;
         private var _vertices:GltfVertices;
         private var _firstCorner:int;
 
@@ -29,9 +27,8 @@ package starlogo.models.gltf
          */
         public function GltfTriangles(file:GltfFile, primitive:GltfJson, vertices:GltfVertices, triangles:Vector.<uint>)
         {
-            _json = file.json;
             _triangles = triangles;
-            _place = primitive.place;
+            _primitive = primitive;
             _mode = modeOf(primitive);
             _vertices = vertices;
             _firstCorner = triangles.length;
@@ -39,12 +36,12 @@ package starlogo.models.gltf
             if (index >= 0)
             {
                 _indices = file.accessor(index, "SCALAR");
-                _json.refuseIf(!_indices.areIndices, "indices must be 5121, 5123 or 5125, and not normalized", _indices.place + ".componentType");
+                _indices.json.refuseIf(!_indices.areIndices, "indices must be 5121, 5123 or 5125, and not normalized", "componentType");
                 add(_indices);
             }
             var cornerCount:int = _indices == null ? _vertices.count : _indices.count;
             var triangleCount:int = _mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
-            file.budget.require(ModelBudget.TRIANGLES, _firstCorner / 3 + triangleCount, _place);
+            file.limits.require(FileLimits.TRIANGLES, _firstCorner / 3 + triangleCount, primitive.place);
             slices(triangleCount, TRIANGLES_PER_STEP, addTriangles);
         }
 
@@ -83,7 +80,7 @@ package starlogo.models.gltf
             var index:Number = _indices.numbers[corner];
             if (index >= _vertices.count)
             {
-                throw new ModelError(_json.name, _indices.place, "element " + corner + " names vertex " + index + ": " + _place + " has " + _vertices.count);
+                throw _indices.json.error("element " + corner + " names vertex " + index + ": " + _primitive.place + " has " + _vertices.count);
             }
             return _vertices.firstVertex + int(index);
         }

@@ -1,9 +1,7 @@
 package starlogo.models.gltf
 {
     import starlogo.geometry.AffineTransform;
-    import starlogo.models.ModelBudget;
-    import starlogo.models.ModelError;
-    import starlogo.models.refuseIf;
+    import starlogo.models.FileLimits;
     import starlogo.steps.StepSequence;
 
     /**
@@ -43,13 +41,13 @@ package starlogo.models.gltf
         public function GltfVertices(file:GltfFile, scene:GltfScene, node:int, primitive:GltfJson, weights:Vector.<Number>,
                 positions:GltfAccessor, vertices:Vector.<Number>)
         {
-            _node = file.json.entry("nodes", node);
+            _node = file.json.fileEntry("nodes", node);
             _positions = positions;
             _vertices = vertices;
             _points = positions.numbers;
             firstVertex = vertices.length / 3;
             count = positions.count;
-            file.budget.require(ModelBudget.VERTICES, firstVertex + Number(count), primitive.place);
+            file.limits.require(FileLimits.VERTICES, firstVertex + Number(count), primitive.place);
             add(positions);
             addTargets(file, primitive, weights);
             var skin:int = _node.reference("skin", "skins");
@@ -79,7 +77,7 @@ package starlogo.models.gltf
                 if (index >= 0 && weights[i] != 0)
                 {
                     addTarget(file.accessor(index, "VEC3"), weights[i]);
-                    file.budget.take(ModelBudget.NUMBERS, 3 * Number(count), primitive.place);
+                    file.limits.count(FileLimits.NUMBERS, 3 * Number(count), primitive.place);
                 }
             }
         }
@@ -114,14 +112,14 @@ package starlogo.models.gltf
                     _sets.push(addAccessor(file.accessor(index, "VEC4")));
                 }
             }
-            file.budget.take(ModelBudget.NUMBERS, 2 * count * Number(_sets.length), attributes.place);
+            file.limits.count(FileLimits.NUMBERS, 2 * count * Number(_sets.length), attributes.place);
             slices(count, SKINNED_PER_STEP, moveByJoints);
         }
 
         // Adds the steps of an accessor that has an element for each vertex.
         private function addAccessor(accessor:GltfAccessor):GltfAccessor
         {
-            refuseIf(accessor.count != count, _node.name, "it has " + accessor.count + " elements, but there are " + count + " vertices", accessor.place);
+            accessor.json.refuseIf(accessor.count != count, "it has " + accessor.count + " elements, but there are " + count + " vertices");
             add(accessor);
             return accessor;
         }
@@ -168,7 +166,7 @@ package starlogo.models.gltf
             var joint:Number = numbers.numbers[at];
             if (!(joint >= 0 && joint < _joints.transforms.length && int(joint) == joint))
             {
-                throw new ModelError(_node.name, numbers.place, "vertex " + (at >> 2) + " names joint " + joint + ", but there are only " + _joints.transforms.length);
+                throw numbers.json.error("vertex " + (at >> 2) + " names joint " + joint + ", but there are only " + _joints.transforms.length);
             }
             return _joints.transforms[int(joint)];
         }
@@ -177,7 +175,7 @@ package starlogo.models.gltf
         {
             if (!_transform.transformPoints(_points, first, end, _vertices, firstVertex + first))
             {
-                throw new ModelError(_node.name, _node.place, "its vertices are not finite numbers, or are too large at the node's place (" + _positions.place + ")");
+                throw _node.error("its vertices are not finite numbers, or are too large at the node's place (" + _positions.json.place + ")");
             }
         }
     }

@@ -1,6 +1,6 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.ModelBudget;
+    import starlogo.models.FileLimits;
     import starlogo.models.ModelError;
     import starlogo.models.refuseIf;
     import starlogo.models.text.Decimal;
@@ -37,15 +37,15 @@ package starlogo.models.gltf
         private var _depth:int = 0;
         private var _pieces:Array = [];
         private var _taken:int = 0;
-        private var _budget:ModelBudget;
+        private var _limits:FileLimits;
 
         /**
          * @param text possible JSON
-         * @param budget pays for the values
+         * @param limits limit the values
          */
-        public function JsonMeter(text:String, budget:ModelBudget)
+        public function JsonMeter(text:String, limits:FileLimits)
         {
-            _budget = budget;
+            _limits = limits;
             _text = text;
             repeat(measure);
         }
@@ -82,14 +82,14 @@ package starlogo.models.gltf
                 {
                     _depth++;
                     values++;
-                    refuseIf(_depth > MAX_DEPTH, _budget.name, "its JSON is nested deeper than " + MAX_DEPTH, "character " + i);
+                    refuseIf(_depth > MAX_DEPTH, _limits.modelName, "its JSON is nested deeper than " + MAX_DEPTH, "character " + i);
                 }
                 else if (code == 0x7D || code == 0x5D)
                 {
                     _depth--;
                     if (_depth < 0)
                     {
-                        throw new ModelError(_budget.name, "character " + i, "its JSON can't be read: a bracket closes nothing");
+                        throw new ModelError(_limits.modelName, "character " + i, "its JSON can't be read: a bracket closes nothing");
                     }
                 }
                 else if (code == COMMA)
@@ -98,8 +98,8 @@ package starlogo.models.gltf
                 }
             }
             _next = i;
-            _budget.take(ModelBudget.THINGS, THINGS_PER_VALUE * values, "character " + i);
-            refuseIf(_next == length && _depth > 0, _budget.name, "its JSON can't be read: it is cut off", "character " + length);
+            _limits.count(FileLimits.THINGS, THINGS_PER_VALUE * values, "character " + i);
+            refuseIf(_next == length && _depth > 0, _limits.modelName, "its JSON can't be read: it is cut off", "character " + length);
             return _next < length;
         }
 

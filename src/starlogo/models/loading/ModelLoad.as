@@ -52,9 +52,11 @@ package starlogo.models.loading
         private var _url:String = null;
         private var _manifest:ModelManifest = null;
 
-        // The file, or its cooked file; null before it is fetched. The files that belong to it: its transform file, or the buffers of a glTF file.
-        private var _file:ModelDownload = null;
-        private var _others:Vector.<ModelDownload> = new Vector.<ModelDownload>();
+        // The file, or its cooked file, and then the files that belong to it: its transform file, or the buffers of a glTF file. Empty before
+        // they are fetched, and after they are read.
+        private var _downloads:Vector.<ModelDownload> = new Vector.<ModelDownload>();
+
+        // What is read now: a file, or a source that makes the model instead.
         private var _reader:ModelReader = null;
         private var _source:ModelSource = null;
 
@@ -77,7 +79,7 @@ package starlogo.models.loading
         /** Whether the load can go on: no download is running. */
         public function get isReady():Boolean
         {
-            return !downloads.some(isUnderWay) && (_manifest == null || !_manifest.isUnderWay);
+            return !_downloads.some(isUnderWay) && (_manifest == null || !_manifest.isUnderWay);
         }
 
         /** The share of the load that is done, from 0 to 1. */
@@ -91,7 +93,7 @@ package starlogo.models.loading
             {
                 return FETCHED + (READ - FETCHED) * _reader.progress;
             }
-            return _source != null ? READ * _source.progress : (_file == null ? 0 : FETCHED * _file.progress);
+            return _source != null ? READ * _source.progress : (_downloads.length == 0 ? 0 : FETCHED * _downloads[0].progress);
         }
 
         /**
@@ -112,7 +114,7 @@ package starlogo.models.loading
             }
             _manifest = manifest;
             manifest.fetch(_newLoader);
-            call(fetchCooked).repeat(readCooked).call(takeCooked);
+            call(fetchCooked);
         }
 
         /** Sets the file to read, as bytes or as text. The other is null. */
@@ -141,15 +143,10 @@ package starlogo.models.loading
         /** Stops fetching. */
         public function cancel():void
         {
-            for each (var each:ModelDownload in downloads)
+            for each (var each:ModelDownload in _downloads)
             {
                 each.cancel();
             }
-        }
-
-        private function get downloads():Vector.<ModelDownload>
-        {
-            return _file == null ? _others : _others.concat(new <ModelDownload>[_file]);
         }
 
         private static function isUnderWay(download:ModelDownload, index:int, all:Vector.<ModelDownload>):Boolean
@@ -161,19 +158,23 @@ package starlogo.models.loading
         {
             var address:String = _manifest.addressFor(_url);
             _manifest = null;
-            _file = newDownload(address);
+            if (address == null)
+            {
+                fetchFile();
+                return;
+            }
+            var file:ModelDownload = download(address);
+            call(function():void
+                {
+                    _reader = new CookedReader(name, file.bytes, CookedFile.settingsOfLoad(_upAxis, _scaling, _usesTransforms));
+                }).repeat(readCooked).call(takeCooked);
         }
 
         // A cooked file that is missing, damaged or made for other arguments is no error. The model's own file is fetched instead.
         private function readCooked():Boolean
         {
-            if (_file == null)
-            {
-                return false;
-            }
             try
             {
-                _reader ||= new CookedReader(name, _file.bytes, CookedFile.settingsOfLoad(_upAxis, _scaling, _usesTransforms));
                 return _reader.step();
             }
             catch (error:ModelError)
@@ -196,34 +197,37 @@ package starlogo.models.loading
 
         private function fetchFile():void
         {
-            _file = newDownload(_url == "" ? null : _url);
-            var transform:ModelDownload = _usesTransforms && ModelAddress.hasFolder(_url) ? newDownload(ModelAddress.besideOf(_url, ".slb")) : null;
-            if (transform != null)
-            {
-                _others.push(transform);
-            }
-            call(readFetched);
+            _downloads.length = 0;
+            var file:ModelDownload = _url == "" ? null : download(_url);
+            var address:String = _usesTransforms && ModelAddress.hasFolder(_url) ? ModelAddress.besideOf(_url, ".slb") : null;
+            var transformFile:ModelDownload = address == null ? null : download(address);
+            call(function():void
+                {
+                    readFetched(file, transformFile);
+                });
         }
 
-        // Starts to fetch a file. Null without an address.
-        private function newDownload(address:String):ModelDownload
+        // Starts to fetch a file. The next step is done when it has come.
+        private function download(address:String):ModelDownload
         {
-            return address == null ? null : new ModelDownload(address, _newLoader());
+            var started:ModelDownload = new ModelDownload(address, _newLoader());
+            _downloads.push(started);
+            return started;
         }
 
-        private function readFetched():void
+        private function readFetched(file:ModelDownload, transformFile:ModelDownload):void
         {
-            var problem:String = _file == null ? "there is no address to fetch its file from" : _file.problem;
-            refuseIf(problem != null, name, problem);
+            refuseIf(file == null, name, "there is no address to fetch its file from");
+            refuseIf(file.problem != null, name, file.problem);
             // without a transform file, or with one that says nothing, the caller's axis stays
-            var bytes:ByteArray = _others.length == 0 ? null : _others[0].bytes;
+            var bytes:ByteArray = transformFile == null ? null : transformFile.bytes;
             if (bytes != null)
             {
                 bytes.position = 0;
                 var transform:ModelTransform = ModelTransform.fromText(bytes.readUTFBytes(bytes.length));
                 _upAxis = transform.isIdentity ? _upAxis : transform;
             }
-            setFile(_file.bytes, null);
+            setFile(file.bytes, null);
         }
 
         // Reads the text, or bytes in a binary form. A glTF file is opened first, because it may name other files.
@@ -239,49 +243,52 @@ package starlogo.models.loading
             add(gltf).call(function():void
                 {
                     fetchBuffers(gltf);
-                }).call(function():void
-                {
-                    for (var i:int = 0; i < gltf.otherFiles.length; i++)
-                    {
-                        gltf.setBuffer(gltf.otherFiles[i], _others[i].bytes, _others[i].problem);
-                    }
-                    readWith(new GltfReader(name, gltf, _upAxis as ModelTransform, _scaling));
                 });
         }
 
         private function fetchBuffers(gltf:GltfFile):void
         {
-            _others.length = 0;
+            var buffers:Vector.<ModelDownload> = new Vector.<ModelDownload>();
             for each (var uri:String in gltf.otherFiles)
             {
                 if (!ModelAddress.hasFolder(_url))
                 {
-                    gltf.setBuffer(uri, null, "it is in another file, and the address of this file is not known: load() fetches both");
+                    throw gltf.missingBuffer(uri, "it is in another file, and the address of this file is not known: load() fetches both");
                 }
-                _others.push(newDownload(ModelAddress.folderOf(_url) + uri));
+                buffers.push(download(ModelAddress.folderOf(_url) + uri));
             }
+            call(function():void
+                {
+                    readGltf(gltf, buffers);
+                });
+        }
+
+        private function readGltf(gltf:GltfFile, buffers:Vector.<ModelDownload>):void
+        {
+            for (var i:int = 0; i < buffers.length; i++)
+            {
+                if (buffers[i].bytes == null)
+                {
+                    throw gltf.missingBuffer(gltf.otherFiles[i], buffers[i].problem);
+                }
+                gltf.setBuffer(gltf.otherFiles[i], buffers[i].bytes);
+            }
+            readWith(new GltfReader(name, gltf, _upAxis as ModelTransform, _scaling));
         }
 
         private function readWith(reader:ModelReader):void
         {
-            release();
+            _downloads.length = 0;
             _reader = reader;
             add(_reader).call(keepModel).begin(receiving);
         }
 
         private function keepModel():void
         {
-            model = _source != null ? _source.model : new Model(name, null, null, _scaling, _reader);
+            model = _source != null ? _source.model : new Model(name, null, null, _scaling, _reader.data);
             _reader = null;
             _source = null;
-            release();
-        }
-
-        // Releases the files that have come.
-        private function release():void
-        {
-            _file = null;
-            _others.length = 0;
+            _downloads.length = 0;
         }
 
         private function receiving():Steps

@@ -1,6 +1,6 @@
 package starlogo.models.obj
 {
-    import starlogo.models.ModelBudget;
+    import starlogo.models.FileLimits;
     import starlogo.models.ModelError;
     import starlogo.models.ModelReader;
     import starlogo.models.TriangleLabels;
@@ -21,7 +21,7 @@ package starlogo.models.obj
     public final class ObjReader extends ModelReader
     {
         private var _lines:LineReader;
-        private var _budget:ModelBudget;
+        private var _limits:FileLimits;
 
         // Faces with more than three corners are kept here until all vertices are known.
         private var _polygons:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
@@ -48,14 +48,14 @@ package starlogo.models.obj
             refuseIf(text == null, name, "there is no text to read");
             refuseIf(text.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
             _lines = new LineReader(name, text);
-            _budget = new ModelBudget(name, text.length);
+            _limits = new FileLimits(name, text.length);
             repeat(readSome).call(checkIndices).begin(cutting).begin(turningUp).begin(normalising);
         }
 
         private function readSome():Boolean
         {
             progress = 0.9 * _lines.readStatements(readStatement);
-            _budget.requireMesh(data.vertices.length / 3, data.triangles.length / 3 + _polygonTriangles, _lines.place);
+            _limits.requireMesh(data.vertices.length / 3, data.triangles.length / 3 + _polygonTriangles, _lines.place);
             return _lines.hasMore;
         }
 
@@ -89,7 +89,7 @@ package starlogo.models.obj
         private function readLabel(labels:TriangleLabels):int
         {
             var label:String = _lines.restOfStatement().join(" ");
-            return label == "" ? -1 : labels.numberFor(label, label);
+            return label == "" ? -1 : labels.addKey(label, label);
         }
 
         private function readVertex():void
@@ -124,7 +124,7 @@ package starlogo.models.obj
             var count:int = 0;
             for (var word:String = _lines.nextWord(); word != null; word = _lines.nextWord())
             {
-                _corners[count++] = cornerOf(word);
+                _corners[count++] = readCorner(word);
             }
             if (count == 3)
             {
@@ -138,8 +138,8 @@ package starlogo.models.obj
             }
         }
 
-        // The vertex index in a face's corner: 1, 1/2, 1//3 or 1/2/3.
-        private function cornerOf(word:String):int
+        // Reads a face's corner: 1, 1/2, 1//3 or 1/2/3. Returns its vertex's index, and notes the highest one.
+        private function readCorner(word:String):int
         {
             var slash:int = word.indexOf("/");
             var value:Number = Decimal.ofIndex(slash < 0 ? word : word.substr(0, slash));
@@ -173,7 +173,7 @@ package starlogo.models.obj
         // The work that cuts the polygons into triangles. Then, if there are faces, it removes the vertices that no face uses.
         private function cutting():Steps
         {
-            var triangulator:Triangulator = new Triangulator(_budget, data.vertices, data.triangles);
+            var triangulator:Triangulator = new Triangulator(_limits, data.vertices, data.triangles);
             var isUsed:Vector.<uint> = new Vector.<uint>(data.vertices.length / 3);
             return new StepSequence().add(triangulator.addingEach(_polygons.length, function(index:int):int
                     {

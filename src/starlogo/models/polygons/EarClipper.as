@@ -1,6 +1,6 @@
 package starlogo.models.polygons
 {
-    import starlogo.models.ModelBudget;
+    import starlogo.models.FileLimits;
 
     /**
      * Cuts a ring of corners into triangles, one ear at a time. It adds only triangles with an area. This holds for corners in a straight
@@ -32,18 +32,25 @@ package starlogo.models.polygons
         {
             var next:Vector.<int> = _rings.next;
             var vertex:Vector.<uint> = _rings.vertex;
-            var budget:ModelBudget = _rings.budget;
-            var end:Number = budget.cornerTestsLeft - PolygonRings.TESTS_PER_STEP;
-            _count ||= countCorners();
-            while (_count > 2 && budget.cornerTestsLeft > end)
+            var limits:FileLimits = _rings.limits;
+            var end:Number = limits.cornerTestsLeft - PolygonRings.TESTS_PER_STEP;
+            _count ||= _rings.countFrom(_node);
+            while (_count > 2 && limits.cornerTestsLeft > end)
             {
                 var before:int = _rings.previous[_node];
                 var after:int = next[_node];
                 var area:Number = _rings.orient2d(before, _node, after);
                 // An outline that crosses itself may have no ear left. After one round without an ear any left turn is cut, after two
                 // rounds any corner.
-                var isCut:Boolean = area == 0 || _misses > 2 * _count || --budget.cornerTestsLeft < 0;
-                if (isCut || area > 0 && (_misses > _count || isEar(before, _node, after)))
+                var isCut:Boolean = area == 0 || _misses > 2 * _count || limits.cornerTestsLeft <= 0;
+                var outside:int = 0;
+                if (!isCut && area > 0)
+                {
+                    outside = _misses > _count ? 0 : countOutside(before, _node, after);
+                    isCut = _misses > _count || outside == _count - 3;
+                }
+                limits.countCornerTests(1 + outside);
+                if (isCut)
                 {
                     if (area > 0)
                     {
@@ -63,18 +70,9 @@ package starlogo.models.polygons
             return _count > 2;
         }
 
-        private function countCorners():int
-        {
-            var count:int = 1;
-            for (var node:int = _rings.next[_node]; node != _node; node = _rings.next[node])
-            {
-                count++;
-            }
-            return count;
-        }
-
-        // Whether no other corner lies in the triangle of a left turn. Charges the budget.
-        private function isEar(before:int, tip:int, after:int):Boolean
+        // How many of the other corners are outside of the triangle of a left turn, before the first that is inside. If these are all, the turn
+        // is an ear.
+        private function countOutside(before:int, tip:int, after:int):int
         {
             var xs:Vector.<Number> = _rings.x;
             var ys:Vector.<Number> = _rings.y;
@@ -89,25 +87,22 @@ package starlogo.models.polygons
             var maxX:Number = Math.max(ax, bx, cx);
             var minY:Number = Math.min(ay, by, cy);
             var maxY:Number = Math.max(ay, by, cy);
-            var seen:int = 0;
-            var isClear:Boolean = true;
-            for (var node:int = next[after]; node != before && isClear; node = next[node])
+            var count:int = 0;
+            for (var node:int = next[after]; node != before; node = next[node])
             {
-                seen++;
                 var x:Number = xs[node];
-                if (x < minX || x > maxX)
+                if (x >= minX && x <= maxX)
                 {
-                    continue;
+                    var y:Number = ys[node];
+                    var isAtCorner:Boolean = x == ax && y == ay || x == bx && y == by || x == cx && y == cy;
+                    if (y >= minY && y <= maxY && !isAtCorner && _rings.isInside(node, before, tip, after))
+                    {
+                        return count;
+                    }
                 }
-                var y:Number = ys[node];
-                if (y < minY || y > maxY || x == ax && y == ay || x == bx && y == by || x == cx && y == cy)
-                {
-                    continue;
-                }
-                isClear = !_rings.isInside(node, before, tip, after);
+                count++;
             }
-            _rings.budget.cornerTestsLeft -= seen;
-            return isClear;
+            return count;
         }
     }
 }

@@ -1,5 +1,7 @@
 package starlogo.models.polygons
 {
+    import starlogo.models.FileLimits;
+
     /**
      * Joins each hole of a polygon to the outline by a bridge, so that one ring is left (D. Eberly, "Triangulation by Ear Clipping", 2002).
      */
@@ -31,8 +33,9 @@ package starlogo.models.polygons
         /** Joins holes until none is left, or for one step. Holes outside the outline are left out. Returns whether holes are left. */
         internal function join():Boolean
         {
-            var end:Number = _rings.budget.cornerTestsLeft - PolygonRings.TESTS_PER_STEP;
-            while (_nodes.length > 0 && _rings.budget.cornerTestsLeft > end)
+            var limits:FileLimits = _rings.limits;
+            var end:Number = limits.cornerTestsLeft - PolygonRings.TESTS_PER_STEP;
+            while (_nodes.length > 0 && limits.cornerTestsLeft > end)
             {
                 addBridge(_nodes.pop());
             }
@@ -62,6 +65,12 @@ package starlogo.models.polygons
         // Opens the outline at a corner that sees the hole. The outline then goes around the hole and back.
         private function addBridge(hole:int):void
         {
+            if (_rings.limits.cornerTestsLeft <= 0)
+            {
+                return;
+            }
+            // the search goes around the outline twice
+            _rings.limits.countCornerTests(2 * _rings.countFrom(_outline));
             var corner:int = visibleCorner(hole);
             if (corner < 0)
             {
@@ -90,10 +99,6 @@ package starlogo.models.polygons
             var node:int = _outline;
             do
             {
-                if (--_rings.budget.cornerTestsLeft < 0)
-                {
-                    return -1;
-                }
                 var end:int = _rings.next[node];
                 // the outline is counter-clockwise, so the edge to the right of an inner point goes upwards
                 if (ys[node] <= y && y <= ys[end] && ys[node] < ys[end])
@@ -112,25 +117,19 @@ package starlogo.models.polygons
         }
 
         // The corner that is visible from a hole's node. It is the given corner, unless others block the line to it. Then it is the blocking corner
-        // nearest to the ray. It adds a node for the hit to the rings, and charges the budget.
+        // nearest to the ray, which meets the outline at hitX.
         private function nearestToRay(hole:int, hitX:Number, corner:int):int
         {
             var xs:Vector.<Number> = _rings.x;
             var ys:Vector.<Number> = _rings.y;
             var x:Number = xs[hole];
             var y:Number = ys[hole];
-            var isAbove:Boolean = ys[corner] > y;
-            var ray:int = _rings.addNode(_rings.vertex[hole], -1, -1);
-            xs[ray] = hitX;
-            var second:int = isAbove ? ray : corner;
-            var third:int = isAbove ? corner : ray;
             var result:int = corner;
             var smallest:Number = Math.abs(ys[corner] - y) / (xs[corner] - x);
             var node:int = _outline;
             do
             {
-                _rings.budget.cornerTestsLeft--;
-                if (xs[node] > x && node != corner && _rings.isInside(node, hole, second, third) && seesInside(node, hole))
+                if (xs[node] > x && node != corner && isBetween(node, hole, hitX, corner) && seesInside(node, hole))
                 {
                     var slope:Number = Math.abs(ys[node] - y) / (xs[node] - x);
                     if (slope < smallest || slope == smallest && xs[node] < xs[result])
@@ -143,6 +142,28 @@ package starlogo.models.polygons
             }
             while (node != _outline);
             return result;
+        }
+
+        // Whether a node is inside the triangle of a hole's node, the place where its ray meets the outline, and a corner.
+        private function isBetween(node:int, hole:int, hitX:Number, corner:int):Boolean
+        {
+            var x:Number = _rings.x[node];
+            var y:Number = _rings.y[node];
+            var holeX:Number = _rings.x[hole];
+            var holeY:Number = _rings.y[hole];
+            // counter-clockwise after the hole's node
+            var isAbove:Boolean = _rings.y[corner] > holeY;
+            var secondX:Number = isAbove ? hitX : _rings.x[corner];
+            var secondY:Number = isAbove ? holeY : _rings.y[corner];
+            var thirdX:Number = isAbove ? _rings.x[corner] : hitX;
+            var thirdY:Number = isAbove ? _rings.y[corner] : holeY;
+            return isLeft(holeX, holeY, secondX, secondY, x, y) && isLeft(secondX, secondY, thirdX, thirdY, x, y) && isLeft(thirdX, thirdY, holeX, holeY, x, y);
+        }
+
+        // Whether a point is on the left of the line from a to b, or on it.
+        private static function isLeft(aX:Number, aY:Number, bX:Number, bY:Number, x:Number, y:Number):Boolean
+        {
+            return (bX - aX) * (y - aY) - (bY - aY) * (x - aX) >= 0;
         }
 
         // Whether the direction from a corner to another node goes into the polygon.

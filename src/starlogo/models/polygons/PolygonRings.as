@@ -1,6 +1,6 @@
 package starlogo.models.polygons
 {
-    import starlogo.models.ModelBudget;
+    import starlogo.models.FileLimits;
 
     /**
      * A polygon's outline and holes as rings of corners in a plane. The polygon is projected along the coordinate axis nearest to the
@@ -26,8 +26,8 @@ package starlogo.models.polygons
         /** The previous node in the ring, for each node. */
         internal var previous:Vector.<int> = new Vector.<int>();
 
-        /** Pays for the tests of corners. */
-        internal var budget:ModelBudget;
+        /** Limit the tests of corners. */
+        internal var limits:FileLimits;
 
         /** x, y, z of each vertex of the polygons. */
         internal var vertices:Vector.<Number>;
@@ -40,13 +40,13 @@ package starlogo.models.polygons
         private var _scale:Number;
 
         /**
-         * @param budget pays for the tests of corners
+         * @param limits limit the tests of corners
          * @param vertices x, y, z, ...; corners are indices of these
          * @param triangles takes the triangles
          */
-        public function PolygonRings(budget:ModelBudget, vertices:Vector.<Number>, triangles:Vector.<uint>)
+        public function PolygonRings(limits:FileLimits, vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
-            this.budget = budget;
+            this.limits = limits;
             this.vertices = vertices;
             _triangles = triangles;
         }
@@ -127,6 +127,17 @@ package starlogo.models.polygons
             var after:int = next[node];
             next[before] = after;
             previous[after] = before;
+        }
+
+        /** The number of nodes in the ring of a node. */
+        internal function countFrom(node:int):int
+        {
+            var count:int = 1;
+            for (var i:int = next[node]; i != node; i = next[i])
+            {
+                count++;
+            }
+            return count;
         }
 
         /** Twice the area of the triangle of three nodes; positive if it is counter-clockwise. */

@@ -1,6 +1,6 @@
 package starlogo.models.polygons
 {
-    import starlogo.models.ModelBudget;
+    import starlogo.models.FileLimits;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -12,8 +12,8 @@ package starlogo.models.polygons
      * joined to the outline (HoleBridges), and ears are cut off (EarClipper). Outlines may cross or cover themselves. Every triangle that is
      * cut from a ring has an area in the plane. A ring without area has no triangles.</p>
      *
-     * <p>Cost: linear for convex polygons, otherwise up to quadratic in the corners, but at most the budget's tests of corners. Beyond
-     * that, corners are cut off without a test, and holes are filled.</p>
+     * <p>Cost: linear for convex polygons, otherwise up to quadratic in the corners, but at most the tests of corners that the file's limits
+     * allow. Beyond that, corners are cut off without a test, and holes are filled.</p>
      *
      * @private
      */
@@ -31,13 +31,13 @@ package starlogo.models.polygons
         private var _isCutting:Boolean = false;
 
         /**
-         * @param budget pays for the tests of corners
+         * @param limits limit the tests of corners
          * @param vertices x, y, z, ...; the polygons' corners are indices of these
          * @param triangles takes the triangles, three indices each, in the direction of their polygon
          */
-        public function Triangulator(budget:ModelBudget, vertices:Vector.<Number>, triangles:Vector.<uint>)
+        public function Triangulator(limits:FileLimits, vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
-            _rings = new PolygonRings(budget, vertices, triangles);
+            _rings = new PolygonRings(limits, vertices, triangles);
         }
 
         /**

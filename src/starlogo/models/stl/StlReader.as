@@ -3,7 +3,7 @@ package starlogo.models.stl
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import starlogo.geometry.PointTable;
-    import starlogo.models.ModelBudget;
+    import starlogo.models.FileLimits;
     import starlogo.models.ModelError;
     import starlogo.models.ModelReader;
     import starlogo.models.refuseIf;
@@ -23,7 +23,7 @@ package starlogo.models.stl
         private static const NORMAL_LENGTH:int = 12;
         private static const FACETS_PER_STEP:int = 300;
 
-        private var _budget:ModelBudget;
+        private var _limits:FileLimits;
         private var _points:PointTable;
 
         // of a text file; null for a binary one
@@ -43,14 +43,14 @@ package starlogo.models.stl
         public function StlReader(name:String, bytes:ByteArray, text:String, upAxis:Object, scaling:String)
         {
             super(name, upAxis, scaling);
-            _budget = new ModelBudget(name, bytes == null ? text.length : bytes.length);
+            _limits = new FileLimits(name, bytes == null ? text.length : bytes.length);
             if (bytes != null)
             {
                 addBinary(bytes);
             }
             else
             {
-                _points = new PointTable(Math.min(text.length / 20, ModelBudget.MOST_VERTICES));
+                _points = new PointTable(Math.min(text.length / 20, FileLimits.MOST_VERTICES));
                 _lines = new LineReader(name, text);
                 repeat(readSome);
             }
@@ -63,12 +63,12 @@ package starlogo.models.stl
             ModelText.checkSize(name, bytes);
             bytes.endian = Endian.LITTLE_ENDIAN;
             var count:int = countIn(bytes);
-            _budget.require(ModelBudget.TRIANGLES, count);
-            _points = new PointTable(Math.min(3 * count, ModelBudget.MOST_VERTICES));
+            _limits.require(FileLimits.TRIANGLES, count);
+            _points = new PointTable(Math.min(3 * count, FileLimits.MOST_VERTICES));
             slices(count, FACETS_PER_STEP, function(first:int, end:int):void
                 {
                     readFacets(bytes, first, end);
-                    _budget.requireMesh(data.vertices.length / 3, data.triangles.length / 3, "triangle " + end);
+                    _limits.requireMesh(data.vertices.length / 3, data.triangles.length / 3, "triangle " + end);
                     progress = 0.9 * end / Math.max(1, count);
                 });
         }
@@ -115,7 +115,7 @@ package starlogo.models.stl
                     {
                         throw new ModelError(name, "triangle " + i, "expected three finite numbers for a vertex, but found " + x + ", " + y + ", " + z);
                     }
-                    data.triangles.push(_points.indexOf(x, y, z));
+                    data.triangles.push(_points.add(x, y, z));
                 }
                 place += FACET_LENGTH;
             }
@@ -124,7 +124,7 @@ package starlogo.models.stl
         private function readSome():Boolean
         {
             progress = 0.9 * _lines.readStatements(readStatement);
-            _budget.requireMesh(data.vertices.length / 3, data.triangles.length / 3, _lines.place);
+            _limits.requireMesh(data.vertices.length / 3, data.triangles.length / 3, _lines.place);
             return _lines.hasMore;
         }
 
@@ -154,7 +154,7 @@ package starlogo.models.stl
                 throw new ModelError(name, _lines.place, _corners == 3 ? "a facet has more than three vertices"
                         : LineReader.vertexProblem(_lines.restOfStatement().join(" ")));
             }
-            data.triangles.push(_points.indexOf(_point[0], _point[1], _point[2]));
+            data.triangles.push(_points.add(_point[0], _point[1], _point[2]));
             _corners++;
         }
 

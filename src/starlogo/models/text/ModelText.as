@@ -1,7 +1,7 @@
 package starlogo.models.text
 {
     import flash.utils.ByteArray;
-    import starlogo.models.ModelBudget;
+    import starlogo.models.FileLimits;
     import starlogo.models.ModelError;
     import starlogo.models.refuseIf;
 
@@ -40,7 +40,7 @@ package starlogo.models.text
         /** Throws if a file has too many bytes. */
         public static function checkSize(name:String, bytes:ByteArray):void
         {
-            refuseIf(bytes.length > ModelBudget.MOST_BYTES, name, "the file has " + bytes.length + " bytes: expected at most " + ModelBudget.MOST_BYTES);
+            refuseIf(bytes.length > FileLimits.MOST_BYTES, name, "the file has " + bytes.length + " bytes: expected at most " + FileLimits.MOST_BYTES);
         }
 
         private static function decoded(name:String, bytes:ByteArray, format:String):String

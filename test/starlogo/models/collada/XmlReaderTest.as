@@ -2,7 +2,7 @@ package starlogo.models.collada
 {
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertNull;
-    import starlogo.models.ModelBudget;
+    import starlogo.models.FileLimits;
     import starlogo.models.ModelError;
     import starlogo.steps.finish;
     import support.assertThrows;
@@ -65,7 +65,7 @@ package starlogo.models.collada
 
         private static function read(source:String):ColladaElement
         {
-            var work:XmlReader = new XmlReader(source, new ModelBudget("a", source.length));
+            var work:XmlReader = new XmlReader(source, new FileLimits("a", source.length));
             finish(work);
             return work.root;
         }

@@ -3,7 +3,7 @@ package starlogo.models.polygons
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.models.ModelBudget;
+    import starlogo.models.FileLimits;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
     import support.Effort;
@@ -82,7 +82,7 @@ package starlogo.models.polygons
                 corners.push(i);
             }
             var triangles:Vector.<uint> = new Vector.<uint>();
-            var triangulator:Triangulator = new Triangulator(new ModelBudget("polygons", 250000), vertices, triangles);
+            var triangulator:Triangulator = new Triangulator(new FileLimits("polygons", 250000), vertices, triangles);
             var work:Steps = triangulator.addingEach(1, function(index:int):int
                 {
                     triangulator.addPolygon(corners);
@@ -131,7 +131,7 @@ package starlogo.models.polygons
 
         private static function cut(vertices:Vector.<Number>, triangles:Vector.<uint>, loops:Vector.<Vector.<uint>>):void
         {
-            var triangulator:Triangulator = new Triangulator(new ModelBudget("polygons", 250000), vertices, triangles);
+            var triangulator:Triangulator = new Triangulator(new FileLimits("polygons", 250000), vertices, triangles);
             var holes:Vector.<Vector.<uint>> = loops.slice(1);
             finish(triangulator.addingEach(1, function(index:int):int
                     {

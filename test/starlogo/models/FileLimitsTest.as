@@ -9,7 +9,7 @@ package starlogo.models
     import support.assertThrows;
 
     /** What a file only declares, or repeats, is refused before it costs more memory or time than the file's bytes pay for. */
-    public class ModelBudgetTest
+    public class FileLimitsTest
     {
         private static const MANY:int = 900000;
         private static const CORNER:Array = [0, 0, 0, 1, 0, 0, 0, 1, 0];

@@ -1,13 +1,13 @@
 package starlogo.models
 {
     /**
-     * What reading a file may cost. A reader asks it before it reserves memory for a declared count, and before it does something again.
+     * What a file may have and cost. A reader asks before it reserves memory for a declared count, and before it does something again.
      * Things of several kinds are counted: VERTICES to FILES. How many a file may have grows with the bytes that are present, so time and
      * memory are in proportion to them (docs/limits.md).
      *
      * @private
      */
-    public final class ModelBudget
+    public final class FileLimits
     {
         /** The vertices of the model, with those of every instance. */
         public static const VERTICES:int = 0;
@@ -45,29 +45,27 @@ package starlogo.models
         private static const MOST:Vector.<Number> = new <Number>[MOST_VERTICES, 2 * MOST_VERTICES, 40000000, Infinity, 500000, 100];
 
         /** The model's name. */
-        public var name:String;
-
-        /** The tests of corners that are left for cutting polygons. Afterwards corners are cut off without a test, and holes are filled. */
-        public var cornerTestsLeft:Number;
+        public var modelName:String;
 
         private var _bytes:Number;
-        private var _taken:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _counts:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _cornerTestsLeft:Number;
 
         /**
-         * @param name the model's name
+         * @param modelName the model's name
          * @param bytes the bytes or characters that are present
          */
-        public function ModelBudget(name:String, bytes:Number)
+        public function FileLimits(modelName:String, bytes:Number)
         {
-            this.name = name;
+            this.modelName = modelName;
             _bytes = bytes;
-            cornerTestsLeft = CORNER_TESTS + TESTS_PER_BYTE * bytes;
+            _cornerTestsLeft = CORNER_TESTS + TESTS_PER_BYTE * bytes;
         }
 
-        /** A budget for the same bytes of which nothing is taken. */
-        public function renewed():ModelBudget
+        /** The limits for the same bytes. Nothing is counted yet. */
+        public function renewed():FileLimits
         {
-            return new ModelBudget(name, _bytes);
+            return new FileLimits(modelName, _bytes);
         }
 
         /** Adds bytes that have come. */
@@ -76,11 +74,11 @@ package starlogo.models
             _bytes += bytes;
         }
 
-        /** Takes some of a kind. @throws ModelError if fewer are left */
-        public function take(kind:int, count:Number, place:Object = ""):void
+        /** Counts more of a kind. @throws ModelError if these are too many */
+        public function count(kind:int, more:Number, place:Object = ""):void
         {
-            _taken[kind] += count;
-            require(kind, _taken[kind], place);
+            _counts[kind] += more;
+            require(kind, _counts[kind], place);
         }
 
         /** Checks how many vertices and triangles the model has. @throws ModelError if there are more than a file may have */
@@ -90,14 +88,26 @@ package starlogo.models
             require(TRIANGLES, triangleCount, place);
         }
 
-        /** Checks a count without taking it. @throws ModelError if it is more than a file may have */
-        public function require(kind:int, count:Number, place:Object = ""):void
+        /** Checks a number of a kind, without counting it. @throws ModelError if it is more than a file may have */
+        public function require(kind:int, number:Number, place:Object = ""):void
         {
             var most:Number = Math.min(MOST[kind], FREE[kind] + PER_BYTE[kind] * _bytes);
-            if (count > most)
+            if (number > most)
             {
-                throw new ModelError(name, String(place), "it has more than " + most + " " + NAMES[kind]);
+                throw new ModelError(modelName, String(place), "it has more than " + most + " " + NAMES[kind]);
             }
+        }
+
+        /** The tests of corners that are left for cutting polygons. If there are none, corners are cut off without a test, and holes are filled. */
+        public function get cornerTestsLeft():Number
+        {
+            return _cornerTestsLeft;
+        }
+
+        /** Counts tests of corners. */
+        public function countCornerTests(more:int):void
+        {
+            _cornerTestsLeft -= more;
         }
     }
 }

@@ -12,9 +12,6 @@ package starlogo.away3d
     /** The transform of an Away3D object in its container, in Away3D's axes. */
     internal final class NodeTransform
     {
-        private static var sPlacement:Placement = new Placement();
-        private static var sMatrix:Vector.<Number> = new Vector.<Number>(16, true);
-
         /**
          * The transform of an object. It is computed from the object's traits, because a Matrix3D has single precision in Flash Player. If
          * the object's matrix differs, the matrix counts, because Away3D draws with it. For example, the DAEParser sets only the matrix.
@@ -22,17 +19,17 @@ package starlogo.away3d
         internal static function of(object:Object3D):AffineTransform
         {
             var traits:Vector.<Number> = ofTraits(object).rows;
+            var columns:Vector.<Number> = object.transform.rawData;
             var drawn:Vector.<Number> = new Vector.<Number>(12);
             var scale:Number = 0;
             var difference:Number = 0;
             var areSame:Boolean = true;
-            object.transform.copyRawDataTo(sMatrix);
             for (var column:int = 0; column < 4; column++)
             {
                 for (var row:int = 0; row < 3; row++)
                 {
                     var at:int = 4 * row + column;
-                    drawn[at] = sMatrix[4 * column + row];
+                    drawn[at] = columns[4 * column + row];
                     scale = Math.max(scale, Math.abs(traits[at]));
                     difference = Math.max(difference, Math.abs(traits[at] - drawn[at]));
                 }
@@ -44,13 +41,13 @@ package starlogo.away3d
                     difference = 0;
                 }
             }
-            return areSame ? new AffineTransform(traits) : new AffineTransform(drawn);
+            return new AffineTransform(areSame ? traits : drawn);
         }
 
         // First the scale, then the turn about the pivot point, then the move: T(position) T(pivot) R T(-pivot) S.
         private static function ofTraits(object:Object3D):AffineTransform
         {
-            var p:Placement = sPlacement;
+            var p:Placement = new Placement();
             var pivot:Vector3D = object.pivotPoint;
             p.setRotation(object.rotationZ, object.rotationY, object.rotationX);
             var turned:Vector3D = new Vector3D();

@@ -37,7 +37,6 @@ package starlogo.fitting
         private var _cosines:Vector.<Number> = new Vector.<Number>();
         private var _sines:Vector.<Number> = new Vector.<Number>();
         private var _corners:Vector.<int> = new Vector.<int>(6);
-        private var _smallEnough:Number;
         private var _least:Number = Infinity;
         private var _best:Placement = new Placement();
 
@@ -80,7 +79,6 @@ package starlogo.fitting
         {
             _hull = _session.hull;
             _rotated = new Vector.<Number>(_hull.points.length);
-            _smallEnough = _hull.volume * (1 + Tolerances.FIT_TIE);
             var count:int = Math.ceil(90 / _stepZ);
             for (var i:int = 0; i < count; i++)
             {
@@ -110,7 +108,7 @@ package starlogo.fitting
                 {
                     _least = volume;
                     _best.setRotation(place * _stepZ, _aboutY, _aboutX);
-                    if (volume <= _smallEnough)
+                    if (volume <= _hull.volume * (1 + Tolerances.FIT_TIE))
                     {
                         return false;
                     }

@@ -20,8 +20,12 @@ package starlogo.libraries
         // For each section of a cooked file, the settings of what is in it. Null if that is not wanted, or cannot be kept.
         private var _sections:Vector.<Fingerprint> = new Vector.<Fingerprint>(CookedFile.SECTIONS, true);
 
-        // Whether the surface for exact colliders is wanted.
-        private var _wantsSurface:Boolean = false;
+        /**
+         * Whether the surface for exact colliders is wanted.
+         *
+         * @private
+         */
+        engine var wantsSurface:Boolean = false;
 
         /**
          * Copies the present settings of the libraries.
@@ -43,14 +47,14 @@ package starlogo.libraries
             {
                 _sections[CookedFile.HIERARCHY] = _sections[CookedFile.SURFACE] =
                     fingerprintOf(["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join());
-                _wantsSurface = hierarchies.prepareExact;
+                wantsSurface = hierarchies.prepareExact;
             }
         }
 
         /** All settings as sixteen hexadecimal digits. */
         public function toString():String
         {
-            var all:Array = [_sections[CookedFile.STRUCTURES], _sections[CookedFile.HIERARCHY], _wantsSurface];
+            var all:Array = [_sections[CookedFile.STRUCTURES], _sections[CookedFile.HIERARCHY], wantsSurface];
             var hull:Fingerprint = _sections[CookedFile.HULL];
             return fingerprintOf((hull == null ? all : all.concat(hull)).join()).toString();
         }

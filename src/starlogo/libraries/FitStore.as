@@ -79,7 +79,8 @@ package starlogo.libraries
          */
         public function read(model:Model, settings:FitSettings):ByteArray
         {
-            var geometry:Fingerprint = geometryOf(model, settings);
+            var geometry:Fingerprint = geometryOf(model);
+            requireGiven("the settings", settings);
             var bytes:ByteArray = readAsUsed(geometry, settings);
             return isEntryOf(geometry, bytes) ? bytes : null;
         }
@@ -96,7 +97,8 @@ package starlogo.libraries
         public function write(model:Model, settings:FitSettings, bytes:ByteArray):Boolean
         {
             requireGiven("the bytes", bytes);
-            var geometry:Fingerprint = geometryOf(model, settings);
+            requireGiven("the settings", settings);
+            var geometry:Fingerprint = geometryOf(model);
             return isEntryOf(geometry, bytes) && keep(geometry, settings, bytes);
         }
 
@@ -218,10 +220,9 @@ package starlogo.libraries
         }
 
         // The fingerprint of a model's vertices and triangles.
-        private static function geometryOf(model:Model, settings:FitSettings):Fingerprint
+        private static function geometryOf(model:Model):Fingerprint
         {
             requireGiven("the model", model);
-            requireGiven("the settings", settings);
             var geometry:Fingerprint = new Fingerprint();
             finish(geometry.addingGeometry(model.vertices, model.triangles));
             return geometry;

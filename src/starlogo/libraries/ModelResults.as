@@ -40,9 +40,8 @@ package starlogo.libraries
         private var _model:Model;
         private var _structuresBuilder:StructuresBuilder;
 
-        // Of the hierarchies: the deepest level, and whether the surface is wanted too.
+        // the deepest level of the hierarchies
         private var _maxDepth:int = 0;
-        private var _wantsSurface:Boolean = false;
 
         // For stored results: their settings, and where results are kept; null if there are none.
         private var _settings:FitSettings = null;
@@ -74,13 +73,12 @@ package starlogo.libraries
                 modelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
                 buildingTree = hierarchiesLibrary.building(modelTree, restoringTree);
                 _maxDepth = hierarchiesLibrary.maxDepth;
-                _wantsSurface = hierarchiesLibrary.prepareExact;
             }
             if (model.data.cooked != null)
             {
                 takeFrom(model.data.cooked);
             }
-            _store = isComplete ? null : store;
+            _store = store == null || isComplete ? null : store;
             if (_store != null)
             {
                 add(_geometry.addingGeometry(model.vertices, model.triangles)).begin(readingStored);
@@ -114,11 +112,11 @@ package starlogo.libraries
             return newFile(settings, load, CookedWriter.of(_model));
         }
 
-        // Whether all results that are wanted are there, or stored.
+        // Whether all results that are wanted are there, or stored. For stored results.
         private function get isComplete():Boolean
         {
             return (_structuresBuilder == null || structures != null) && (modelTree == null || isTreeStored)
-                && (!_wantsSurface || _model.triangles == null || modelTree.surface != null);
+                && (!_settings.wantsSurface || _model.triangles == null || modelTree.surface != null);
         }
 
         private function readingStored():Steps
@@ -151,7 +149,7 @@ package starlogo.libraries
 
         private function beginningTree():Steps
         {
-            return isTreeStored && !_wantsSurface ? null : buildingTree;
+            return isTreeStored && !_settings.wantsSurface ? null : buildingTree;
         }
 
         // Stores the results, unless all have come from the store.

@@ -36,11 +36,6 @@ package starlogo.fitting.hull
         // the number of faces that are not inside
         private var _presentCount:int = 0;
 
-        private var _lowest:LowestPointSearch = new LowestPointSearch();
-
-        // the outline of the faces that a point sees: edges of these faces
-        private var _outline:Vector.<int> = new Vector.<int>();
-
         /**
          * @param points x, y, z of each corner; copied
          * @param triangles three corners each, counter-clockwise seen from outside
@@ -165,13 +160,12 @@ package starlogo.fitting.hull
          * Finds the point outside of all faces at an edge's ends for which the solid grows least.
          *
          * @param edge an edge of the present surface
-         * @param out receives the point
-         * @return whether there is one
+         * @return the point; null if there is none
          */
-        public function findPoint(edge:int, out:OuterPoint):Boolean
+        public function findPoint(edge:int):OuterPoint
         {
+            var out:OuterPoint = new OuterPoint();
             _search++;
-            out.faceCount = 0;
             findFaces(edge, out);
             findFaces(_across[edge], out);
             var upX:Number = 0;
@@ -186,39 +180,36 @@ package starlogo.fitting.hull
                 upY += area * _planes[int(4 * face + 1)];
                 upZ += area * _planes[int(4 * face + 2)];
             }
-            if (count > MOST_FACES || !_lowest.find(_planes, out.faces, count, upX, upY, upZ, out))
+            if (count > MOST_FACES || !LowestPointSearch.find(_planes, out.faces, count, upX, upY, upZ, out))
             {
-                return false;
+                return null;
             }
             findSeen(out);
-            return true;
+            return out;
         }
 
         /**
          * Makes a point a corner. Faces from the point to the outline of the faces that it sees take their place.
          *
-         * @param point the last point that findPoint() found since the hull grew
+         * @param point what findPoint() has found since the hull grew
          * @return the first new face; the others follow. -1 if rounding leaves the faces more than one outline; then the hull stays as it is
          */
         public function grow(point:OuterPoint):int
         {
-            var count:int = findOutline(point);
-            if (count == 0)
+            setInside(point.faces, point.faceCount, 1);
+            var outline:Vector.<int> = outlineOf(point);
+            if (outline.length == 0)
             {
+                setInside(point.faces, point.faceCount, 0);
                 return -1;
-            }
-            for (var i:int = 0; i < point.faceCount; i++)
-            {
-                _isInside[point.faces[i]] = 1;
             }
             _presentCount -= point.faceCount;
             var corner:int = _points.length / 3;
             _points.push(point.x, point.y, point.z);
             var first:int = faceCount;
             var made:int = first;
-            for (i = 0; i < count; i++)
+            for each (var edge:int in outline)
             {
-                var edge:int = _outline[i];
                 made = addFace(startOf(edge), endOf(edge), corner);
                 join(4 * made, _across[edge]);
                 if (made > first)
@@ -290,9 +281,17 @@ package starlogo.fitting.hull
             point.growth = sum / 6;
         }
 
-        // Writes the edges between the faces that a point sees and the others to the outline, one after the other. Returns their number; 0 if
-        // they are not one outline.
-        private function findOutline(point:OuterPoint):int
+        private function setInside(faces:Vector.<int>, count:int, value:int):void
+        {
+            for (var i:int = 0; i < count; i++)
+            {
+                _isInside[faces[i]] = value;
+            }
+        }
+
+        // The edges around the faces that a point sees, which are inside by now, one after the other. None if rounding leaves more than one
+        // outline.
+        private function outlineOf(point:OuterPoint):Vector.<int>
         {
             var total:int = 0;
             var first:int = -1;
@@ -308,23 +307,23 @@ package starlogo.fitting.hull
                     }
                 }
             }
-            var count:int = 0;
+            var outline:Vector.<int> = new Vector.<int>();
             edge = first;
-            while (count < total && (edge != first || count == 0))
+            while (outline.length < total && (edge != first || outline.length == 0))
             {
-                _outline[count++] = edge;
+                outline.push(edge);
                 edge = after(edge);
                 while (!isBorder(edge))
                 {
                     edge = after(_across[edge]);
                 }
             }
-            return count == total && edge == first ? count : 0;
+            return outline.length == total && edge == first ? outline : new Vector.<int>();
         }
 
         private function isBorder(edge:int):Boolean
         {
-            return _foundBy[_across[edge] >> 2] != _search;
+            return _isInside[_across[edge] >> 2] == 0;
         }
 
         private function join(edge:int, other:int):void

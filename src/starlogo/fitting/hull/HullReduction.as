@@ -35,11 +35,8 @@ package starlogo.fitting.hull
         private var _space:UnitSpace;
         private var _solid:GrowingHull = null;
         private var _queue:EdgeQueue = new EdgeQueue();
-        private var _isQueued:Vector.<int> = new Vector.<int>(); // by edge: 1 if it is in the queue
-        private var _point:OuterPoint = new OuterPoint();
 
-        // the number of tips, and the first tip; the second one is the next corner
-        private var _tipCount:int = 0;
+        // the first tip, and the second one is the next corner; -2 without tips
         private var _tip:int = -2;
 
         /**
@@ -79,7 +76,6 @@ package starlogo.fitting.hull
                 var height:Number = isCounterClockwise(outline, points) ? TIP : -TIP;
                 points.push(0, 0, height, 0, 0, -height);
                 _tip = hull.indices.length;
-                _tipCount = 2;
                 triangles = pyramidsOn(outline);
             }
             _solid = new GrowingHull(points, triangles);
@@ -132,26 +128,25 @@ package starlogo.fitting.hull
 
         private function hasMoreThan(most:int):Boolean
         {
-            return _solid.cornerCount - _tipCount > most;
+            return _solid.cornerCount - (_tip < 0 ? 0 : 2) > most;
         }
 
         // Loses the first edge of the queue. Returns the first new face, or -1 if the edge cannot be lost. If its cost has increased since
         // it was queued, it is queued again.
         private function takeFirst():int
         {
-            var queued:int = _queue.pop();
-            _isQueued[queued] = 0;
-            var edge:int = _solid.presentEdge(queued);
-            if (edge < 0 || isQueued(edge) || isQueued(_solid.acrossOf(edge)) || !_solid.findPoint(edge, _point))
+            var edge:int = _solid.presentEdge(_queue.pop());
+            var point:OuterPoint = edge < 0 || isQueued(edge) ? null : _solid.findPoint(edge);
+            if (point == null)
             {
                 return -1;
             }
-            if (_point.growth > _queue.leastCost)
+            if (point.growth > _queue.leastCost)
             {
-                enqueue(edge);
+                _queue.push(edge, point.growth);
                 return -1;
             }
-            return _solid.grow(_point);
+            return _solid.grow(point);
         }
 
         private function queueShortestNew(firstFace:int):void
@@ -171,30 +166,21 @@ package starlogo.fitting.hull
         // Queues an edge if it can be lost, unless it is queued already.
         private function queueEdge(edge:int):void
         {
-            if (!_solid.isEdge(edge) || isQueued(edge) || isQueued(_solid.acrossOf(edge)) || isTip(_solid.startOf(edge)) || isTip(_solid.endOf(edge)))
+            if (!_solid.isEdge(edge) || isQueued(edge) || isTip(_solid.startOf(edge)) || isTip(_solid.endOf(edge)))
             {
                 return;
             }
-            if (_solid.findPoint(edge, _point))
+            var point:OuterPoint = _solid.findPoint(edge);
+            if (point != null)
             {
-                enqueue(edge);
+                _queue.push(edge, point.growth);
             }
         }
 
-        // Queues the edge for which _point was found.
-        private function enqueue(edge:int):void
-        {
-            if (_isQueued.length <= edge)
-            {
-                _isQueued.length = 4 * _solid.faceCount;
-            }
-            _isQueued[edge] = 1;
-            _queue.push(edge, _point.growth);
-        }
-
+        // Whether an edge is queued, by its number or by that of the edge that runs the other way.
         private function isQueued(edge:int):Boolean
         {
-            return edge < _isQueued.length && _isQueued[edge] == 1;
+            return _queue.has(edge) || _queue.has(_solid.acrossOf(edge));
         }
 
         private function isTip(corner:int):Boolean
@@ -230,7 +216,7 @@ package starlogo.fitting.hull
 
         private function withoutTips(points:Vector.<Number>):Vector.<Number>
         {
-            if (_tipCount == 0)
+            if (_tip < 0)
             {
                 return points;
             }

@@ -6,6 +6,9 @@ package starlogo.fitting.hull
      * Finds the lowest point that is on no inner side of some planes: a linear program of three variables. It is solved by the dual simplex
      * method. At any time the point is where three planes meet, and it is the lowest point outside of these three. The plane that the point is
      * farthest inside of replaces one of them, and the point moves up. The search begins with three planes far below.
+     *
+     * <p>The three planes have four numbers each: the outward unit normal, and the offset along it. Each plane also has the cross product of
+     * the normals of the other two. A vector v is the sum of (v . cross product) times normal, divided by the determinant of the normals.</p>
      */
     internal final class LowestPointSearch
     {
@@ -13,15 +16,6 @@ package starlogo.fitting.hull
         private static const FAR:Number = 100;
         private static const NEAR:Number = 10;
         private static const MOST_TURNS:int = 40;
-
-        // The three planes, four numbers each: the outward unit normal, and the offset along it.
-        private var _three:Vector.<Number> = new Vector.<Number>(12, true);
-
-        // For each of the three, the cross product of the normals of the other two. A vector v is the sum of (v . cross product) times normal,
-        // divided by the determinant of the normals.
-        private var _crosses:Vector.<Number> = new Vector.<Number>(9, true);
-
-        private var _up:Vector.<Number> = new Vector.<Number>(3, true);
 
         /**
          * Finds the point.
@@ -35,12 +29,13 @@ package starlogo.fitting.hull
          * @param out its coordinates are set
          * @return whether there is a lowest point near the planes
          */
-        public function find(planes:Vector.<Number>, faces:Vector.<int>, count:int, upX:Number, upY:Number, upZ:Number, out:OuterPoint):Boolean
+        public static function find(planes:Vector.<Number>, faces:Vector.<int>, count:int, upX:Number, upY:Number, upZ:Number, out:OuterPoint):Boolean
         {
-            begin(upX, upY, upZ);
+            var three:Vector.<Number> = planesFarBelow(upX, upY, upZ);
+            var crosses:Vector.<Number> = new Vector.<Number>(9, true);
             for (var turn:int = 0; turn < MOST_TURNS; turn++)
             {
-                var determinant:Number = findMeetingPoint(out);
+                var determinant:Number = findMeetingPoint(three, crosses, out);
                 if (!(Math.abs(determinant) > Tolerances.UNIT_ROUNDING))
                 {
                     return false;
@@ -50,42 +45,32 @@ package starlogo.fitting.hull
                 {
                     return Math.abs(out.x) < NEAR && Math.abs(out.y) < NEAR && Math.abs(out.z) < NEAR;
                 }
-                var leaving:int = leavingFor(planes, entering, determinant);
+                var leaving:int = leavingFor(planes, entering, crosses, determinant, upX, upY, upZ);
                 if (leaving < 0)
                 {
                     return false;
                 }
                 for (var i:int = 0; i < 4; i++)
                 {
-                    _three[int(4 * leaving + i)] = planes[int(entering + i)];
+                    three[int(4 * leaving + i)] = planes[int(entering + i)];
                 }
             }
             return false;
         }
 
-        // Takes three planes far below, with normals along the axes.
-        private function begin(upX:Number, upY:Number, upZ:Number):void
+        // Three planes with normals along the axes.
+        private static function planesFarBelow(upX:Number, upY:Number, upZ:Number):Vector.<Number>
         {
-            _up[0] = upX;
-            _up[1] = upY;
-            _up[2] = upZ;
-            for (var i:int = 0; i < 12; i++)
-            {
-                _three[i] = i % 4 == 3 ? -FAR : 0;
-            }
-            _three[0] = upX < 0 ? -1 : 1;
-            _three[5] = upY < 0 ? -1 : 1;
-            _three[10] = upZ < 0 ? -1 : 1;
+            return new <Number>[upX < 0 ? -1 : 1, 0, 0, -FAR, 0, upY < 0 ? -1 : 1, 0, -FAR, 0, 0, upZ < 0 ? -1 : 1, -FAR];
         }
 
-        // Finds the point where the three planes meet. Returns the determinant of their normals; the point is right only if that is not 0.
-        private function findMeetingPoint(out:OuterPoint):Number
+        // Finds the point where the three planes meet, and the cross products. Returns the determinant of the normals; the point is right only if
+        // that is not 0.
+        private static function findMeetingPoint(three:Vector.<Number>, crosses:Vector.<Number>, out:OuterPoint):Number
         {
-            var three:Vector.<Number> = _three;
-            var crosses:Vector.<Number> = _crosses;
-            setCross(0, 4, 8);
-            setCross(3, 8, 0);
-            setCross(6, 0, 4);
+            writeCross(three, 4, 8, crosses, 0);
+            writeCross(three, 8, 0, crosses, 3);
+            writeCross(three, 0, 4, crosses, 6);
             var determinant:Number = three[0] * crosses[0] + three[1] * crosses[1] + three[2] * crosses[2];
             var a:Number = three[3];
             var b:Number = three[7];
@@ -96,19 +81,18 @@ package starlogo.fitting.hull
             return determinant;
         }
 
-        // Sets the cross product at a place to that of the normals at two places.
-        private function setCross(to:int, first:int, second:int):void
+        // Writes the cross product of the normals at two places.
+        private static function writeCross(three:Vector.<Number>, first:int, second:int, out:Vector.<Number>, at:int):void
         {
-            var three:Vector.<Number> = _three;
             var aX:Number = three[first];
             var aY:Number = three[int(first + 1)];
             var aZ:Number = three[int(first + 2)];
             var bX:Number = three[second];
             var bY:Number = three[int(second + 1)];
             var bZ:Number = three[int(second + 2)];
-            _crosses[to] = aY * bZ - aZ * bY;
-            _crosses[int(to + 1)] = aZ * bX - aX * bZ;
-            _crosses[int(to + 2)] = aX * bY - aY * bX;
+            out[at] = aY * bZ - aZ * bY;
+            out[int(at + 1)] = aZ * bX - aX * bZ;
+            out[int(at + 2)] = aX * bY - aY * bX;
         }
 
         // The first number of the plane that a point is farthest inside of; -1 if it is inside of none.
@@ -134,15 +118,12 @@ package starlogo.fitting.hull
 
         // Which of the three planes leaves for the entering one: the one whose share of the upward direction is used up first by its share of
         // the entering normal. -1 if no point is outside of the four planes.
-        private function leavingFor(planes:Vector.<Number>, entering:int, determinant:Number):int
+        private static function leavingFor(planes:Vector.<Number>, entering:int, crosses:Vector.<Number>, determinant:Number,
+                upX:Number, upY:Number, upZ:Number):int
         {
             var normalX:Number = planes[entering];
             var normalY:Number = planes[int(entering + 1)];
             var normalZ:Number = planes[int(entering + 2)];
-            var upX:Number = _up[0];
-            var upY:Number = _up[1];
-            var upZ:Number = _up[2];
-            var crosses:Vector.<Number> = _crosses;
             var leaving:int = -1;
             var least:Number = Infinity;
             for (var i:int = 0; i < 3; i++)

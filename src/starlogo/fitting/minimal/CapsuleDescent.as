@@ -37,10 +37,9 @@ package starlogo.fitting.minimal
 
         private var _points:Vector.<Number>;
 
-        // by point: the square of its distance from the segment that was measured last
+        // by point: the square of its distance from the segment
         private var _squares:Vector.<Number>;
 
-        private var _volume:Number;
         private var _stepSize:Number = 0.1;
         private var _stepCount:int = 0;
 
@@ -51,11 +50,10 @@ package starlogo.fitting.minimal
         public function CapsuleDescent(points:Vector.<Number>, start:Capsule)
         {
             _points = points;
-            _squares = new Vector.<Number>(points.length / 3);
             ends = start.numbers();
             ends.length = 6;
-            radius = measure(ends);
-            _volume = volumeOf(ends, radius);
+            _squares = squaresFrom(ends);
+            radius = radiusOf(_squares);
         }
 
         /** @inheritDoc */
@@ -76,19 +74,21 @@ package starlogo.fitting.minimal
 
         private function move():void
         {
-            var trial:Vector.<Number> = solve(ends, radius, tangentsAt(ends, radius), _stepSize);
+            var trial:Vector.<Number> = solve(ends, radius, tangents(), _stepSize);
             for (var i:int = 0; i < 6; i++)
             {
                 trial[i] += ends[i];
             }
-            var trialRadius:Number = measure(trial);
+            var trialSquares:Vector.<Number> = squaresFrom(trial);
+            var trialRadius:Number = radiusOf(trialSquares);
+            var volume:Number = volumeOf(ends, radius);
             var trialVolume:Number = volumeOf(trial, trialRadius);
-            if (trialVolume < _volume)
+            if (trialVolume < volume)
             {
-                _stepSize *= trialVolume < _volume * (1 - GAIN) ? 2 : 0.5;
-                _volume = trialVolume;
+                _stepSize *= trialVolume < volume * (1 - GAIN) ? 2 : 0.5;
                 radius = trialRadius;
                 ends = trial;
+                _squares = trialSquares;
             }
             else
             {
@@ -109,8 +109,8 @@ package starlogo.fitting.minimal
             return Math.sqrt(x * x + y * y + z * z);
         }
 
-        // Writes the squared distance of each point from the segment. Returns the largest distance.
-        private function measure(ends:Vector.<Number>):Number
+        // The squared distance of each point from the segment between two ends.
+        private function squaresFrom(ends:Vector.<Number>):Vector.<Number>
         {
             var startX:Number = ends[0];
             var startY:Number = ends[1];
@@ -120,8 +120,8 @@ package starlogo.fitting.minimal
             var alongZ:Number = ends[5] - startZ;
             var lengthSquared:Number = alongX * alongX + alongY * alongY + alongZ * alongZ;
             var scale:Number = lengthSquared > 0 ? 1 / lengthSquared : 0;
-            var most:Number = 0;
-            var count:int = _squares.length;
+            var count:int = _points.length / 3;
+            var squares:Vector.<Number> = new Vector.<Number>(count);
             for (var i:int = 0; i < count; i++)
             {
                 var at:int = 3 * i;
@@ -133,8 +133,16 @@ package starlogo.fitting.minimal
                 x -= t * alongX;
                 y -= t * alongY;
                 z -= t * alongZ;
-                var square:Number = x * x + y * y + z * z;
-                _squares[i] = square;
+                squares[i] = x * x + y * y + z * z;
+            }
+            return squares;
+        }
+
+        private static function radiusOf(squares:Vector.<Number>):Number
+        {
+            var most:Number = 0;
+            for each (var square:Number in squares)
+            {
                 most = square > most ? square : most;
             }
             return Math.sqrt(most);
@@ -142,11 +150,10 @@ package starlogo.fitting.minimal
 
         // Eight numbers for each point that may become the farthest: the tangent of its distance minus the radius, by the ends' coordinates
         // and the radius; then the radius minus its distance.
-        private function tangentsAt(ends:Vector.<Number>, radius:Number):Vector.<Number>
+        private function tangents():Vector.<Number>
         {
-            var tangents:Vector.<Number> = new Vector.<Number>();
-            measure(ends);
-            var least:Number = activeFrom(radius);
+            var found:Vector.<Number> = new Vector.<Number>();
+            var least:Number = activeFrom();
             var alongX:Number = ends[3] - ends[0];
             var alongY:Number = ends[4] - ends[1];
             var alongZ:Number = ends[5] - ends[2];
@@ -167,13 +174,13 @@ package starlogo.fitting.minimal
                 x = (t * alongX - x) / distance;
                 y = (t * alongY - y) / distance;
                 z = (t * alongZ - z) / distance;
-                tangents.push((1 - t) * x, (1 - t) * y, (1 - t) * z, t * x, t * y, t * z, -1, radius - distance);
+                found.push((1 - t) * x, (1 - t) * y, (1 - t) * z, t * x, t * y, t * z, -1, radius - distance);
             }
-            return tangents;
+            return found;
         }
 
         // The smallest squared distance of an active point. It is increased if too many points are active.
-        private function activeFrom(radius:Number):Number
+        private function activeFrom():Number
         {
             var share:Number = ACTIVE;
             do

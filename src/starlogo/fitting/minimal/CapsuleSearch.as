@@ -32,13 +32,6 @@ package starlogo.fitting.minimal
         public var best:Capsule;
 
         private var _session:FitSession;
-        private var _sphereFit:Fit;
-        private var _points:Vector.<Number>;
-
-        // Unit vectors, and the volume of the best capsule along each. The directions from which it still has to descend.
-        private var _directions:Vector.<Vector3D>;
-        private var _volumes:Array = [];
-        private var _starts:Vector.<Vector3D> = new Vector.<Vector3D>();
 
         /**
          * @param session the vertices; their hull may not exist before the first step
@@ -47,44 +40,54 @@ package starlogo.fitting.minimal
         public function CapsuleSearch(session:FitSession, sphereFit:Fit)
         {
             _session = session;
-            _sphereFit = sphereFit;
-            add(sphereFit).call(start);
+            addSteps(sphereFit);
         }
 
-        private function start():void
+        private function addSteps(sphereFit:Fit):void
         {
-            var sphere:Sphere = Sphere(_sphereFit.structure);
-            best = new Capsule(sphere.center, sphere.center, sphere.radius);
-            _points = _session.hull.points;
-            _directions = directionsFor(_session.hull);
-            slices(_directions.length, 1, measure).call(chooseStarts).beginEach(descending);
-        }
-
-        private function measure(index:int, end:int):void
-        {
-            _volumes.push(capsuleAlong(_directions[index]).volume);
-        }
-
-        private function chooseStarts():void
-        {
-            var order:Array = _volumes.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY);
-            for (var i:int = 0; i < order.length && _starts.length < STARTS; i++)
-            {
-                if (!isNear(_starts, _directions[order[i]]))
+            add(sphereFit).call(function():void
                 {
-                    _starts.push(_directions[order[i]]);
+                    start(Sphere(sphereFit.structure));
+                });
+        }
+
+        private function start(sphere:Sphere):void
+        {
+            var directions:Vector.<Vector3D> = directionsFor(_session.hull);
+            var volumes:Array = [];
+            var starts:Vector.<Vector3D>;
+            best = new Capsule(sphere.center, sphere.center, sphere.radius);
+            slices(directions.length, 1, function(index:int, end:int):void
+                {
+                    volumes.push(capsuleAlong(directions[index]).volume);
+                }).call(function():void
+                {
+                    starts = startsAmong(directions, volumes);
+                }).beginEach(function():Steps
+                {
+                    return starts.length == 0 ? null : descending(starts.shift());
+                });
+        }
+
+        // The directions from which to descend: those of the smallest volumes, apart from one another.
+        private static function startsAmong(directions:Vector.<Vector3D>, volumes:Array):Vector.<Vector3D>
+        {
+            var order:Array = volumes.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY);
+            var starts:Vector.<Vector3D> = new Vector.<Vector3D>();
+            for (var i:int = 0; i < order.length && starts.length < STARTS; i++)
+            {
+                if (!isNear(starts, directions[order[i]]))
+                {
+                    starts.push(directions[order[i]]);
                 }
             }
+            return starts;
         }
 
-        // The descent from the next start. Null if there is none.
-        private function descending():Steps
+        // The descent from the best capsule along a direction.
+        private function descending(direction:Vector3D):Steps
         {
-            if (_starts.length == 0)
-            {
-                return null;
-            }
-            var descent:CapsuleDescent = new CapsuleDescent(_points, capsuleAlong(_starts.shift()));
+            var descent:CapsuleDescent = new CapsuleDescent(_session.hull.points, capsuleAlong(direction));
             return new StepSequence().add(descent).call(function():void
                 {
                     keepAround(descent.ends, descent.radius);
@@ -125,20 +128,21 @@ package starlogo.fitting.minimal
         // seen along the vector.
         private function capsuleAlong(axis:Vector3D):Capsule
         {
-            var seen:Vector.<Number> = new Vector.<Number>(_points.length);
-            for (var i:int = 0; i < _points.length; i += 3)
+            var points:Vector.<Number> = _session.hull.points;
+            var seen:Vector.<Number> = new Vector.<Number>(points.length);
+            for (var i:int = 0; i < points.length; i += 3)
             {
-                var along:Number = _points[i] * axis.x + _points[i + 1] * axis.y + _points[i + 2] * axis.z;
-                seen[i] = _points[i] - along * axis.x;
-                seen[i + 1] = _points[i + 1] - along * axis.y;
-                seen[i + 2] = _points[i + 2] - along * axis.z;
+                var along:Number = points[i] * axis.x + points[i + 1] * axis.y + points[i + 2] * axis.z;
+                seen[i] = points[i] - along * axis.x;
+                seen[i + 1] = points[i + 1] - along * axis.y;
+                seen[i + 2] = points[i + 2] - along * axis.z;
             }
             var circle:SmallestEnclosingBall = new SmallestEnclosingBall(seen);
             var center:Vector3D = new Vector3D(circle.x, circle.y, circle.z);
             var smallest:Capsule = null;
             for each (var multiple:Number in RADII)
             {
-                var capsule:Capsule = EnclosingStructures.capsule(_points, center, axis, Infinity, -Infinity, multiple * circle.radius);
+                var capsule:Capsule = EnclosingStructures.capsule(points, center, axis, Infinity, -Infinity, multiple * circle.radius);
                 if (smallest == null || capsule.volume < smallest.volume)
                 {
                     smallest = capsule;

@@ -137,7 +137,7 @@ package starlogo.models.loading
         public function setSource(source:ModelSource):void
         {
             _source = source;
-            add(source).call(keepModel).begin(receiving);
+            add(source).call(keepModel);
         }
 
         /** Stops fetching. */
@@ -189,10 +189,11 @@ package starlogo.models.loading
             if (_reader == null)
             {
                 fetchFile();
-                return;
             }
-            keepModel();
-            begin(receiving);
+            else
+            {
+                keepModel();
+            }
         }
 
         private function fetchFile():void
@@ -280,7 +281,7 @@ package starlogo.models.loading
         {
             _downloads.length = 0;
             _reader = reader;
-            add(_reader).call(keepModel).begin(receiving);
+            add(_reader).call(keepModel);
         }
 
         private function keepModel():void
@@ -289,6 +290,7 @@ package starlogo.models.loading
             _reader = null;
             _source = null;
             _downloads.length = 0;
+            begin(receiving);
         }
 
         private function receiving():Steps

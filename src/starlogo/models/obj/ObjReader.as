@@ -34,7 +34,6 @@ package starlogo.models.obj
 
         private var _highestIndex:int = -1;
         private var _highestLine:int;
-        private var _corners:Vector.<uint> = new Vector.<uint>();
 
         /**
          * @param name the model's name
@@ -121,20 +120,20 @@ package starlogo.models.obj
 
         private function readFace():void
         {
-            var count:int = 0;
+            var corners:Vector.<uint> = new Vector.<uint>();
             for (var word:String = _lines.nextWord(); word != null; word = _lines.nextWord())
             {
-                _corners[count++] = readCorner(word);
+                corners.push(readCorner(word));
             }
-            if (count == 3)
+            if (corners.length == 3)
             {
-                data.triangles.push(_corners[0], _corners[1], _corners[2]);
+                data.triangles.push(corners[0], corners[1], corners[2]);
             }
-            else if (count > 3)
+            else if (corners.length > 3)
             {
-                _polygons.push(_corners.slice(0, count));
+                _polygons.push(corners);
                 _polygonLabels.push(_material, _mesh);
-                _polygonTriangles += count - 2;
+                _polygonTriangles += corners.length - 2;
             }
         }
 

@@ -18,7 +18,6 @@ package starlogo.away3d
         // the progress after reading; normalising is the rest
         private static const READ:Number = 0.9;
 
-        private var _name:String;
         private var _reader:SourceReader;
         private var _work:StepSequence;
         private var _model:Away3dModel = null;
@@ -31,7 +30,6 @@ package starlogo.away3d
          */
         public function Away3dModelReader(name:String, object:Object)
         {
-            _name = name;
             _reader = new SourceReader(name, object);
             _work = new StepSequence().add(_reader).call(makeModel);
         }
@@ -39,7 +37,7 @@ package starlogo.away3d
         /** @inheritDoc */
         public function get name():String
         {
-            return _name;
+            return _reader.name;
         }
 
         /** @inheritDoc */
@@ -66,8 +64,7 @@ package starlogo.away3d
 
         private function makeModel():void
         {
-            _model = new Away3dModel(_name, _reader.data);
-            _reader = null;
+            _model = new Away3dModel(name, _reader.data);
         }
     }
 }

@@ -255,7 +255,7 @@ package starlogo.models
             var count:int = triangleCount;
             refuseIf(numbers.length != count, name, numbers.length + " numbers of " + what + " for " + count + " triangles");
             var labels:TriangleLabels = new TriangleLabels();
-            labels.names = names == null ? null : names.slice();
+            labels.setNames(names == null ? null : names.slice());
             for (var i:int = 0; i < count; i++)
             {
                 refuseIf(numbers[i] < -1 || names != null && numbers[i] >= names.length, name, "no name for number " + numbers[i] + " of its " + what);

@@ -40,6 +40,12 @@ package starlogo.models
             return names.length - 1;
         }
 
+        /** Replaces all names. @param value the name of each number; null if nothing gives names */
+        public function setNames(value:Vector.<String>):void
+        {
+            names = value;
+        }
+
         /** Gives a number to all triangles from one on. It must not be before the last run. */
         public function beginRun(number:int, triangle:int):void
         {

@@ -1,6 +1,7 @@
 package starlogo.geometry.hull
 {
     import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
 
     /**
      * Finds the convex hull of points on a grid of whole numbers, by quickhull (Barber, Dobkin, Huhdanpaa, "The Quickhull Algorithm for
@@ -41,11 +42,8 @@ package starlogo.geometry.hull
         // Buried faces that become new ones.
         private var _spare:Vector.<HullFace> = new Vector.<HullFace>();
 
-        // After the hull is built: all of its faces, how many of them the walk has passed, and how many edges meet at each point. Edges
-        // inside of a flat side are not counted.
+        // all faces, after the hull is built
         private var _faces:Vector.<HullFace>;
-        private var _walked:int;
-        private var _edges:Vector.<int>;
 
         /**
          * @param points x, y, z of every point: whole numbers from 0 to GRID
@@ -93,7 +91,7 @@ package starlogo.geometry.hull
             slices(among == null ? count : among.length, POINTS_PER_STEP, function(first:int, end:int):void
                 {
                     assign(among, first, end);
-                }).repeat(grow).call(startWalk).repeat(walk).call(restartIfFlat);
+                }).repeat(grow).begin(walking);
         }
 
         private function assign(among:Vector.<int>, first:int, end:int):void
@@ -191,33 +189,44 @@ package starlogo.geometry.hull
             return face;
         }
 
-        private function startWalk():void
+        // The walk over the hull that is built. It lists the faces, and counts how many edges meet at each point. Edges inside of a flat side are
+        // not counted.
+        private function walking():Steps
         {
-            _walked = 0;
-            _edges = new Vector.<int>(_points.length / 3);
+            var edgeCounts:Vector.<int> = new Vector.<int>(_points.length / 3);
+            var next:int = 0;
             _faces = new <HullFace>[_created[0]];
             _created[0].isVisited = true;
+            return new StepSequence().repeat(function():Boolean
+                {
+                    next = walkFrom(next, edgeCounts);
+                    return next < _faces.length;
+                }).call(function():void
+                {
+                    restartIfFlat(edgeCounts);
+                });
         }
 
-        // Walks from faces to their neighbours.
-        private function walk():Boolean
+        // Walks from some faces to their neighbours. Returns the index of the next face.
+        private function walkFrom(first:int, edgeCounts:Vector.<int>):int
         {
-            for (var end:int = _walked + FACES_PER_STEP; _walked < _faces.length && _walked < end; _walked++)
+            var i:int = first;
+            for (var end:int = first + FACES_PER_STEP; i < _faces.length && i < end; i++)
             {
-                var face:HullFace = _faces[_walked];
-                cross(face, face.acrossAB, face.a, face.b);
-                cross(face, face.acrossBC, face.b, face.c);
-                cross(face, face.acrossCA, face.c, face.a);
+                var face:HullFace = _faces[i];
+                cross(face, face.acrossAB, face.a, face.b, edgeCounts);
+                cross(face, face.acrossBC, face.b, face.c, edgeCounts);
+                cross(face, face.acrossCA, face.c, face.a, edgeCounts);
             }
-            return _walked < _faces.length;
+            return i;
         }
 
         // Counts an edge, and visits the neighbour. An edge is not inside of a flat side if the neighbour's third corner is below the face.
-        private function cross(face:HullFace, neighbor:HullFace, from:int, to:int):void
+        private function cross(face:HullFace, neighbor:HullFace, from:int, to:int, edgeCounts:Vector.<int>):void
         {
             if (face.side(_points, neighbor.a + neighbor.b + neighbor.c - from - to) != 0)
             {
-                _edges[from]++;
+                edgeCounts[from]++;
             }
             if (!neighbor.isVisited)
             {
@@ -228,12 +237,12 @@ package starlogo.geometry.hull
 
         // Later vertices may put an earlier one inside of an edge or a flat side. Then fewer than three edges meet at it, and the hull of
         // the other vertices alone is built. A closed surface of triangles has two more vertices than half the number of triangles.
-        private function restartIfFlat():void
+        private function restartIfFlat(edgeCounts:Vector.<int>):void
         {
             var corners:Vector.<int> = new Vector.<int>();
-            for (var i:int = 0; i < _edges.length; i++)
+            for (var i:int = 0; i < edgeCounts.length; i++)
             {
-                if (_edges[i] > 2)
+                if (edgeCounts[i] > 2)
                 {
                     corners.push(i);
                 }

@@ -26,14 +26,14 @@ package starlogo.models.collada
         /** The pieces of the element's own text. Comments and elements may divide it. */
         public var texts:Array = [];
 
-        /** For an element that is a transform: the transform, after a scene first needed it. */
-        public var transform:AffineTransform = null;
-
         // the key is "@" and the name, which differs from every property that each Object has
         private var _attributes:Object = {};
 
         // The first child of each name, of each name and id, and the first input of each semantic. It is made when it is first needed.
         private var _first:Object = null;
+
+        // for an element that is a transform: the transform, after it was first needed
+        private var _transform:AffineTransform = null;
 
         /**
          * @param document what all elements of the document share
@@ -55,6 +55,12 @@ package starlogo.models.collada
         public function get id():String
         {
             return attribute("id");
+        }
+
+        /** The transform that this element is; null if it is none. Scenes may need it often, so it is computed once. */
+        public function toTransform():AffineTransform
+        {
+            return _transform ||= ColladaTransform.of(this);
         }
 
         /** The value of an attribute; "" if there is none. */

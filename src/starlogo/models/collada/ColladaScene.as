@@ -95,7 +95,7 @@ package starlogo.models.collada
                     enter(new ColladaNode(element, node, node.transform));
                     break;
                 default:
-                    var local:AffineTransform = element.transform ||= ColladaTransform.of(element);
+                    var local:AffineTransform = element.toTransform();
                     node.transform = local == null ? node.transform : node.transform.after(local);
                     break;
             }
@@ -118,7 +118,7 @@ package starlogo.models.collada
                 var skin:ColladaElement = target.child("skin");
                 var deformer:ColladaElement = skin || target.requiredChild("morph");
                 var shape:ColladaElement = skin == null ? null : skin.child("bind_shape_matrix");
-                transform = shape == null ? transform : transform.after(shape.transform ||= ColladaTransform.matrix(shape));
+                transform = shape == null ? transform : transform.after(shape.toTransform());
                 target = deformer.target("source", ["geometry", "controller"]);
                 element.refuseIf(i > MAX_CONTROLLERS, "more than " + MAX_CONTROLLERS +
                         " controllers follow one another, or they refer to each other in a circle");

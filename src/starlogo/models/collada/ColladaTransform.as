@@ -4,13 +4,13 @@ package starlogo.models.collada
     import starlogo.geometry.AffineTransform;
 
     /**
-     * Reads the transform elements of a COLLADA node, as the COLLADA 1.4 and 1.5 specifications define them. For skew they refer to
-     * RenderMan.
+     * Reads the transform elements of a COLLADA node, and the matrix of a skin, as the COLLADA 1.4 and 1.5 specifications define them. For
+     * skew they refer to RenderMan.
      */
     internal final class ColladaTransform
     {
         /**
-         * The transform of an element in a node.
+         * The transform of an element in a node or a skin.
          *
          * @return null if the element is no transform
          */
@@ -20,6 +20,7 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "matrix":
+                case "bind_shape_matrix":
                     return matrix(element);
                 case "translate":
                     v = element.numbers(3);
@@ -38,8 +39,8 @@ package starlogo.models.collada
             }
         }
 
-        /** The transform with 16 numbers, row by row. */
-        internal static function matrix(element:ColladaElement):AffineTransform
+        // The transform with 16 numbers, row by row.
+        private static function matrix(element:ColladaElement):AffineTransform
         {
             var m:Vector.<Number> = element.numbers(16);
             element.refuseIf(m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1,

@@ -30,8 +30,6 @@ package starlogo.models.cooked
         private static const VERTICES_PER_STEP:int = 1500;
         private static const CORNERS_PER_STEP:int = 4500;
 
-        private var _settings:Fingerprint;
-        private var _file:CookedFile;
         private var _bytes:ByteArray;
 
         /**
@@ -42,9 +40,15 @@ package starlogo.models.cooked
         public function CookedReader(name:String, bytes:ByteArray, settings:Fingerprint = null)
         {
             super(name, "z", null);
-            _settings = settings;
-            _file = new CookedFile(bytes);
-            add(_file).begin(reading).begin(normalising);
+            addSteps(new CookedFile(bytes), settings);
+        }
+
+        private function addSteps(file:CookedFile, settings:Fingerprint):void
+        {
+            add(file).begin(function():Steps
+                {
+                    return reading(file, settings);
+                }).begin(normalising);
         }
 
         /** @inheritDoc */
@@ -62,13 +66,13 @@ package starlogo.models.cooked
         }
 
         // Reads the head. The work that it returns reads the numbers.
-        private function reading():Steps
+        private function reading(file:CookedFile, settings:Fingerprint):Steps
         {
-            refuseIf(_settings != null && _file.isWhole && !_file.isOf(_settings), name, "the cooked file is for another up axis, transform or scaling");
-            _bytes = _file.section(CookedFile.MODEL, null);
-            refuseIf(_file.isOfOtherVersion, name, "the cooked file is of another version of the engine: cook it again");
+            refuseIf(settings != null && file.isWhole && !file.isOf(settings), name, "the cooked file is for another up axis, transform or scaling");
+            _bytes = file.section(CookedFile.MODEL, null);
+            refuseIf(file.isOfOtherVersion, name, "the cooked file is of another version of the engine: cook it again");
             refuseIf(_bytes == null, name, "the cooked file is damaged: cook it again");
-            data.cooked = _file;
+            data.cooked = file;
             data.scaling = Model.SCALINGS[readCount(Model.SCALINGS.length - 1)];
             var form:int = readCount(CookedWriter.DOUBLE);
             var hasTransform:Boolean = readCount(1) == 1;
@@ -105,12 +109,13 @@ package starlogo.models.cooked
         private function readLabels(out:TriangleLabels):void
         {
             var nameCount:int = VarInt.read(_bytes);
+            var names:Vector.<String> = new Vector.<String>();
             for (var i:int = 0; i < nameCount; i++)
             {
                 var length:int = VarInt.read(_bytes);
-                out.names.push(length < 0 ? null : _bytes.readUTFBytes(length));
+                names.push(length < 0 ? null : _bytes.readUTFBytes(length));
             }
-            out.names = nameCount < 0 ? null : out.names;
+            out.setNames(nameCount < 0 ? null : names);
             var runCount:int = readCount(int.MAX_VALUE);
             var start:int = 0;
             for (i = 0; i < runCount; i++)
@@ -118,8 +123,7 @@ package starlogo.models.cooked
                 start += readCount(int.MAX_VALUE);
                 var number:int = VarInt.read(_bytes);
                 refuseIf(number < -1 || nameCount >= 0 && number >= nameCount, name, "the cooked file has a wrong number: " + number);
-                out.starts.push(start);
-                out.numbers.push(number);
+                out.beginRun(number, start);
             }
         }
 

@@ -47,9 +47,9 @@ package starlogo.models.gltf
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
         private var _chunk:ByteArray = null;
 
-        // the buffers that each address is for, and the accessors so far, with "#" before the address or index
+        // the buffers that each address is for, with "#" before the address; and the accessors so far, by index
         private var _buffersAt:Object = {};
-        private var _accessors:Object = {};
+        private var _accessors:Array = [];
 
         /**
          * @param name the model's name
@@ -131,7 +131,7 @@ package starlogo.models.gltf
         {
             var found:GltfJson = json.fileEntry("accessors", index);
             found.refuseIf(found.value.type !== type, "expected \"" + type + "\", but found \"" + found.value.type + "\"", "type");
-            return _accessors["#" + index] ||= new GltfAccessor(this, found, found);
+            return _accessors[index] ||= new GltfAccessor(this, found, found);
         }
 
         /** Checks a bufferView and returns its bytes. Their position is set to an offset in the view. @param user needs the bytes, for errors */

@@ -19,7 +19,7 @@ package starlogo.models.gltf
         private var _globalTransforms:Vector.<AffineTransform>;
         private var _pending:Vector.<int> = new Vector.<int>();
         private var _isVisited:Vector.<Boolean>;
-        private var _joints:Object = {}; // of each skin, by "#" and its index
+        private var _joints:Array = []; // of each skin, by its index
 
         /**
          * @param json the file's JSON
@@ -68,7 +68,7 @@ package starlogo.models.gltf
         /** The joints of a skin. Its steps may still be running. */
         public function jointsOf(file:GltfFile, skin:int):GltfJoints
         {
-            return _joints["#" + skin] ||= new GltfJoints(file, this, skin);
+            return _joints[skin] ||= new GltfJoints(file, this, skin);
         }
 
         private function findParents(first:int, end:int):void

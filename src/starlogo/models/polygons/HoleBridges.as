@@ -62,7 +62,7 @@ package starlogo.models.polygons
             return result;
         }
 
-        // Opens the outline at a corner that sees the hole. The outline then goes around the hole and back.
+        // Joins a hole to a corner of the outline that sees it.
         private function addBridge(hole:int):void
         {
             if (_rings.limits.cornerTestsLeft <= 0)
@@ -72,19 +72,11 @@ package starlogo.models.polygons
             // the search goes around the outline twice
             _rings.limits.countCornerTests(2 * _rings.countFrom(_outline));
             var corner:int = visibleCorner(hole);
-            if (corner < 0)
+            // without one, the hole is not inside the outline
+            if (corner >= 0)
             {
-                return; // the hole is not inside the outline
+                _rings.join(corner, hole);
             }
-            var next:Vector.<int> = _rings.next;
-            var previous:Vector.<int> = _rings.previous;
-            var holeEnd:int = _rings.addNode(_rings.vertex[hole], -1, previous[hole]);
-            var cornerAgain:int = _rings.addNode(_rings.vertex[corner], next[corner], holeEnd);
-            next[holeEnd] = cornerAgain;
-            next[previous[hole]] = holeEnd;
-            previous[next[corner]] = cornerAgain;
-            next[corner] = hole;
-            previous[hole] = corner;
         }
 
         // A corner of the outline that is visible from a hole's rightmost node, or -1.

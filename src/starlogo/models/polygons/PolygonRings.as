@@ -109,8 +109,20 @@ package starlogo.models.polygons
             return first;
         }
 
-        /** Adds a node for a vertex and returns its index. */
-        internal function addNode(ofVertex:uint, nextNode:int, previousNode:int):int
+        /** Opens a ring at a corner. It then goes to a node of another ring, around that, and back. */
+        internal function join(corner:int, other:int):void
+        {
+            var otherEnd:int = addNode(vertex[other], -1, previous[other]);
+            var cornerAgain:int = addNode(vertex[corner], next[corner], otherEnd);
+            next[otherEnd] = cornerAgain;
+            next[previous[other]] = otherEnd;
+            previous[next[corner]] = cornerAgain;
+            next[corner] = other;
+            previous[other] = corner;
+        }
+
+        // Adds a node for a vertex and returns its index.
+        private function addNode(ofVertex:uint, nextNode:int, previousNode:int):int
         {
             x.push(vertices[3 * ofVertex + _axisX] * _scale);
             y.push(vertices[3 * ofVertex + _axisY] * _scale);

@@ -63,7 +63,7 @@ package starlogo.ground
         private var _margin:Number = 0;
         private var _pieceMargin:Number = 0;
 
-        private var _node:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+        private var _node:Box = BoxTree.newBox();
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         public function GroundPieces()

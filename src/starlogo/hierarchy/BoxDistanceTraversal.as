@@ -1,6 +1,5 @@
 package starlogo.hierarchy
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
@@ -48,8 +47,8 @@ package starlogo.hierarchy
         private var _directionZ:Number;
 
         private var _measured:ClosestPoints = new ClosestPoints();
-        private var _boxA:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
-        private var _boxB:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+        private var _boxA:Box = BoxTree.newBox();
+        private var _boxB:Box = BoxTree.newBox();
 
         /** @param counts counts the pairs of nodes that are visited */
         public function BoxDistanceTraversal(counts:TreeCounts)

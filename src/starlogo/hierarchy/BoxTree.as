@@ -129,6 +129,12 @@ package starlogo.hierarchy
             return halfY >= halfZ ? 1 : 2;
         }
 
+        /** A box for <code>writeBox()</code>. */
+        public static function newBox():Box
+        {
+            return new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+        }
+
         /** Sets a box, whose axes are the coordinate axes already, to the box of a node, and returns it. */
         public function writeBox(node:int, box:Box):Box
         {

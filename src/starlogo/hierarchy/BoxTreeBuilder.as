@@ -69,7 +69,7 @@ package starlogo.hierarchy
         private function takeItems():void
         {
             _items = new TreeItems(_tree);
-            slices(_items.order.length, ITEMS_PER_STEP, _items.measure).call(beginRoot).repeat(divide).call(finish);
+            slices(_tree.itemCount, ITEMS_PER_STEP, _items.measure).call(beginRoot).repeat(divide).call(finish);
         }
 
         private function finish():void
@@ -79,7 +79,6 @@ package starlogo.hierarchy
 
         private function beginRoot():void
         {
-            _tree.order = _items.order;
             _tree.measureRadiusAboutOrigin(_items.bounds);
             _tree.addRoot();
             _tree.enclose(0, _items.bounds);

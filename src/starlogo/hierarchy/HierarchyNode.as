@@ -1,6 +1,5 @@
 package starlogo.hierarchy
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.engine;
@@ -86,7 +85,7 @@ package starlogo.hierarchy
          */
         public function get bounds():BoundingStructure
         {
-            _bounds ||= _tree.writeBox(_node, new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0));
+            _bounds ||= _tree.writeBox(_node, BoxTree.newBox());
             return _bounds;
         }
 

@@ -1,6 +1,5 @@
 package starlogo.hierarchy
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
@@ -26,7 +25,7 @@ package starlogo.hierarchy
         private var _all:RayCrossings = null;
         private var _slack:Number = 0;
         private var _boxes:BoxSearch = new BoxSearch();
-        private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+        private var _box:Box = BoxTree.newBox();
 
         // The node that the ray meets first, or -1.
         private var _first:int = -1;

@@ -1,6 +1,5 @@
 package starlogo.hierarchy
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.convex.RelativeMotion;
@@ -23,7 +22,7 @@ package starlogo.hierarchy
         private var _motion:RelativeMotion;
         private var _found:FirstTouch;
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
-        private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+        private var _box:Box = BoxTree.newBox();
 
         /** @param counts counts the nodes that are visited */
         public function NodeStructureTest(counts:TreeCounts)

@@ -5,16 +5,13 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * The items of a tree while it is made: its triangles or its vertices. Keeps an order in which the items of each
-     * node stand side by side. Divides the items of a node in two.
+     * The items of a tree while it is made: its triangles or its vertices. Divides the items of a node in two, and changes
+     * their order so that the items of each node stand side by side.
      *
      * @private
      */
     public final class TreeItems
     {
-        /** The indices of the items. */
-        public var order:Vector.<int>;
-
         /** The extents of all items together after <code>measure()</code>. */
         public var bounds:Vector.<Number> = new <Number>[Infinity, -Infinity, Infinity, -Infinity, Infinity, -Infinity];
 
@@ -42,58 +39,34 @@ package starlogo.hierarchy
         private var _split:Number;
 
         /**
-         * @param tree has the items. It does not have their order yet. They begin in the order of their indices
+         * @param tree has the items; receives their order, which begins as that of their indices
          */
         public function TreeItems(tree:BoxTree)
         {
             _tree = tree;
-            order = new Vector.<int>(tree.itemCount, true);
-            for (var i:int = 0; i < order.length; i++)
+            tree.order = new Vector.<int>(tree.itemCount, true);
+            for (var i:int = 0; i < tree.order.length; i++)
             {
-                order[i] = i;
+                tree.order[i] = i;
             }
         }
 
         /** Measures a range of items. Must be called for all items before other methods. */
         public function measure(first:int, end:int):void
         {
-            _extents ||= new Vector.<Number>(6 * order.length, true);
-            var vertices:Vector.<Number> = _tree.vertices;
-            var triangles:Vector.<uint> = _tree.triangles;
-            var extents:Vector.<Number> = _extents;
-            var minX:Number = bounds[0];
-            var minY:Number = bounds[2];
-            var minZ:Number = bounds[4];
-            var maxX:Number = bounds[1];
-            var maxY:Number = bounds[3];
-            var maxZ:Number = bounds[5];
-            var p:Number, q:Number, r:Number, low:Number, high:Number;
+            _extents ||= new Vector.<Number>(6 * _tree.order.length, true);
             for (var i:int = first; i < end; i++)
             {
-                var a:int = 3 * i;
-                var b:int = a;
-                var c:int = a;
-                if (triangles != null)
+                // the order is still that of the indices
+                _tree.writeExtents(i, i + 1, _extents, 6 * i);
+                for (var k:int = 0; k < 6; k += 2)
                 {
-                    b = triangles[int(a + 1)];
-                    c = triangles[int(a + 2)];
-                    a = triangles[a];
-                    a *= 3;
-                    b *= 3;
-                    c *= 3;
+                    var low:Number = _extents[int(6 * i + k)];
+                    var high:Number = _extents[int(6 * i + k + 1)];
+                    bounds[k] = low < bounds[k] ? low : bounds[k];
+                    bounds[k + 1] = high > bounds[k + 1] ? high : bounds[k + 1];
                 }
-                var to:int = 6 * i;
-                include "itemExtent.inc";
-                minX = low < minX ? low : minX;
-                maxX = high > maxX ? high : maxX;
-                include "itemExtent.inc";
-                minY = low < minY ? low : minY;
-                maxY = high > maxY ? high : maxY;
-                include "itemExtent.inc";
-                minZ = low < minZ ? low : minZ;
-                maxZ = high > maxZ ? high : maxZ;
             }
-            write(bounds, minX, minY, minZ, maxX, maxY, maxZ);
         }
 
         /** Twice the mean of the centres of some items along an axis. */
@@ -171,7 +144,7 @@ package starlogo.hierarchy
          */
         public function divideSome(most:int):Boolean
         {
-            var items:Vector.<int> = order;
+            var items:Vector.<int> = _tree.order;
             var all:Vector.<Number> = _extents;
             var along:int = axis;
             var split:Number = _split;
@@ -243,7 +216,7 @@ package starlogo.hierarchy
         // Twice the centre of an item's extents along an axis.
         private function sumAlong(axis:int, place:int):Number
         {
-            var at:int = 6 * order[place] + 2 * axis;
+            var at:int = 6 * _tree.order[place] + 2 * axis;
             return _extents[at] + _extents[int(at + 1)];
         }
 

@@ -29,6 +29,7 @@ package starlogo.solid
         public var innerPoint:Vector3D = new Vector3D();
 
         private var _shape:ConvexShape = new ConvexShape();
+        private var _inverse:Placement = new Placement();
 
         /**
          * Finds a point of a part of one model that is inside of the other. There is none if one of them has no triangles.
@@ -47,8 +48,36 @@ package starlogo.solid
             var treeA:BoxTree = a.tree;
             var treeB:BoxTree = b.tree;
             var size:Number = pose.placement.size;
-            return (insideA.isClosed && insideB.leastPartExtent * size <= 2 * treeA.radius && findPartInside(treeA, insideA, insideB, pose.placement, false))
-                || (insideB.isClosed && insideA.leastPartExtent <= 2 * treeB.radius * size && findPartInside(treeB, insideB, insideA, pose.placement, true));
+            isPointOfSecond = false;
+            if (insideA.isClosed && insideB.leastPartExtent * size <= 2 * treeA.radius && findPartInside(treeA, insideA, insideB, pose.placement))
+            {
+                return true;
+            }
+            if (!insideB.isClosed || insideA.leastPartExtent > 2 * treeB.radius * size)
+            {
+                return false;
+            }
+            isPointOfSecond = true;
+            setInverse(pose.placement, _inverse);
+            return findPartInside(treeB, insideB, insideA, _inverse);
+        }
+
+        private static function setInverse(of:Placement, out:Placement):void
+        {
+            var size:Number = 1 / of.size;
+            out.size = size;
+            out.r00 = of.r00;
+            out.r01 = of.r10;
+            out.r02 = of.r20;
+            out.r10 = of.r01;
+            out.r11 = of.r11;
+            out.r12 = of.r21;
+            out.r20 = of.r02;
+            out.r21 = of.r12;
+            out.r22 = of.r22;
+            out.x = -(of.r00 * size) * of.x - of.r10 * size * of.y - of.r20 * size * of.z;
+            out.y = -(of.r01 * size) * of.x - of.r11 * size * of.y - of.r21 * size * of.z;
+            out.z = -(of.r02 * size) * of.x - of.r12 * size * of.y - of.r22 * size * of.z;
         }
 
         /**
@@ -87,35 +116,24 @@ package starlogo.solid
             return outer.isInside(innerPoint, Math.min(box.halfX, Math.min(box.halfY, box.halfZ)));
         }
 
-        // Finds a point of a part of the inner model that is inside of the outer one. If isOfFirst, the inner model is the first one, otherwise
-        // the second one. Returns whether there is such a point. The numbers (m00 ..., move) transform a point of the inner model into the outer
-        // model's space, relative to the middle of its root's box.
-        private function findPartInside(tree:BoxTree, outer:Interior, inner:Interior, relative:Placement, isOfFirst:Boolean):Boolean
+        // Finds a point of a part of the inner model that is inside of the outer one. Returns whether there is such a point. The pose is that of the
+        // inner model in the outer model's space. The numbers (m00 ..., move) transform a point there, relative to the middle of the root's box.
+        private function findPartInside(tree:BoxTree, outer:Interior, inner:Interior, pose:Placement):Boolean
         {
-            var scale:Number = isOfFirst ? 1 / relative.size : relative.size;
-            var m00:Number = relative.r00 * scale;
-            var m11:Number = relative.r11 * scale;
-            var m22:Number = relative.r22 * scale;
-            var m01:Number = isOfFirst ? relative.r10 * scale : relative.r01 * scale;
-            var m02:Number = isOfFirst ? relative.r20 * scale : relative.r02 * scale;
-            var m10:Number = isOfFirst ? relative.r01 * scale : relative.r10 * scale;
-            var m12:Number = isOfFirst ? relative.r21 * scale : relative.r12 * scale;
-            var m20:Number = isOfFirst ? relative.r02 * scale : relative.r20 * scale;
-            var m21:Number = isOfFirst ? relative.r12 * scale : relative.r21 * scale;
-            var moveX:Number = relative.x;
-            var moveY:Number = relative.y;
-            var moveZ:Number = relative.z;
-            if (isOfFirst)
-            {
-                moveX = -m00 * relative.x - m01 * relative.y - m02 * relative.z;
-                moveY = -m10 * relative.x - m11 * relative.y - m12 * relative.z;
-                moveZ = -m20 * relative.x - m21 * relative.y - m22 * relative.z;
-            }
+            var scale:Number = pose.size;
+            var m00:Number = pose.r00 * scale;
+            var m01:Number = pose.r01 * scale;
+            var m02:Number = pose.r02 * scale;
+            var m10:Number = pose.r10 * scale;
+            var m11:Number = pose.r11 * scale;
+            var m12:Number = pose.r12 * scale;
+            var m20:Number = pose.r20 * scale;
+            var m21:Number = pose.r21 * scale;
+            var m22:Number = pose.r22 * scale;
             var box:Vector.<Number> = tree.boxes;
-            moveX -= box[0];
-            moveY -= box[1];
-            moveZ -= box[2];
-            isPointOfSecond = isOfFirst;
+            var moveX:Number = pose.x - box[0];
+            var moveY:Number = pose.y - box[1];
+            var moveZ:Number = pose.z - box[2];
             var points:Vector.<Number> = inner.partPoints;
             var length:int = points.length;
             var halfX:Number = box[3];

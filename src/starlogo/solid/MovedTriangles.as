@@ -27,12 +27,6 @@ package starlogo.solid
         /** The largest distance at which triangles of these models touch. */
         public var tolerance:Number = 0;
 
-        /**
-         * The tolerance of quick tests, which is larger: it includes the margin of the motion and Tolerances.CORES of the two triangles. A second
-         * <code>tolerance</code> is more than those CORES, because it has SURFACES of the radii.
-         */
-        public var outerTolerance:Number = 0;
-
         /** The corners of the triangles of the node of the last <code>move()</code>: nine numbers each. */
         public var moved:Vector.<Number> = new Vector.<Number>();
 
@@ -47,8 +41,15 @@ package starlogo.solid
         /** Counts the pairs of triangles that are tested or measured. */
         public var counts:TreeCounts;
 
+        // The tolerance of quick tests, which is larger: it includes the margin of the motion and Tolerances.CORES of the two triangles. A second
+        // tolerance is more than those CORES, because it has SURFACES of the radii.
+        private var _outerTolerance:Number = 0;
+
         // How far off a plane corners have to be to be certainly on one side of it.
         private var _off:Number = 0;
+
+        // The extents of the second model's triangle and of its motion, with the tolerance of quick tests: minX, maxX, minY, ...
+        private var _extentsOfB:Vector.<Number> = new Vector.<Number>(6, true);
 
         private var _first:int = -1;
 
@@ -71,8 +72,8 @@ package starlogo.solid
             meshA.prepareExtents();
             _first = -1;
             tolerance = pose.tolerance + Touching.marginOfSurface(a.tree.radius + b.tree.radius * pose.placement.size);
-            outerTolerance = 2 * tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            _off = outerTolerance + meshA.flatness;
+            _outerTolerance = 2 * tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            _off = _outerTolerance + meshA.flatness;
         }
 
         /** Computes the triangles of a node of the second model, and returns their number. If the node is the same as the last one, they are kept. */
@@ -100,14 +101,29 @@ package starlogo.solid
         }
 
         /**
-         * Whether a triangle of the second model stays on one side of the plane of a triangle of the first one until the motion's latest time. A quick
-         * test. The first model's planes must be prepared.
+         * Whether a triangle of the first model may touch the second model's current triangle until the motion's latest time. Quick tests of extents
+         * and planes. If the extents are near, it counts the pair. The first model's planes must be prepared.
          *
          * @param first the first model's triangle
-         * @param second the second model's, by its number in the node
+         * @param second the triangle of the last <code>setSecond()</code>
          * @param motion of the second model; RelativeMotion.NONE if it stands
          */
-        public function staysOnOneSide(first:int, second:int, motion:RelativeMotion):Boolean
+        public function mayTouch(first:int, second:int, motion:RelativeMotion):Boolean
+        {
+            var ofA:Vector.<Number> = meshA.extents;
+            var ofB:Vector.<Number> = _extentsOfB;
+            var at:int = 6 * first;
+            if (ofA[at] > ofB[1] || ofA[int(at + 1)] < ofB[0] || ofA[int(at + 2)] > ofB[3] || ofA[int(at + 3)] < ofB[2] || ofA[int(at + 4)] > ofB[5]
+                    || ofA[int(at + 5)] < ofB[4])
+            {
+                return false;
+            }
+            counts.triangleTests++;
+            return !staysOnOneSide(first, second, motion);
+        }
+
+        // Whether the second model's triangle stays on one side of the plane of the first one's.
+        private function staysOnOneSide(first:int, second:int, motion:RelativeMotion):Boolean
         {
             var planes:Vector.<Number> = meshA.planes;
             var corners:Vector.<Number> = moved;
@@ -132,11 +148,28 @@ package starlogo.solid
             a.setTriangle(meshA.corners, 9 * triangle);
         }
 
-        /** Sets the shape of the second model's triangle, by its number in the node. It has the margin of both. */
-        public function setSecond(triangle:int):void
+        /**
+         * Sets the shape of the second model's triangle. It has the margin of both.
+         *
+         * @param triangle its number in the node
+         * @param motion of the second model; RelativeMotion.NONE if it stands. Its latest time may become earlier afterwards
+         */
+        public function setSecond(triangle:int, motion:RelativeMotion):void
         {
             b.setTriangle(moved, 9 * triangle);
             b.margin += tolerance;
+            widen(6 * triangle, 0, motion.latest * motion.x);
+            widen(6 * triangle, 2, motion.latest * motion.y);
+            widen(6 * triangle, 4, motion.latest * motion.z);
+        }
+
+        // Writes the extents of the second model's triangle and of its motion along an axis.
+        private function widen(at:int, axis:int, travel:Number):void
+        {
+            var low:Number = extents[int(at + axis)] - _outerTolerance;
+            var high:Number = extents[int(at + axis + 1)] + _outerTolerance;
+            _extentsOfB[axis] = travel < 0 ? low + travel : low;
+            _extentsOfB[int(axis + 1)] = travel > 0 ? high + travel : high;
         }
     }
 }

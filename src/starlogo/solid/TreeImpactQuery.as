@@ -1,6 +1,5 @@
 package starlogo.solid
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.convex.ContactPoint;
@@ -8,6 +7,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.FirstTouch;
     import starlogo.hierarchy.NodePairTest;
     import starlogo.hierarchy.NodeStructureTest;
@@ -47,8 +47,8 @@ package starlogo.solid
         private var _triangles:TriangleStructureTest;
 
         // For contacts: nodes.
-        private var _boxA:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
-        private var _boxB:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+        private var _boxA:Box = BoxTree.newBox();
+        private var _boxB:Box = BoxTree.newBox();
 
         /**
          * @param pair the two models; whoever made it sets it before each question

@@ -75,7 +75,7 @@ package starlogo.solid
             var limit:Number = _squared;
             var isProjected:Boolean = false;
             extents = mesh.extents;
-            _triangles.setSecond(triangle);
+            _triangles.setSecond(triangle, RelativeMotion.NONE);
             for (var i:int = first; i < end; i++)
             {
                 extent = 6 * i;

@@ -68,40 +68,12 @@ package starlogo.solid
         // of this pair of nodes before. If so, keeps the time as the current one of the bounds, and as the latest one.
         private function touchesEarlier(triangle:int, first:int, end:int, bounds:NodePairBounds):Boolean
         {
-            var tolerance:Number = _triangles.outerTolerance;
             var motion:RelativeMotion = _motion;
-            var latest:Number = motion.latest;
             var isEarlier:Boolean = false;
-            // the extents of the triangle during its motion
-            var spans:Vector.<Number> = _triangles.extents;
-            var span:int = 6 * triangle;
-            var minX:Number = spans[span] - tolerance;
-            var minY:Number = spans[int(span + 2)] - tolerance;
-            var minZ:Number = spans[int(span + 4)] - tolerance;
-            var maxX:Number = spans[int(span + 1)] + tolerance;
-            var maxY:Number = spans[int(span + 3)] + tolerance;
-            var maxZ:Number = spans[int(span + 5)] + tolerance;
-            var travel:Number = motion.x * latest;
-            minX = travel < 0 ? minX + travel : minX;
-            maxX = travel > 0 ? maxX + travel : maxX;
-            travel = motion.y * latest;
-            minY = travel < 0 ? minY + travel : minY;
-            maxY = travel > 0 ? maxY + travel : maxY;
-            travel = motion.z * latest;
-            minZ = travel < 0 ? minZ + travel : minZ;
-            maxZ = travel > 0 ? maxZ + travel : maxZ;
-            var extents:Vector.<Number> = _triangles.meshA.extents;
-            _triangles.setSecond(triangle);
+            _triangles.setSecond(triangle, motion);
             for (var i:int = end - 1; i >= first && bounds.current > 0; i--)
             {
-                var extent:int = 6 * i;
-                if (extents[extent] > maxX || extents[int(extent + 1)] < minX || extents[int(extent + 2)] > maxY
-                        || extents[int(extent + 3)] < minY || extents[int(extent + 4)] > maxZ || extents[int(extent + 5)] < minZ)
-                {
-                    continue;
-                }
-                _triangles.counts.triangleTests++;
-                if (_triangles.staysOnOneSide(i, triangle, motion))
+                if (!_triangles.mayTouch(i, triangle, motion))
                 {
                     continue;
                 }

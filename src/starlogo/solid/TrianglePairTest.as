@@ -47,38 +47,26 @@ package starlogo.solid
         // Whether a triangle of the second model touches a triangle in a range of the first.
         private function touchesSome(triangle:int, first:int, end:int):Boolean
         {
-            var mesh:TriangleMesh = _triangles.meshA;
-            var at:int = 6 * triangle;
-            var extents:Vector.<Number> = _triangles.extents;
-            var tolerance:Number = _triangles.outerTolerance;
-            var minX:Number = extents[at] - tolerance;
-            var minY:Number = extents[int(at + 2)] - tolerance;
-            var minZ:Number = extents[int(at + 4)] - tolerance;
-            var maxX:Number = extents[int(at + 1)] + tolerance;
-            var maxY:Number = extents[int(at + 3)] + tolerance;
-            var maxZ:Number = extents[int(at + 5)] + tolerance;
-            extents = mesh.extents;
-            _triangles.setSecond(triangle);
+            _triangles.setSecond(triangle, RelativeMotion.NONE);
             for (var i:int = first; i < end; i++)
             {
-                at = 6 * i;
-                if (extents[at] > maxX || extents[int(at + 1)] < minX || extents[int(at + 2)] > maxY
-                        || extents[int(at + 3)] < minY || extents[int(at + 4)] > maxZ || extents[int(at + 5)] < minZ)
-                {
-                    continue;
-                }
-                _triangles.counts.triangleTests++;
-                if (_triangles.staysOnOneSide(i, triangle, RelativeMotion.NONE) || TriangleSeparation.areApart(mesh.corners, 9 * i, _triangles.b))
-                {
-                    continue;
-                }
-                _triangles.setFirst(i);
-                if (_triangles.pair.areTouching(_triangles.a, _triangles.b))
+                if (_triangles.mayTouch(i, triangle, RelativeMotion.NONE) && touches(i))
                 {
                     return true;
                 }
             }
             return false;
+        }
+
+        // Whether the second model's triangle touches a triangle of the first.
+        private function touches(triangle:int):Boolean
+        {
+            if (TriangleSeparation.areApart(_triangles.meshA.corners, 9 * triangle, _triangles.b))
+            {
+                return false;
+            }
+            _triangles.setFirst(triangle);
+            return _triangles.pair.areTouching(_triangles.a, _triangles.b);
         }
     }
 }

@@ -13,8 +13,6 @@ package starlogo.ground
         private static const TO_COLUMN:Vector.<int> = new <int>[0, 1, 0, -1];
         private static const TO_ROW:Vector.<int> = new <int>[-1, 0, 1, 0];
 
-        private var _grid:HeightGrid;
-        private var _box:GroundBox;
         private var _path:GroundPath;
 
         // The cell, and the heights of its corners, counter-clockwise.
@@ -37,15 +35,7 @@ package starlogo.ground
             _path = path;
         }
 
-        /** Begins a search without a cell. */
-        public function begin(grid:HeightGrid, box:GroundBox):void
-        {
-            _grid = grid;
-            _box = box;
-            leave();
-        }
-
-        /** Leaves the cell: it has no more triangles. */
+        /** Leaves the cell, if there is one: there are no more triangles. */
         public function leave():void
         {
             _next = _end = 0;
@@ -59,13 +49,14 @@ package starlogo.ground
          */
         public function enter(column:int, row:int, isAtBorder:Boolean, passage:GroundPassage):void
         {
-            var at:int = row * _grid.columns + column;
+            var grid:HeightGrid = _path.grid;
+            var at:int = row * grid.columns + column;
             leave();
-            if (_grid.isHole(at))
+            if (grid.isHole(at))
             {
                 return;
             }
-            var hasWalls:Boolean = isAtBorder || _grid.isBlocky || _grid.isBesideHole(at);
+            var hasWalls:Boolean = isAtBorder || grid.isBlocky || grid.isBesideHole(at);
             _column = column;
             _row = row;
             readTops(at);
@@ -87,9 +78,10 @@ package starlogo.ground
         // Reads the heights of the corners. All corners of a column have one height.
         private function readTops(at:int):void
         {
-            var heights:Vector.<Number> = _grid.heights;
-            var next:int = _grid.isBlocky ? 0 : 1;
-            var far:int = next * _grid.columns;
+            var grid:HeightGrid = _path.grid;
+            var heights:Vector.<Number> = grid.heights;
+            var next:int = grid.isBlocky ? 0 : 1;
+            var far:int = next * grid.columns;
             var z:Number = _path.corner.z;
             _tops[0] = heights[at] + z;
             _tops[1] = heights[int(at + next)] + z;
@@ -127,7 +119,7 @@ package starlogo.ground
             }
             var low:Number = Math.min(corners[2], Math.min(corners[5], corners[8]));
             var high:Number = Math.max(corners[2], Math.max(corners[5], corners[8]));
-            out.size = _grid.cellWidth + high - low;
+            out.size = _path.grid.cellWidth + high - low;
             out.margin = Touching.marginOfSurface(out.size);
             return _passage.low <= high && _passage.high >= low;
         }
@@ -137,22 +129,24 @@ package starlogo.ground
         // below the box, because long triangles have larger rounding errors.
         private function writeWall(side:int, isUpper:Boolean, corners:Vector.<Number>):Boolean
         {
+            var grid:HeightGrid = _path.grid;
+            var floor:Number = _path.box.floor;
             var end:int = (side + 1) & 3;
             var column:int = _column + TO_COLUMN[side];
             var row:int = _row + TO_ROW[side];
             var top:Number = _tops[side];
             var endTop:Number = _tops[end];
-            var low:Number = _box.floor;
-            if (_grid.hasCell(column, row))
+            var low:Number = floor;
+            if (grid.hasCell(column, row))
             {
-                low = _grid.isBlocky ? _grid.heights[row * _grid.columns + column] + _path.corner.z : Infinity;
+                low = grid.isBlocky ? grid.heights[row * grid.columns + column] + _path.corner.z : Infinity;
             }
             if (low >= top && low >= endTop || low > _passage.high)
             {
                 return false;
             }
-            var width:Number = _grid.cellWidth;
-            if (_box.floor == -Infinity)
+            var width:Number = grid.cellWidth;
+            if (floor == -Infinity)
             {
                 low = Math.max(low, Math.min(_wholePassage.low, Math.min(top, endTop)) - width);
             }
@@ -173,8 +167,9 @@ package starlogo.ground
         private function put(corner:int, out:Vector.<Number>, to:int):void
         {
             var first:Vector3D = _path.corner;
-            out[to] = first.x + (_column + ((corner + 1) >> 1 & 1)) * _grid.cellWidth;
-            out[int(to + 1)] = first.y + (_row + (corner >> 1)) * _grid.cellWidth;
+            var width:Number = _path.grid.cellWidth;
+            out[to] = first.x + (_column + ((corner + 1) >> 1 & 1)) * width;
+            out[int(to + 1)] = first.y + (_row + (corner >> 1)) * width;
             out[int(to + 2)] = _tops[corner];
         }
     }

@@ -25,8 +25,9 @@ package starlogo.ground
         /** The latest time at the beginning of the search. That of the box may have become earlier since. Read only. */
         public var latest:Number = 0;
 
-        private var _grid:HeightGrid;
-        private var _box:GroundBox;
+        /** The grid and the box of the search. Read only. */
+        public var grid:HeightGrid;
+        public var box:GroundBox;
 
         // Half the box's lengths, with a margin for rounding; and the distance that rounding errors may hide.
         private var _half:Vector3D = new Vector3D();
@@ -41,8 +42,8 @@ package starlogo.ground
         {
             var motion:RelativeMotion = box.motion;
             var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
-            _grid = grid;
-            _box = box;
+            this.grid = grid;
+            this.box = box;
             latest = box.latest;
             corner.setTo(grid.x - box.origin.x - border, grid.y - box.origin.y - border, -box.origin.z);
             var pathX:Number = latest * Math.abs(motion.x);
@@ -57,23 +58,23 @@ package starlogo.ground
         /** How wide the squares of a level are. */
         public function widthAt(level:int):Number
         {
-            return _grid.cellWidth * (1 << level * HeightPyramid.SHIFT);
+            return grid.cellWidth * (1 << level * HeightPyramid.SHIFT);
         }
 
         /** Narrows a range of squares to those that the box may pass over in a passage. */
         public function narrowRange(level:int, passage:GroundPassage, range:SquareRange):void
         {
             var width:Number = widthAt(level);
-            var motion:RelativeMotion = _box.motion;
-            var halfX:Number = _half.x + _box.maxDistance;
-            var start:Number = _box.x - corner.x + passage.from * motion.x;
-            var end:Number = _box.x - corner.x + passage.to * motion.x;
+            var motion:RelativeMotion = box.motion;
+            var halfX:Number = _half.x + box.maxDistance;
+            var start:Number = box.x - corner.x + passage.from * motion.x;
+            var end:Number = box.x - corner.x + passage.to * motion.x;
             var last:int = range.last;
             range.last = Math.max(range.first - 1, Math.min(last, Math.floor((Math.max(start, end) + halfX) / width)));
             range.first = Math.max(range.first, Math.min(last + 1, Math.floor((Math.min(start, end) - halfX) / width)));
-            var halfY:Number = _half.y + _box.maxDistance;
-            start = _box.y - corner.y + passage.from * motion.y;
-            end = _box.y - corner.y + passage.to * motion.y;
+            var halfY:Number = _half.y + box.maxDistance;
+            start = box.y - corner.y + passage.from * motion.y;
+            end = box.y - corner.y + passage.to * motion.y;
             last = range.lastRow;
             range.lastRow = Math.max(range.firstRow - 1, Math.min(last, Math.floor((Math.max(start, end) + halfY) / width)));
             range.firstRow = Math.max(range.firstRow, Math.min(last + 1, Math.floor((Math.min(start, end) - halfY) / width)));
@@ -87,16 +88,16 @@ package starlogo.ground
         public function passOver(level:int, column:int, row:int, passage:GroundPassage):void
         {
             var width:Number = widthAt(level);
-            var motion:RelativeMotion = _box.motion;
+            var motion:RelativeMotion = box.motion;
             var from:Number = 0;
             var to:Number = passage.to;
             // the square of how far above or below the box something is near enough
-            var squared:Number = _box.maxDistance * _box.maxDistance;
+            var squared:Number = box.maxDistance * box.maxDistance;
             for (var axis:int = 0; axis < 2; axis++)
             {
                 var isX:Boolean = axis == 0;
                 var square:int = isX ? column : row;
-                var at:Number = isX ? _box.x : _box.y;
+                var at:Number = isX ? box.x : box.y;
                 var half:Number = isX ? _half.x : _half.y;
                 var speed:Number = isX ? motion.x : motion.y;
                 var begin:Number = isX ? corner.x : corner.y;
@@ -104,7 +105,7 @@ package starlogo.ground
                 {
                     var off:Number = Math.max(0, Math.abs(at - begin - (square + 0.5) * width) - width / 2 - half);
                     squared -= off * off;
-                    to = off > _box.maxDistance ? -1 : to;
+                    to = off > box.maxDistance ? -1 : to;
                 }
                 else
                 {
@@ -116,23 +117,23 @@ package starlogo.ground
             }
             passage.from = from;
             passage.to = to;
-            var start:Number = _box.z + from * motion.z;
-            var end:Number = _box.z + to * motion.z;
+            var start:Number = box.z + from * motion.z;
+            var end:Number = box.z + to * motion.z;
             // a triangle beside the box must be nearer in height to be near enough
             var up:Number = Math.sqrt(Math.max(0, squared));
             var bottom:Number = Math.min(start, end) - _half.z;
-            passage.low = Math.max(bottom - up, bottom + _box.above + 2 * _slack);
+            passage.low = Math.max(bottom - up, bottom + box.above + 2 * _slack);
             passage.high = Math.max(start, end) + _half.z + up;
         }
 
         /** Narrows a passage over a square to the part in which the box is between the heights of the square. */
         public function narrowPassage(heights:HeightRange, passage:GroundPassage):void
         {
-            var speed:Number = _box.motion.z;
+            var speed:Number = box.motion.z;
             if (speed != 0)
             {
-                var low:Number = (heights.least - (_box.z + _half.z)) / speed;
-                var high:Number = (heights.greatest - (_box.z - _half.z)) / speed;
+                var low:Number = (heights.least - (box.z + _half.z)) / speed;
+                var high:Number = (heights.greatest - (box.z - _half.z)) / speed;
                 passage.from = Math.max(passage.from, Math.min(low, high));
                 passage.to = Math.min(passage.to, Math.max(low, high));
             }
@@ -141,7 +142,7 @@ package starlogo.ground
         /** Whether the shape in the box stays farther away from a square than a triangle may be. The square is between two heights. */
         public function staysBeyond(level:int, column:int, row:int, heights:HeightRange):Boolean
         {
-            if (_box.shape == null)
+            if (box.shape == null)
             {
                 return false;
             }
@@ -150,7 +151,7 @@ package starlogo.ground
             var y:Number = corner.y + row * width;
             _least.setTo(x - _slack, y - _slack, heights.least - _slack);
             _greatest.setTo(x + width + _slack, y + width + _slack, heights.greatest + _slack);
-            return _separation.isBeyond(_box, _least, _greatest);
+            return _separation.isBeyond(box, _least, _greatest);
         }
     }
 }

@@ -42,9 +42,6 @@ package starlogo.ground
         private var _depth:int;
         private var _isExact:Boolean;
 
-        // The triangles' corners if they decide.
-        private var _corners:Vector.<Number> = null;
-
         // The model's placement at the current time. Its position is relative to the box's origin.
         private var _relative:Placement = new Placement();
 
@@ -118,7 +115,6 @@ package starlogo.ground
             if (hasTree)
             {
                 _isWhole = false;
-                _corners = _isExact ? _tree.prepareCorners() : null;
                 addNode(0);
             }
         }
@@ -170,7 +166,7 @@ package starlogo.ground
                     return true;
                 }
             }
-            pair.setShapeToTriangle(_corners, 9 * _first, _relative);
+            pair.setShapeToTriangle(_tree.prepareCorners(), 9 * _first, _relative);
             _first++;
             finishPiece();
             _triangles.begin(grid, box);

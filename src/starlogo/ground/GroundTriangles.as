@@ -1,5 +1,6 @@
 package starlogo.ground
 {
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
 
     use namespace engine;
@@ -24,8 +25,6 @@ package starlogo.ground
         /** The triangle that <code>next()</code> has found. Read only. */
         public var triangle:GroundTriangle = new GroundTriangle();
 
-        private var _grid:HeightGrid;
-        private var _box:GroundBox;
         private var _path:GroundPath = new GroundPath();
         private var _cell:GroundCell = new GroundCell(_path);
 
@@ -41,11 +40,8 @@ package starlogo.ground
         /** Begins a search. The two objects are kept until it ends. */
         public function begin(grid:HeightGrid, box:GroundBox):void
         {
-            _grid = grid;
-            _box = box;
             _path.begin(grid, box);
-            _cell.begin(grid, box);
-            _top = 0;
+            stop();
             var level:int = 0;
             while (level < grid.pyramid.lastLevel && _path.length > FIRST_SQUARES * _path.widthAt(level))
             {
@@ -82,18 +78,19 @@ package starlogo.ground
         private function addSquares(level:int, first:int, firstRow:int, most:int):void
         {
             var range:SquareRange = _range;
+            var motion:RelativeMotion = _path.box.motion;
             range.first = first;
             range.firstRow = firstRow;
-            range.last = Math.min(first + most - 1, _grid.lastColumnAt(level));
-            range.lastRow = Math.min(firstRow + most - 1, _grid.lastRowAt(level));
+            range.last = Math.min(first + most - 1, _path.grid.lastColumnAt(level));
+            range.lastRow = Math.min(firstRow + most - 1, _path.grid.lastRowAt(level));
             _path.narrowRange(level, _passage, range);
             for (var row:int = range.firstRow; row <= range.lastRow; row++)
             {
                 for (var column:int = range.first; column <= range.last; column++)
                 {
                     _squares[_top] = level;
-                    _squares[int(_top + 1)] = _box.motion.x < 0 ? column : range.first + range.last - column;
-                    _squares[int(_top + 2)] = _box.motion.y < 0 ? row : range.firstRow + range.lastRow - row;
+                    _squares[int(_top + 1)] = motion.x < 0 ? column : range.first + range.last - column;
+                    _squares[int(_top + 2)] = motion.y < 0 ? row : range.firstRow + range.lastRow - row;
                     _top += 3;
                 }
             }
@@ -106,13 +103,14 @@ package starlogo.ground
             var level:int = _squares[_top];
             var column:int = _squares[int(_top + 1)];
             var row:int = _squares[int(_top + 2)];
-            _passage.to = _box.latest;
+            _passage.to = _path.box.latest;
             _path.passOver(level, column, row, _passage);
             if (_passage.from > _passage.to)
             {
                 return;
             }
-            var isAtBorder:Boolean = column == 0 || row == 0 || column == _grid.lastColumnAt(level) || row == _grid.lastRowAt(level);
+            var grid:HeightGrid = _path.grid;
+            var isAtBorder:Boolean = column == 0 || row == 0 || column == grid.lastColumnAt(level) || row == grid.lastRowAt(level);
             if (level == 0)
             {
                 _cell.enter(column, row, isAtBorder, _passage);
@@ -129,7 +127,7 @@ package starlogo.ground
         // Reads between which heights the triangles of the current square are. Walls go down to below the box.
         private function readHeights(level:int, column:int, row:int, isAtBorder:Boolean):void
         {
-            _grid.pyramid.findRange(level, column, row, column, row, _heights);
+            _path.grid.pyramid.findRange(level, column, row, column, row, _heights);
             _heights.least += _path.corner.z;
             _heights.greatest += _path.corner.z;
             if (isAtBorder || _heights.hasHole)

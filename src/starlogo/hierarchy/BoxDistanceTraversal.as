@@ -34,17 +34,8 @@ package starlogo.hierarchy
 
         private var _pose:RelativePose;
 
-        // The boxes of both trees.
-        private var _boxesA:Vector.<Number>;
-        private var _boxesB:Vector.<Number>;
-
         // The radii of the spheres around both trees together. The rounding error is relative to it.
         private var _radii:Number;
-
-        // The vector from the first model's point to the second's at the smallest distance so far.
-        private var _directionX:Number;
-        private var _directionY:Number;
-        private var _directionZ:Number;
 
         private var _measured:ClosestPoints = new ClosestPoints();
         private var _boxA:Box = BoxTree.newBox();
@@ -60,10 +51,7 @@ package starlogo.hierarchy
         override protected function begin(pose:RelativePose, a:BoxTree, b:BoxTree):void
         {
             _pose = pose;
-            _boxesA = a.boxes;
-            _boxesB = b.boxes;
             points.distance = Infinity;
-            _directionX = _directionY = _directionZ = 0;
             _radii = a.radius + b.radius * pose.placement.size;
             _axes.readAxes(pose.placement, pose.placement.size);
         }
@@ -75,12 +63,12 @@ package starlogo.hierarchy
          * the distance along the line between the closest points so far. They are one method because they share twelve Numbers, which V8 would make
          * objects of if they were passed.</p>
          */
-        override protected function estimate(a:int, b:int, out:NodePairBounds):void
+        override protected function estimate(treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:NodePairBounds):void
         {
             var axes:BoxAxes = _axes;
             var relative:Placement = _pose.placement;
             var scale:Number = relative.size;
-            var boxes:Vector.<Number> = _boxesB;
+            var boxes:Vector.<Number> = treeB.boxes;
             var at:int = 6 * b;
             var bX:Number = boxes[at];
             var bY:Number = boxes[int(at + 1)];
@@ -91,7 +79,7 @@ package starlogo.hierarchy
             bX = boxes[int(at + 3)];
             bY = boxes[int(at + 4)];
             bZ = boxes[int(at + 5)];
-            boxes = _boxesA;
+            boxes = treeA.boxes;
             at = 6 * a;
             x -= boxes[at];
             y -= boxes[int(at + 1)];
@@ -152,12 +140,12 @@ package starlogo.hierarchy
             }
             var bound:Number = Math.sqrt(squared > squaredInB ? squared : squaredInB);
 
-            // This line rules out most of the pairs that are not nearer.
-            var toX:Number = _directionX;
-            var toY:Number = _directionY;
-            var toZ:Number = _directionZ;
+            // The line between the closest points so far rules out most of the pairs that are not nearer.
+            var toX:Number = points.bX - points.aX;
+            var toY:Number = points.bY - points.aY;
+            var toZ:Number = points.bZ - points.aZ;
             var length:Number = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
-            if (length > 0)
+            if (length > 0 && points.distance < Infinity)
             {
                 var alongX:Number = toX * axes.m00 + toY * axes.m10 + toZ * axes.m20;
                 var alongY:Number = toX * axes.m01 + toY * axes.m11 + toZ * axes.m21;
@@ -185,17 +173,11 @@ package starlogo.hierarchy
         /** @inheritDoc */
         override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairTest, out:NodePairBounds):void
         {
-            if (decider == null ? isNearer(treeA, a, treeB, b, out) : decider.testNodes(treeA, a, treeB, b, out))
+            if (decider != null)
             {
-                _directionX = points.bX - points.aX;
-                _directionY = points.bY - points.aY;
-                _directionZ = points.bZ - points.aZ;
+                decider.testNodes(treeA, a, treeB, b, out);
+                return;
             }
-        }
-
-        // Whether the boxes of two nodes are nearer than all pairs before. If so, keeps their closest points.
-        private function isNearer(treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:NodePairBounds):Boolean
-        {
             PairTable.findClosest(treeA.writeBox(a, _boxA), _pose.placeWidened(treeB.writeBox(b, _boxB)), _measured);
             reduce(_measured, treeA.levelOf(a), treeB.levelOf(b), _radii);
             out.current = _measured.distance;
@@ -203,7 +185,6 @@ package starlogo.hierarchy
             {
                 points.copyFrom(_measured);
             }
-            return out.current < out.least;
         }
 
         /**

@@ -60,7 +60,7 @@ package starlogo.hierarchy
             out.least = Infinity;
             out.current = 0;
             begin(pose, treeA, treeB);
-            estimate(a, b, out);
+            estimate(treeA, a, treeB, b, out);
             while (true)
             {
                 if (out.current < out.least)
@@ -76,10 +76,10 @@ package starlogo.hierarchy
                         a = dividesA ? otherA + 1 : a;
                         b = dividesA ? b : otherB + 1;
                         var above:Number = out.current;
-                        estimate(otherA, otherB, out);
+                        estimate(treeA, otherA, treeB, otherB, out);
                         var other:Number = out.current;
                         out.current = above;
-                        estimate(a, b, out);
+                        estimate(treeA, a, treeB, b, out);
                         visits += 2;
                         if (other < out.current)
                         {
@@ -135,14 +135,14 @@ package starlogo.hierarchy
             return aX * aX + aY * aY + aZ * aZ >= scale * scale * (bX * bX + bY * bY + bZ * bZ);
         }
 
-        /** Prepares the traversal of two trees. The nodes of later calls are theirs. @param pose as for <code>find()</code> */
+        /** Prepares the traversal of two trees. @param pose as for <code>find()</code> */
         protected function begin(pose:RelativePose, a:BoxTree, b:BoxTree):void
         {
             throw new IllegalOperationError(this + " does not implement begin");
         }
 
         /** Sets <code>out.current</code> for a pair of nodes. A bound that is not less than <code>out.least</code> need not be exact. */
-        protected function estimate(a:int, b:int, out:NodePairBounds):void
+        protected function estimate(treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:NodePairBounds):void
         {
             throw new IllegalOperationError(this + " does not implement estimate");
         }

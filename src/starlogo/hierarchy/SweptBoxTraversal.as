@@ -23,10 +23,6 @@ package starlogo.hierarchy
         private var _pose:RelativePose;
         private var _motion:RelativeMotion;
 
-        // The boxes of both trees.
-        private var _boxesA:Vector.<Number>;
-        private var _boxesB:Vector.<Number>;
-
         /** @param counts counts the pairs of nodes that are visited */
         public function SweptBoxTraversal(counts:TreeCounts)
         {
@@ -56,8 +52,6 @@ package starlogo.hierarchy
         override protected function begin(pose:RelativePose, a:BoxTree, b:BoxTree):void
         {
             _pose = pose;
-            _boxesA = a.boxes;
-            _boxesB = b.boxes;
             var relative:Placement = pose.placement;
             var motion:RelativeMotion = _motion;
             _pair.axes.readAxes(relative, 1);
@@ -69,9 +63,9 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function estimate(a:int, b:int, out:NodePairBounds):void
+        override protected function estimate(treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:NodePairBounds):void
         {
-            sweep(a, b, false, out);
+            sweep(treeA.boxes, a, treeB.boxes, b, false, out);
         }
 
         /** @inheritDoc */
@@ -79,7 +73,7 @@ package starlogo.hierarchy
         {
             if (decider == null)
             {
-                sweep(a, b, true, out);
+                sweep(treeA.boxes, a, treeB.boxes, b, true, out);
             }
             else
             {
@@ -89,27 +83,25 @@ package starlogo.hierarchy
 
         // Sets the bound to the first time at which no face separates two boxes. If withEdges is true, no edge separates them then either.
         // If that time is after the least time, sets the bound to RelativeMotion.NEVER.
-        private function sweep(a:int, b:int, withEdges:Boolean, out:NodePairBounds):void
+        private function sweep(boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, withEdges:Boolean, out:NodePairBounds):void
         {
             var pair:BoxPairMotion = _pair;
             var relative:Placement = _pose.placement;
             var scale:Number = relative.size;
-            var numbers:Vector.<Number> = _boxesB;
             var at:int = 6 * b;
-            var bX:Number = numbers[at] * scale;
-            var bY:Number = numbers[int(at + 1)] * scale;
-            var bZ:Number = numbers[int(at + 2)] * scale;
-            pair.bX = numbers[int(at + 3)] * scale;
-            pair.bY = numbers[int(at + 4)] * scale;
-            pair.bZ = numbers[int(at + 5)] * scale;
-            numbers = _boxesA;
+            var bX:Number = boxesB[at] * scale;
+            var bY:Number = boxesB[int(at + 1)] * scale;
+            var bZ:Number = boxesB[int(at + 2)] * scale;
+            pair.bX = boxesB[int(at + 3)] * scale;
+            pair.bY = boxesB[int(at + 4)] * scale;
+            pair.bZ = boxesB[int(at + 5)] * scale;
             at = 6 * a;
-            pair.x = relative.r00 * bX + relative.r01 * bY + relative.r02 * bZ + relative.x - numbers[at];
-            pair.y = relative.r10 * bX + relative.r11 * bY + relative.r12 * bZ + relative.y - numbers[int(at + 1)];
-            pair.z = relative.r20 * bX + relative.r21 * bY + relative.r22 * bZ + relative.z - numbers[int(at + 2)];
-            pair.aX = numbers[int(at + 3)];
-            pair.aY = numbers[int(at + 4)];
-            pair.aZ = numbers[int(at + 5)];
+            pair.x = relative.r00 * bX + relative.r01 * bY + relative.r02 * bZ + relative.x - boxesA[at];
+            pair.y = relative.r10 * bX + relative.r11 * bY + relative.r12 * bZ + relative.y - boxesA[int(at + 1)];
+            pair.z = relative.r20 * bX + relative.r21 * bY + relative.r22 * bZ + relative.z - boxesA[int(at + 2)];
+            pair.aX = boxesA[int(at + 3)];
+            pair.aY = boxesA[int(at + 4)];
+            pair.aZ = boxesA[int(at + 5)];
             pair.latest = out.least < 1 ? out.least : 1;
             if (withEdges)
             {

@@ -27,9 +27,6 @@ package starlogo.intersection
         /** The shape, in the triangles' space. Only its margin may be changed. */
         public var shape:ConvexShape = new ConvexShape();
 
-        /** The structure that the shape was set to, in the triangles' space; null if it is a triangle. Read only. */
-        public var structure:BoundingStructure = null;
-
         private var _pair:ConvexPair = new ConvexPair();
 
         // The shape where it is placed: a structure for each kind, and a triangle's corners.
@@ -54,17 +51,18 @@ package starlogo.intersection
          *
          * @param structure not kept
          * @param placement moves it into the triangles' space
+         * @return the structure there. The next call for the same kind overwrites it
          */
-        public function setStructure(structure:BoundingStructure, placement:Placement):void
+        public function setStructure(structure:BoundingStructure, placement:Placement):BoundingStructure
         {
-            this.structure = _structures[structure.kind] = structure.place(placement, _structures[structure.kind]);
-            shape.setStructure(this.structure);
+            var placed:BoundingStructure = _structures[structure.kind] = structure.place(placement, _structures[structure.kind]);
+            shape.setStructure(placed);
+            return placed;
         }
 
         /** Sets the shape to a triangle: nine numbers of a list, from an index on. The placement moves it into the other triangles' space. */
         public function setShapeToTriangle(corners:Vector.<Number>, at:int, placement:Placement):void
         {
-            structure = null;
             placement.placePoints(corners, at, at + 9, _placed);
             shape.setTriangle(_placed, 0);
         }

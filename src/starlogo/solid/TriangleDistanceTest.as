@@ -48,8 +48,7 @@ package starlogo.solid
         public function find(model:ModelTree, structure:BoundingStructure, pose:RelativePose, out:ClosestPoints):int
         {
             _mesh = model.prepareMesh();
-            _pair.setStructure(structure, pose.placement);
-            _pair.structure.extentsInto(_extents);
+            _pair.setStructure(structure, pose.placement).extentsInto(_extents);
             _nearest = out;
             _triangle = -1;
             limit = out.distance = Infinity;

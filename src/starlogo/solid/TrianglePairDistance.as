@@ -16,15 +16,9 @@ package starlogo.solid
     {
         private var _triangles:MovedTriangles;
 
-        // The closest points of the nearest pair so far, and their squared distance.
+        // The closest points of the nearest pair so far. The place beyond which a triangle of the first model may be nearer, along the vector
+        // from the first model's point to the second's.
         private var _points:ClosestPoints;
-        private var _squared:Number = 0;
-
-        // The vector from the first model's point to the second's in the nearest pair, and the place along it beyond which a triangle of
-        // the first model may be nearer.
-        private var _alongX:Number;
-        private var _alongY:Number;
-        private var _alongZ:Number;
         private var _begin:Number;
 
         /** @param counts counts the pairs of triangles that are measured */
@@ -42,7 +36,6 @@ package starlogo.solid
         {
             _triangles.begin(a, b, pose, RelativeMotion.NONE);
             _points = points;
-            _squared = Infinity;
             return this;
         }
 
@@ -61,72 +54,49 @@ package starlogo.solid
         // Adds each triangle of a range of the first model, paired with a triangle of the second.
         private function addTriangle(first:int, end:int, triangle:int):void
         {
-            var mesh:TriangleMesh = _triangles.meshA;
-            var corners:Vector.<Number> = _triangles.moved;
-            var at:int = 9 * triangle;
-            var extents:Vector.<Number> = _triangles.extents;
-            var extent:int = 6 * triangle;
-            var minX:Number = extents[extent];
-            var minY:Number = extents[int(extent + 2)];
-            var minZ:Number = extents[int(extent + 4)];
-            var maxX:Number = extents[int(extent + 1)];
-            var maxY:Number = extents[int(extent + 3)];
-            var maxZ:Number = extents[int(extent + 5)];
-            var limit:Number = _squared;
+            var limit:Number = _points.distance * _points.distance;
             var isProjected:Boolean = false;
-            extents = mesh.extents;
             _triangles.setSecond(triangle, RelativeMotion.NONE);
             for (var i:int = first; i < end; i++)
             {
-                extent = 6 * i;
-                var squared:Number = 0;
-                var distance:Number = extents[extent] - maxX;
-                if (distance < 0)
-                {
-                    distance = minX - extents[int(extent + 1)];
-                }
-                if (distance > 0)
-                {
-                    squared = distance * distance;
-                }
-                distance = extents[int(extent + 2)] - maxY;
-                if (distance < 0)
-                {
-                    distance = minY - extents[int(extent + 3)];
-                }
-                if (distance > 0)
-                {
-                    squared += distance * distance;
-                }
-                distance = extents[int(extent + 4)] - maxZ;
-                if (distance < 0)
-                {
-                    distance = minZ - extents[int(extent + 5)];
-                }
-                if (distance > 0)
-                {
-                    squared += distance * distance;
-                }
-                if (squared >= limit)
+                if (squaredDistanceOfExtents(i, triangle) >= limit)
                 {
                     continue;
                 }
                 if (!isProjected)
                 {
-                    projectTo(corners, at);
+                    projectTo(_triangles.moved, 9 * triangle);
                     isProjected = true;
                 }
-                if (!isBeyond(mesh.corners, 9 * i))
+                if (!isBeyond(_triangles.meshA.corners, 9 * i))
                 {
                     _triangles.counts.triangleTests++;
                     _triangles.setFirst(i);
                     if (_triangles.pair.findCloser(_triangles.a, _triangles.b, _points))
                     {
-                        limit = _squared = _points.distance * _points.distance;
+                        limit = _points.distance * _points.distance;
                         isProjected = false;
                     }
                 }
             }
+        }
+
+        // The squared distance of the extents of a triangle of the first model and one of the second.
+        private function squaredDistanceOfExtents(first:int, second:int):Number
+        {
+            var ofA:Vector.<Number> = _triangles.meshA.extents;
+            var ofB:Vector.<Number> = _triangles.extents;
+            var a:int = 6 * first;
+            var b:int = 6 * second;
+            var squared:Number = 0;
+            for (var end:int = a + 6; a < end; a += 2)
+            {
+                var distance:Number = ofA[a] - ofB[int(b + 1)];
+                distance = distance < 0 ? ofB[b] - ofA[int(a + 1)] : distance;
+                squared += distance > 0 ? distance * distance : 0;
+                b += 2;
+            }
+            return squared;
         }
 
         // Measures a triangle of the second model along the line between the closest points so far.
@@ -141,18 +111,15 @@ package starlogo.solid
             p = p < q ? p : q;
             p = p < r ? p : r;
             // The projections are scaled by the vector's length, so the nearest pair's distance becomes its square.
-            _begin = p - _squared;
-            _alongX = alongX;
-            _alongY = alongY;
-            _alongZ = alongZ;
+            _begin = p - _points.distance * _points.distance;
         }
 
         // Whether a triangle of the first model is so far away along the line that the pair cannot be nearer than the nearest one.
         private function isBeyond(corners:Vector.<Number>, at:int):Boolean
         {
-            var alongX:Number = _alongX;
-            var alongY:Number = _alongY;
-            var alongZ:Number = _alongZ;
+            var alongX:Number = _points.bX - _points.aX;
+            var alongY:Number = _points.bY - _points.aY;
+            var alongZ:Number = _points.bZ - _points.aZ;
             var begin:Number = _begin;
             return alongX * corners[at] + alongY * corners[int(at + 1)] + alongZ * corners[int(at + 2)] <= begin
                 && alongX * corners[int(at + 3)] + alongY * corners[int(at + 4)] + alongZ * corners[int(at + 5)] <= begin

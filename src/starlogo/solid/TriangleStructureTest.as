@@ -84,9 +84,8 @@ package starlogo.solid
             _mesh = model.prepareMesh();
             _mesh.preparePlanes();
             _motion = motion;
-            _pair.setStructure(structure, pose.placement);
+            _pair.setStructure(structure, pose.placement).extentsInto(_extents);
             _pair.shape.margin += pose.tolerance + Touching.marginOfSurface(model.tree.radius);
-            _pair.structure.extentsInto(_extents);
             var extents:Vector.<Number> = _extents;
             var margin:Number = _pair.shape.margin;
             _boxes.setExtents(extents, margin);

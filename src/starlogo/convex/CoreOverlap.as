@@ -7,7 +7,7 @@ package starlogo.convex
      * Finds the shortest displacement that separates two cores that touch or overlap. Its direction is the normal of a face of one, or
      * perpendicular to an edge of each. Of the pairs of edges, only those count whose common perpendicular points out of both (Gregorius, "The
      * separating axis test between convex polyhedra", 2013). The edges of boxes and segments say nothing
-     * of faces, so all their pairs are tried.
+     * of faces, so nothing is known to be on a side of them.
      *
      * <p>If two displacements are equally short, the first one is taken that is tried: faces of b, faces of a, edges. Of two opposite ones, it is
      * the one against the motion. Points and parallel segments move upwards as far as possible.</p>
@@ -32,11 +32,7 @@ package starlogo.convex
             out.depth = Infinity;
             tryFaces(cores.b, cores, out);
             tryFaces(cores.a, cores, out);
-            if (cores.a.areEdgesBare && cores.b.areEdgesBare)
-            {
-                tryBareEdges(cores, out);
-            }
-            else if (cores.a.edges.length > 0 && cores.b.edges.length > 0)
+            if (cores.a.edges.length > 0 && cores.b.edges.length > 0)
             {
                 tryEdges(cores, out);
             }
@@ -89,30 +85,6 @@ package starlogo.convex
             _along.x = isParallel ? 0 : x;
             _along.y = isParallel ? 0 : y;
             _along.z = isParallel ? 0 : z;
-        }
-
-        // The perpendicular of two edges of boxes or segments always points out of both, at one of the parallel edges.
-        private function tryBareEdges(cores:CorePair, out:ContactPoint):void
-        {
-            var p:Vector.<Number> = cores.a.points;
-            var q:Vector.<Number> = cores.b.points;
-            var edgesA:Vector.<int> = cores.a.edges;
-            var edgesB:Vector.<int> = cores.b.edges;
-            for (var i:int = 0; i < edgesA.length; i += 4)
-            {
-                var from:int = edgesA[i];
-                var to:int = edgesA[int(i + 1)];
-                var ux:Number = p[to] - p[from];
-                var uy:Number = p[int(to + 1)] - p[int(from + 1)];
-                var uz:Number = p[int(to + 2)] - p[int(from + 2)];
-                for (var k:int = 0; k < edgesB.length; k += 4)
-                {
-                    from = edgesB[k];
-                    to = edgesB[int(k + 1)];
-                    setAcross(ux, uy, uz, q[to] - q[from], q[int(to + 1)] - q[int(from + 1)], q[int(to + 2)] - q[int(from + 2)]);
-                    tryDirection(cores, out);
-                }
-            }
         }
 
         private function tryEdges(cores:CorePair, out:ContactPoint):void

@@ -108,15 +108,7 @@ package starlogo.intersection
             // The comparison is false for NaN too.
             share = share > 0 ? (share < 1 ? share : 1) : 0;
             _share = share;
-            var place:Number = _x + share * _alongX;
-            var half:Number = box.halfX;
-            out.x = place > half ? place - half : (place < -half ? place + half : 0);
-            place = _y + share * _alongY;
-            half = box.halfY;
-            out.y = place > half ? place - half : (place < -half ? place + half : 0);
-            place = _z + share * _alongZ;
-            half = box.halfZ;
-            out.z = place > half ? place - half : (place < -half ? place + half : 0);
+            out.setFromBox(_x + share * _alongX, _y + share * _alongY, _z + share * _alongZ, box);
         }
 
         /** @inheritDoc */

@@ -43,17 +43,9 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function find(b:BoundingStructure, localMotion:RelativeMotion, out:CoreGap):void
         {
-            var box:Box = b as Box;
             var time:Number = localMotion.time;
-            var x:Number = localMotion.startX + time * localMotion.x;
-            var y:Number = localMotion.startY + time * localMotion.y;
-            var z:Number = localMotion.startZ + time * localMotion.z;
-            var half:Number = box.halfX;
-            out.x = x > half ? x - half : (x < -half ? x + half : 0);
-            half = box.halfY;
-            out.y = y > half ? y - half : (y < -half ? y + half : 0);
-            half = box.halfZ;
-            out.z = z > half ? z - half : (z < -half ? z + half : 0);
+            out.setFromBox(localMotion.startX + time * localMotion.x, localMotion.startY + time * localMotion.y, localMotion.startZ + time * localMotion.z,
+                    b as Box);
         }
 
         /** @inheritDoc */

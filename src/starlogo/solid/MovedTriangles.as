@@ -18,9 +18,6 @@ package starlogo.solid
      */
     internal final class MovedTriangles
     {
-        /** The second model's pose in the first model's space. */
-        public var pose:RelativePose = null;
-
         public var meshA:TriangleMesh = null;
         public var meshB:TriangleMesh = null;
 
@@ -51,6 +48,10 @@ package starlogo.solid
         // The extents of the second model's triangle and of its motion, with the tolerance of quick tests: minX, maxX, minY, ...
         private var _extentsOfB:Vector.<Number> = new Vector.<Number>(6, true);
 
+        // The second model's pose in the first model's space.
+        private var _pose:RelativePose = null;
+
+        // The first triangle of the node of the last move(), or -1.
         private var _first:int = -1;
 
         /** @param counts counts the pairs of triangles */
@@ -63,9 +64,9 @@ package starlogo.solid
         public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, motion:RelativeMotion):void
         {
             // Writing an object to a field costs Adobe's VM more than comparing it first.
-            if (this.pose !== pose)
+            if (_pose !== pose)
             {
-                this.pose = pose;
+                _pose = pose;
             }
             meshA = a.prepareMesh();
             meshB = b.prepareMesh();
@@ -86,7 +87,7 @@ package starlogo.solid
                 return count;
             }
             _first = first;
-            pose.placement.placePoints(meshB.corners, 9 * first, 9 * (first + count), moved);
+            _pose.placement.placePoints(meshB.corners, 9 * first, 9 * (first + count), moved);
             var corners:Vector.<Number> = moved;
             var spans:Vector.<Number> = extents;
             if (spans.length < 6 * count)
@@ -140,6 +141,15 @@ package starlogo.solid
             var low:Number = travel < 0 ? _off - travel : _off;
             var high:Number = travel > 0 ? -_off - travel : -_off;
             return p > low && q > low && r > low || p < high && q < high && r < high;
+        }
+
+        /** Sets the shapes of a triangle of each model, by their numbers in the trees' orders, without a margin. */
+        public function setPair(first:int, second:int):void
+        {
+            setFirst(first);
+            _first = -1;
+            _pose.placement.placePoints(meshB.corners, 9 * second, 9 * second + 9, moved);
+            b.setTriangle(moved, 0);
         }
 
         /** Sets the shape of the first model's triangle. */

@@ -20,10 +20,6 @@ package starlogo.solid
 
         private var _found:FirstTouch;
 
-        // The corners of the second model's triangle that touches first, in the first model's space. This list begins empty, as the lists of MovedTriangles do, because V8 makes objects for Numbers that a method
-        // writes to lists of both kinds.
-        private var _corners:Vector.<Number> = new Vector.<Number>();
-
         /** @param counts counts the pairs of triangles that are tested */
         public function TrianglePairSweep(counts:TreeCounts)
         {
@@ -98,10 +94,7 @@ package starlogo.solid
          */
         public function findContact(touch:FirstTouch, motion:RelativeMotion, out:ContactPoint):void
         {
-            var pose:RelativePose = _triangles.pose;
-            pose.placement.placePoints(_triangles.meshB.corners, 9 * touch.b, 9 * touch.b + 9, _corners);
-            _triangles.setFirst(touch.a);
-            _triangles.b.setTriangle(_corners, 0);
+            _triangles.setPair(touch.a, touch.b);
             _triangles.pair.findContact(_triangles.b, _triangles.a, motion, out);
         }
     }

@@ -92,8 +92,14 @@ package starlogo.solid
             for (var end:int = a + 6; a < end; a += 2)
             {
                 var distance:Number = ofA[a] - ofB[int(b + 1)];
-                distance = distance < 0 ? ofB[b] - ofA[int(a + 1)] : distance;
-                squared += distance > 0 ? distance * distance : 0;
+                if (distance < 0)
+                {
+                    distance = ofB[b] - ofA[int(a + 1)];
+                }
+                if (distance > 0)
+                {
+                    squared += distance * distance;
+                }
                 b += 2;
             }
             return squared;

@@ -32,8 +32,6 @@ package starlogo.hierarchy
         // The second model's axes, times its scale.
         private var _axes:BoxAxes = new BoxAxes();
 
-        private var _pose:RelativePose;
-
         // The radii of the spheres around both trees together. The rounding error is relative to it.
         private var _radii:Number;
 
@@ -47,13 +45,13 @@ package starlogo.hierarchy
             super(counts);
         }
 
-        /** @inheritDoc */
-        override protected function begin(pose:RelativePose, a:BoxTree, b:BoxTree):void
+        /** Finds the closest points of two trees. The parameters are those of <code>NodePairTraversal.find()</code>. */
+        public function findClosest(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairTest):void
         {
-            _pose = pose;
             points.distance = Infinity;
-            _radii = a.radius + b.radius * pose.placement.size;
+            _radii = treeA.radius + treeB.radius * pose.placement.size;
             _axes.readAxes(pose.placement, pose.placement.size);
+            find(pose, treeA, depthA, treeB, depthB, decider);
         }
 
         /**
@@ -63,10 +61,10 @@ package starlogo.hierarchy
          * the distance along the line between the closest points so far. They are one method because they share twelve Numbers, which V8 would make
          * objects of if they were passed.</p>
          */
-        override protected function estimate(treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:NodePairBounds):void
+        override protected function estimate(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:NodePairBounds):void
         {
             var axes:BoxAxes = _axes;
-            var relative:Placement = _pose.placement;
+            var relative:Placement = pose.placement;
             var scale:Number = relative.size;
             var boxes:Vector.<Number> = treeB.boxes;
             var at:int = 6 * b;
@@ -108,7 +106,7 @@ package starlogo.hierarchy
             }
 
             // A pair that is too far away anyway need not be estimated exactly.
-            var far:Number = out.least + _pose.tolerance + 2 * SLACK * (out.least + _radii);
+            var far:Number = out.least + pose.tolerance + 2 * SLACK * (out.least + _radii);
             if (squared > far * far)
             {
                 out.current = out.least;
@@ -163,7 +161,7 @@ package starlogo.hierarchy
                     bound = distance;
                 }
             }
-            bound -= SLACK * (bound + _radii) + _pose.tolerance;
+            bound -= SLACK * (bound + _radii) + pose.tolerance;
             if (bound > out.current)
             {
                 out.current = bound;
@@ -171,14 +169,14 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairTest, out:NodePairBounds):void
+        override protected function settle(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairTest, out:NodePairBounds):void
         {
             if (decider != null)
             {
                 decider.testNodes(treeA, a, treeB, b, out);
                 return;
             }
-            PairTable.findClosest(treeA.writeBox(a, _boxA), _pose.placeWidened(treeB.writeBox(b, _boxB)), _measured);
+            PairTable.findClosest(treeA.writeBox(a, _boxA), pose.placeWidened(treeB.writeBox(b, _boxB)), _measured);
             reduce(_measured, treeA.levelOf(a), treeB.levelOf(b), _radii);
             out.current = _measured.distance;
             if (out.current < out.least)

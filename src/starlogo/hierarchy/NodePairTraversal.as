@@ -33,7 +33,7 @@ package starlogo.hierarchy
         }
 
         /**
-         * Finds the best pair of nodes that decide.
+         * Finds the best pair of nodes that decide. A subclass calls it when all is set that does not depend on the nodes.
          *
          * @param pose the pose of the second tree's nodes in the first model's space
          * @param treeA the first tree
@@ -43,7 +43,7 @@ package starlogo.hierarchy
          * @param decider decides about such nodes; null if their boxes decide
          * @return whether there is such a pair
          */
-        public function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairTest):Boolean
+        protected final function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairTest):Boolean
         {
             var leftA:Vector.<int> = treeA.left;
             var leftB:Vector.<int> = treeB.left;
@@ -59,8 +59,7 @@ package starlogo.hierarchy
             var visits:int = 1;
             out.least = Infinity;
             out.current = 0;
-            begin(pose, treeA, treeB);
-            estimate(treeA, a, treeB, b, out);
+            estimate(pose, treeA, a, treeB, b, out);
             while (true)
             {
                 if (out.current < out.least)
@@ -76,10 +75,10 @@ package starlogo.hierarchy
                         a = dividesA ? otherA + 1 : a;
                         b = dividesA ? b : otherB + 1;
                         var above:Number = out.current;
-                        estimate(treeA, otherA, treeB, otherB, out);
+                        estimate(pose, treeA, otherA, treeB, otherB, out);
                         var other:Number = out.current;
                         out.current = above;
-                        estimate(treeA, a, treeB, b, out);
+                        estimate(pose, treeA, a, treeB, b, out);
                         visits += 2;
                         if (other < out.current)
                         {
@@ -102,7 +101,7 @@ package starlogo.hierarchy
                         }
                         continue;
                     }
-                    settle(treeA, a, treeB, b, decider, out);
+                    settle(pose, treeA, a, treeB, b, decider, out);
                     if (out.current < out.least)
                     {
                         out.least = out.current;
@@ -135,14 +134,8 @@ package starlogo.hierarchy
             return aX * aX + aY * aY + aZ * aZ >= scale * scale * (bX * bX + bY * bY + bZ * bZ);
         }
 
-        /** Prepares the traversal of two trees. @param pose as for <code>find()</code> */
-        protected function begin(pose:RelativePose, a:BoxTree, b:BoxTree):void
-        {
-            throw new IllegalOperationError(this + " does not implement begin");
-        }
-
         /** Sets <code>out.current</code> for a pair of nodes. A bound that is not less than <code>out.least</code> need not be exact. */
-        protected function estimate(treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:NodePairBounds):void
+        protected function estimate(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:NodePairBounds):void
         {
             throw new IllegalOperationError(this + " does not implement estimate");
         }
@@ -151,7 +144,7 @@ package starlogo.hierarchy
          * Sets <code>out.current</code> to the time or distance of a pair that decides. If it is not less than <code>out.least</code>, it
          * need not be exact.
          */
-        protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairTest, out:NodePairBounds):void
+        protected function settle(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairTest, out:NodePairBounds):void
         {
             throw new IllegalOperationError(this + " does not implement settle");
         }

@@ -20,9 +20,6 @@ package starlogo.hierarchy
         private var _sweep:BoxSweep = new BoxSweep();
         private var _pair:BoxPairMotion = new BoxPairMotion();
 
-        private var _pose:RelativePose;
-        private var _motion:RelativeMotion;
-
         /** @param counts counts the pairs of nodes that are visited */
         public function SweptBoxTraversal(counts:TreeCounts)
         {
@@ -30,7 +27,7 @@ package starlogo.hierarchy
         }
 
         /**
-         * Finds when two trees first touch. The other parameters are those of <code>find()</code>.
+         * Finds when two trees first touch. The other parameters are those of <code>NodePairTraversal.find()</code>.
          *
          * @param motion of the second tree, from the pose on
          * @param out receives the time, and the nodes if their boxes decide
@@ -38,7 +35,13 @@ package starlogo.hierarchy
         public function findTouch(pose:RelativePose, motion:RelativeMotion, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairTest,
                 out:FirstTouch):void
         {
-            _motion = motion;
+            var relative:Placement = pose.placement;
+            _pair.axes.readAxes(relative, 1);
+            _pair.motionX = motion.x;
+            _pair.motionY = motion.y;
+            _pair.motionZ = motion.z;
+            _pair.tolerance = pose.tolerance + Touching.marginOfMotion(relative.x, relative.y, relative.z)
+                + Touching.marginOfMotion(motion.x, motion.y, motion.z);
             find(pose, treeA, depthA, treeB, depthB, decider);
             out.time = bounds.least;
             if (decider == null)
@@ -49,31 +52,17 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function begin(pose:RelativePose, a:BoxTree, b:BoxTree):void
+        override protected function estimate(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:NodePairBounds):void
         {
-            _pose = pose;
-            var relative:Placement = pose.placement;
-            var motion:RelativeMotion = _motion;
-            _pair.axes.readAxes(relative, 1);
-            _pair.motionX = motion.x;
-            _pair.motionY = motion.y;
-            _pair.motionZ = motion.z;
-            _pair.tolerance = pose.tolerance + Touching.marginOfMotion(relative.x, relative.y, relative.z)
-                + Touching.marginOfMotion(motion.x, motion.y, motion.z);
+            sweep(pose.placement, treeA.boxes, a, treeB.boxes, b, false, out);
         }
 
         /** @inheritDoc */
-        override protected function estimate(treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:NodePairBounds):void
-        {
-            sweep(treeA.boxes, a, treeB.boxes, b, false, out);
-        }
-
-        /** @inheritDoc */
-        override protected function settle(treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairTest, out:NodePairBounds):void
+        override protected function settle(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairTest, out:NodePairBounds):void
         {
             if (decider == null)
             {
-                sweep(treeA.boxes, a, treeB.boxes, b, true, out);
+                sweep(pose.placement, treeA.boxes, a, treeB.boxes, b, true, out);
             }
             else
             {
@@ -83,10 +72,9 @@ package starlogo.hierarchy
 
         // Sets the bound to the first time at which no face separates two boxes. If withEdges is true, no edge separates them then either.
         // If that time is after the least time, sets the bound to RelativeMotion.NEVER.
-        private function sweep(boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, withEdges:Boolean, out:NodePairBounds):void
+        private function sweep(relative:Placement, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, withEdges:Boolean, out:NodePairBounds):void
         {
             var pair:BoxPairMotion = _pair;
-            var relative:Placement = _pose.placement;
             var scale:Number = relative.size;
             var at:int = 6 * b;
             var bX:Number = boxesB[at] * scale;

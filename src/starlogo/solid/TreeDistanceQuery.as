@@ -74,7 +74,7 @@ package starlogo.solid
             var b:ModelTree = pair.b;
             if (b != null)
             {
-                _boxes.find(_pose, a.tree, pair.depthA, b.tree, pair.depthB, pair.isExact ? _trianglePairs.begin(a, b, _pose, _boxes.points) : null);
+                _boxes.findClosest(_pose, a.tree, pair.depthA, b.tree, pair.depthB, pair.isExact ? _trianglePairs.begin(a, b, _pose, _boxes.points) : null);
                 out.copyFrom(_boxes.points);
             }
             else if (pair.isExact)

@@ -86,9 +86,7 @@ package starlogo.convex
             _distance.find(_cores, _witness);
             if (_witness.distance > Tolerances.PERPENDICULAR_GAP * (a.extent + b.extent))
             {
-                out.normalX = _witness.gap.x / _witness.distance;
-                out.normalY = _witness.gap.y / _witness.distance;
-                out.normalZ = _witness.gap.z / _witness.distance;
+                out.setNormal(_witness.gap.x / _witness.distance, _witness.gap.y / _witness.distance, _witness.gap.z / _witness.distance);
                 out.depth = -_witness.distance;
             }
             else

@@ -53,7 +53,7 @@ package starlogo.ground
             }
             if (ground.hasTriangle)
             {
-                ground.leastDepth = ground.isSure || isNeeded(out) ? out.depth : 0;
+                ground.leastDepth = ground.isSure || isDepthProven(out) ? out.depth : 0;
                 _pieces.moveToWorld(out);
             }
             return ground.hasTriangle;
@@ -125,7 +125,7 @@ package starlogo.ground
                 while (_pieces.nextTriangle())
                 {
                     var isFootInside:Boolean = _pieces.pair.findBehind(RelativeMotion.NONE, _tried);
-                    if (isFootInside && !isNoDeeper(deepest) && isNeeded(_tried) && isDeepest(deepest, out))
+                    if (isFootInside && !isNoDeeper(deepest) && isDepthProven(_tried) && isDeepest(deepest, out))
                     {
                         deepest = _pieces.box.above = _tried.depth;
                         keep(out);
@@ -188,7 +188,7 @@ package starlogo.ground
         }
 
         // Whether each exit from the ground is at least about as long as a contact is deep, because the piece's deepest point has to get out.
-        private function isNeeded(contact:ContactPoint):Boolean
+        private function isDepthProven(contact:ContactPoint):Boolean
         {
             var depth:Number = contact.depth;
             if (!(depth >= 0))

@@ -69,9 +69,9 @@ package starlogo.ground
             var halfX:Number = _half.x + box.maxDistance;
             var start:Number = box.x - corner.x + passage.from * motion.x;
             var end:Number = box.x - corner.x + passage.to * motion.x;
-            var last:int = range.last;
-            range.last = Math.max(range.first - 1, Math.min(last, Math.floor((Math.max(start, end) + halfX) / width)));
-            range.first = Math.max(range.first, Math.min(last + 1, Math.floor((Math.min(start, end) - halfX) / width)));
+            var last:int = range.lastColumn;
+            range.lastColumn = Math.max(range.firstColumn - 1, Math.min(last, Math.floor((Math.max(start, end) + halfX) / width)));
+            range.firstColumn = Math.max(range.firstColumn, Math.min(last + 1, Math.floor((Math.min(start, end) - halfX) / width)));
             var halfY:Number = _half.y + box.maxDistance;
             start = box.y - corner.y + passage.from * motion.y;
             end = box.y - corner.y + passage.to * motion.y;

@@ -75,21 +75,21 @@ package starlogo.ground
 
         // Puts squares of a level on the stack: those of the given ones that the box may pass over in the current passage. The nearest
         // is put last, and visited first.
-        private function addSquares(level:int, first:int, firstRow:int, most:int):void
+        private function addSquares(level:int, firstColumn:int, firstRow:int, most:int):void
         {
             var range:SquareRange = _range;
             var motion:RelativeMotion = _path.box.motion;
-            range.first = first;
+            range.firstColumn = firstColumn;
             range.firstRow = firstRow;
-            range.last = Math.min(first + most - 1, _path.grid.lastColumnAt(level));
+            range.lastColumn = Math.min(firstColumn + most - 1, _path.grid.lastColumnAt(level));
             range.lastRow = Math.min(firstRow + most - 1, _path.grid.lastRowAt(level));
             _path.narrowRange(level, _passage, range);
             for (var row:int = range.firstRow; row <= range.lastRow; row++)
             {
-                for (var column:int = range.first; column <= range.last; column++)
+                for (var column:int = range.firstColumn; column <= range.lastColumn; column++)
                 {
                     _squares[_top] = level;
-                    _squares[int(_top + 1)] = motion.x < 0 ? column : range.first + range.last - column;
+                    _squares[int(_top + 1)] = motion.x < 0 ? column : range.firstColumn + range.lastColumn - column;
                     _squares[int(_top + 2)] = motion.y < 0 ? row : range.firstRow + range.lastRow - row;
                     _top += 3;
                 }

@@ -128,15 +128,15 @@ package starlogo.ground
         /** The last column of a level's squares: see HeightPyramid. The squares of level 0 are the cells. */
         public function lastColumnAt(level:int):int
         {
-            var last:int = isBlocky ? columns - 1 : columns - 2;
-            return last >> level * HeightPyramid.SHIFT;
+            var lastColumn:int = isBlocky ? columns - 1 : columns - 2;
+            return lastColumn >> level * HeightPyramid.SHIFT;
         }
 
         /** The last row of a level's squares. */
         public function lastRowAt(level:int):int
         {
-            var last:int = isBlocky ? rows - 1 : rows - 2;
-            return last >> level * HeightPyramid.SHIFT;
+            var lastRow:int = isBlocky ? rows - 1 : rows - 2;
+            return lastRow >> level * HeightPyramid.SHIFT;
         }
 
         /** Makes the cell of a height a hole, or fills it. */
@@ -213,12 +213,12 @@ package starlogo.ground
         }
 
         // The height of the highest column of a range that is no hole; NaN if all are holes.
-        private function highestOf(first:int, firstRow:int, last:int, lastRow:int):Number
+        private function highestOf(firstColumn:int, firstRow:int, lastColumn:int, lastRow:int):Number
         {
             var highest:Number = NaN;
             for (var row:int = firstRow; row <= lastRow; row++)
             {
-                for (var at:int = row * columns + first; at <= row * columns + last; at++)
+                for (var at:int = row * columns + firstColumn; at <= row * columns + lastColumn; at++)
                 {
                     if (!isHole(at) && !(heights[at] <= highest))
                     {
@@ -322,14 +322,14 @@ package starlogo.ground
         }
 
         /** Computes the bounds of all squares to which a range of heights belongs. Call it after a change of these heights or holes. */
-        public function updateBounds(first:int, firstRow:int, last:int, lastRow:int):void
+        public function updateBounds(firstColumn:int, firstRow:int, lastColumn:int, lastRow:int):void
         {
             revision++;
-            pyramid.update(this, first, firstRow, last, lastRow);
+            pyramid.update(this, firstColumn, firstRow, lastColumn, lastRow);
         }
 
         /** Finds bounds of a range of heights. */
-        public function findRange(first:int, firstRow:int, last:int, lastRow:int, out:HeightRange):void
+        public function findRange(firstColumn:int, firstRow:int, lastColumn:int, lastRow:int, out:HeightRange):void
         {
             var all:Vector.<Number> = heights;
             var low:Number = Infinity;
@@ -339,13 +339,13 @@ package starlogo.ground
             out.hasHole = false;
             for (var row:int = firstRow; row <= lastRow; row++)
             {
-                for (var column:int = first; column <= last; column++)
+                for (var column:int = firstColumn; column <= lastColumn; column++)
                 {
                     var at:int = row * columns + column;
                     var here:Number = all[at];
                     low = here < low ? here : low;
                     high = here > high ? here : high;
-                    var step:Number = column == first ? 0 : here - all[int(at - 1)];
+                    var step:Number = column == firstColumn ? 0 : here - all[int(at - 1)];
                     alongX = step > alongX ? step : alongX;
                     alongX = -step > alongX ? -step : alongX;
                     step = row == firstRow ? 0 : here - all[int(at - columns)];
@@ -378,26 +378,26 @@ package starlogo.ground
             var maxX:Number = Math.ceil(toX + halfX / cellWidth - border);
             var maxY:Number = Math.ceil(toY + halfY / cellWidth - border);
             // Rounding can leave nothing of a small rectangle between two columns. Then the least is the greater one, and both count.
-            var first:int = Math.max(0, Math.min(minX, maxX));
+            var firstColumn:int = Math.max(0, Math.min(minX, maxX));
             var firstRow:int = Math.max(0, Math.min(minY, maxY));
-            var last:int = Math.min(columns - 1, Math.max(minX, maxX));
+            var lastColumn:int = Math.min(columns - 1, Math.max(minX, maxX));
             var lastRow:int = Math.min(rows - 1, Math.max(minY, maxY));
             var level:int = 0;
-            while (level < pyramid.lastLevel && (last - first > MOST_SQUARES || lastRow - firstRow > MOST_SQUARES))
+            while (level < pyramid.lastLevel && (lastColumn - firstColumn > MOST_SQUARES || lastRow - firstRow > MOST_SQUARES))
             {
-                first >>= HeightPyramid.SHIFT;
+                firstColumn >>= HeightPyramid.SHIFT;
                 firstRow >>= HeightPyramid.SHIFT;
-                last >>= HeightPyramid.SHIFT;
+                lastColumn >>= HeightPyramid.SHIFT;
                 lastRow >>= HeightPyramid.SHIFT;
                 level++;
             }
             if (level == 0)
             {
-                findRange(first, firstRow, last, lastRow, out);
+                findRange(firstColumn, firstRow, lastColumn, lastRow, out);
             }
             else
             {
-                pyramid.findRange(level, first, firstRow, last, lastRow, out);
+                pyramid.findRange(level, firstColumn, firstRow, lastColumn, lastRow, out);
             }
         }
     }

@@ -70,7 +70,7 @@ package starlogo.ground
         }
 
         /** Finds bounds of a range of squares. The level is at least 1. */
-        public function findRange(level:int, first:int, firstRow:int, last:int, lastRow:int, out:HeightRange):void
+        public function findRange(level:int, firstColumn:int, firstRow:int, lastColumn:int, lastRow:int, out:HeightRange):void
         {
             var stride:int = countSquares(_columns, level);
             var low:Number = Infinity;
@@ -79,7 +79,7 @@ package starlogo.ground
             out.hasHole = false;
             for (var row:int = firstRow; row <= lastRow; row++)
             {
-                for (var column:int = first; column <= last; column++)
+                for (var column:int = firstColumn; column <= lastColumn; column++)
                 {
                     var at:int = _begins[level] + NUMBERS * (row * stride + column);
                     low = Math.min(low, _bounds[at]);
@@ -94,18 +94,18 @@ package starlogo.ground
         }
 
         /** Computes the bounds of all squares to which a range of a grid's heights belongs. */
-        public function update(grid:HeightGrid, first:int, firstRow:int, last:int, lastRow:int):void
+        public function update(grid:HeightGrid, firstColumn:int, firstRow:int, lastColumn:int, lastRow:int):void
         {
             for (var level:int = 1; level <= lastLevel; level++)
             {
                 var around:int = level == 1 ? 1 : 0;
-                first = Math.max(0, first - around) >> SHIFT;
+                firstColumn = Math.max(0, firstColumn - around) >> SHIFT;
                 firstRow = Math.max(0, firstRow - around) >> SHIFT;
-                last = Math.min(countSquares(_columns, level - 1) - 1, last + around) >> SHIFT;
+                lastColumn = Math.min(countSquares(_columns, level - 1) - 1, lastColumn + around) >> SHIFT;
                 lastRow = Math.min(countSquares(_rows, level - 1) - 1, lastRow + around) >> SHIFT;
                 for (var row:int = firstRow; row <= lastRow; row++)
                 {
-                    for (var column:int = first; column <= last; column++)
+                    for (var column:int = firstColumn; column <= lastColumn; column++)
                     {
                         updateSquare(grid, level, column, row, around);
                     }
@@ -116,17 +116,17 @@ package starlogo.ground
         // Computes the bounds of a square from those of the level below, and of some rows and columns around.
         private function updateSquare(grid:HeightGrid, level:int, column:int, row:int, around:int):void
         {
-            var first:int = Math.max(0, (column << SHIFT) - around);
+            var firstColumn:int = Math.max(0, (column << SHIFT) - around);
             var firstRow:int = Math.max(0, (row << SHIFT) - around);
-            var last:int = Math.min(countSquares(_columns, level - 1), ((column + 1) << SHIFT) + around) - 1;
+            var lastColumn:int = Math.min(countSquares(_columns, level - 1), ((column + 1) << SHIFT) + around) - 1;
             var lastRow:int = Math.min(countSquares(_rows, level - 1), ((row + 1) << SHIFT) + around) - 1;
             if (level == 1)
             {
-                grid.findRange(first, firstRow, last, lastRow, _range);
+                grid.findRange(firstColumn, firstRow, lastColumn, lastRow, _range);
             }
             else
             {
-                findRange(level - 1, first, firstRow, last, lastRow, _range);
+                findRange(level - 1, firstColumn, firstRow, lastColumn, lastRow, _range);
             }
             var at:int = _begins[level] + NUMBERS * (row * countSquares(_columns, level) + column);
             _bounds[at] = _range.least;

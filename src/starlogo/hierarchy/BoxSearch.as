@@ -35,7 +35,7 @@ package starlogo.hierarchy
         private var _inverseX:Number = SLOWEST;
         private var _inverseY:Number = SLOWEST;
         private var _inverseZ:Number = SLOWEST;
-        private var _stands:Boolean = true;
+        private var _isStill:Boolean = true;
         private var _from:Number = 0;
 
         // The nodes still to visit, and where the box meets them, or how far it is from them.
@@ -99,7 +99,7 @@ package starlogo.hierarchy
             _inverseX = inverseOf(x);
             _inverseY = inverseOf(y);
             _inverseZ = inverseOf(z);
-            _stands = x == 0 && y == 0 && z == 0;
+            _isStill = x == 0 && y == 0 && z == 0;
             _from = from;
         }
 
@@ -173,7 +173,7 @@ package starlogo.hierarchy
                             node = left;
                             continue;
                         }
-                        if (_stands ? isRightNearer(tree, node) : enter < enterLeft)
+                        if (_isStill ? isRightNearer(tree, node) : enter < enterLeft)
                         {
                             nodes[top] = left;
                             enters[top] = enterLeft;

@@ -13,7 +13,9 @@ package starlogo.intersection
      * the ConvexKernel finds the contact.
      *
      * <p>Two cores have a distance that is a convex function of time if one moves along a straight line. So Newton's method finds the time of
-     * impact (van den Bergen, "Ray casting against general convex objects with application to continuous collision detection", 2004).</p>
+     * impact (van den Bergen, "Ray casting against general convex objects with application to continuous collision detection", 2004). ConvexSweep
+     * takes such steps for all other shapes. It finds the gap of each step by a search, and gets the direction of a short gap from faces and
+     * edges. Here a formula gives the gap, and chords take the place of a direction that is not certain.</p>
      *
      * @private
      */

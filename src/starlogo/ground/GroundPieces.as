@@ -29,9 +29,6 @@ package starlogo.ground
         /** The box around the current piece. Its limits may be narrowed. Its origin is the model's place. */
         public var box:GroundBox = new GroundBox();
 
-        /** That triangle. Read only. */
-        public var triangle:GroundTriangle;
-
         /** The ground. Read only. */
         public var grid:HeightGrid;
 
@@ -63,11 +60,6 @@ package starlogo.ground
         private var _node:Box = BoxTree.newBox();
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        public function GroundPieces()
-        {
-            triangle = _triangles.triangle;
-        }
-
         /** Sets the model and the ground, as <code>GroundQuery.setTo()</code> takes them. */
         public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
         {
@@ -87,6 +79,12 @@ package starlogo.ground
                 _margin += Touching.marginOfSurface(tree.tree.radius * placement.size);
             }
             placeAt(RelativeMotion.NONE, 0);
+        }
+
+        /** The triangle that <code>nextTriangle()</code> has found. Read only. */
+        public function get triangle():GroundTriangle
+        {
+            return _triangles.triangle;
         }
 
         /** Whether the model is a tree; otherwise it is a structure. */

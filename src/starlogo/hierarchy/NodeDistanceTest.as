@@ -15,7 +15,6 @@ package starlogo.hierarchy
         private var _boxes:BoxSearch;
 
         private var _structure:BoundingStructure;
-        private var _radii:Number = 0;
         private var _measured:ClosestPoints = new ClosestPoints();
         private var _nearest:ClosestPoints;
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -40,7 +39,6 @@ package starlogo.hierarchy
             _structure = pose.placeWidened(structure);
             _structure.extentsInto(_extents);
             _boxes.setExtents(_extents, 0);
-            _radii = tree.radius + _boxes.halfX + _boxes.halfY + _boxes.halfZ;
             _nearest = out;
             limit = out.distance = Infinity;
             _boxes.findNear(tree, depth, this);
@@ -50,7 +48,7 @@ package starlogo.hierarchy
         override public function testNode(tree:BoxTree, node:int):void
         {
             PairTable.findClosest(tree.writeBox(node, _box), _structure, _measured);
-            BoxDistanceTraversal.reduce(_measured, tree.levelOf(node), 0, _radii);
+            BoxDistanceTraversal.reduce(_measured, tree.levelOf(node), 0, tree.radius + _boxes.halfX + _boxes.halfY + _boxes.halfZ);
             if (_measured.distance < limit)
             {
                 limit = _measured.distance;

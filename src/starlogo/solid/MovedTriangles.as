@@ -21,9 +21,6 @@ package starlogo.solid
         public var meshA:TriangleMesh = null;
         public var meshB:TriangleMesh = null;
 
-        /** The largest distance at which triangles of these models touch. */
-        public var tolerance:Number = 0;
-
         /** The corners of the triangles of the node of the last <code>move()</code>: nine numbers each. */
         public var moved:Vector.<Number> = new Vector.<Number>();
 
@@ -37,6 +34,9 @@ package starlogo.solid
 
         /** Counts the pairs of triangles that are tested or measured. */
         public var counts:TreeCounts;
+
+        // The largest distance at which triangles of these models touch.
+        private var _tolerance:Number = 0;
 
         // The tolerance of quick tests, which is larger: it includes the margin of the motion and Tolerances.CORES of the two triangles. A second
         // tolerance is more than those CORES, because it has SURFACES of the radii.
@@ -72,8 +72,8 @@ package starlogo.solid
             meshB = b.prepareMesh();
             meshA.prepareExtents();
             _first = -1;
-            tolerance = pose.tolerance + Touching.marginOfSurface(a.tree.radius + b.tree.radius * pose.placement.size);
-            _outerTolerance = 2 * tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            _tolerance = pose.tolerance + Touching.marginOfSurface(a.tree.radius + b.tree.radius * pose.placement.size);
+            _outerTolerance = 2 * _tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             _off = _outerTolerance + meshA.flatness;
         }
 
@@ -167,7 +167,7 @@ package starlogo.solid
         public function setSecond(triangle:int, motion:RelativeMotion):void
         {
             b.setTriangle(moved, 9 * triangle);
-            b.margin += tolerance;
+            b.margin += _tolerance;
             widen(6 * triangle, 0, motion.latest * motion.x);
             widen(6 * triangle, 2, motion.latest * motion.y);
             widen(6 * triangle, 4, motion.latest * motion.z);

@@ -17,9 +17,6 @@ package starlogo.solid
         /** The triangles' corners: nine numbers each. */
         public var corners:Vector.<Number>;
 
-        /** How much the places of a triangle's corners along its normal may differ. */
-        public var flatness:Number;
-
         /**
          * The triangles' planes: x, y, z of the unit normal, and the distance from the origin along the normal. The distance is NaN if the
          * corners' distances differ by more than <code>flatness</code>. For a triangle without area the normal is 0 and the distance NaN. Null
@@ -30,15 +27,17 @@ package starlogo.solid
         /** The triangles' extents: minX, maxX, minY, maxY, minZ, maxZ of each. Null before <code>prepareExtents()</code>: only pairs of trees need them. */
         public var extents:Vector.<Number> = null;
 
-        private var _face:FaceNormal = new FaceNormal();
-        private var _extent:Interval = new Interval();
-
         /** @param tree the boxes around the triangles */
         public function TriangleMesh(tree:BoxTree)
         {
             this.tree = tree;
             corners = new Vector.<Number>(9 * tree.order.length, true);
-            measure();
+        }
+
+        /** How much the places of a triangle's corners along its normal may differ. */
+        public function get flatness():Number
+        {
+            return Tolerances.PLANES * tree.radiusAboutOrigin;
         }
 
         /** Places the corners of a range of triangles. Must be called for all triangles before anything else. */
@@ -79,16 +78,10 @@ package starlogo.solid
             }
         }
 
-        private function measure():void
-        {
-            flatness = Tolerances.PLANES * tree.radiusAboutOrigin;
-        }
-
         /** Follows the tree, which has new boxes and vertices. */
         public function refit():void
         {
             placeCorners(0, corners.length / 9);
-            measure();
             if (planes != null)
             {
                 placePlanes(0, corners.length / 9);
@@ -134,20 +127,22 @@ package starlogo.solid
         {
             planes ||= new Vector.<Number>(4 * corners.length / 9, true);
             var into:Vector.<Number> = planes;
+            var face:FaceNormal = new FaceNormal();
+            var extent:Interval = new Interval();
             for (var i:int = first; i < end; i++)
             {
                 var at:int = 9 * i;
                 var to:int = 4 * i;
                 into[to] = into[to + 1] = into[to + 2] = 0;
                 into[to + 3] = NaN;
-                _face.setTriangle(corners, at);
-                if (_face.doubleArea > 0)
+                face.setTriangle(corners, at);
+                if (face.doubleArea > 0)
                 {
-                    into[to] = _face.x;
-                    into[to + 1] = _face.y;
-                    into[to + 2] = _face.z;
-                    _face.measure(corners, at, at + 9, _extent);
-                    into[to + 3] = _extent.greatest - _extent.least <= flatness ? _extent.least : NaN;
+                    into[to] = face.x;
+                    into[to + 1] = face.y;
+                    into[to + 2] = face.z;
+                    face.measure(corners, at, at + 9, extent);
+                    into[to + 3] = extent.greatest - extent.least <= flatness ? extent.least : NaN;
                 }
             }
         }

@@ -7,6 +7,9 @@ const ENOUGH = 5;
 /** More tests than these take minutes in the interpreter. */
 const MANY = 100;
 
+/** Long tests that call much of the engine. What no nearer test finds, these find soonest. */
+export const BROAD = ['SoakTest.whatAGameSeesIsTheSameEverywhere', 'QuestionMatrixTest', 'QuestionVerdictsTest', 'ContactsOfTheFrameTest', 'PlacementsTest', 'ExactStructuresTest', 'CallsOfGamesTest'];
+
 const simpleName = (name) => name.split('.').pop();
 
 /** The texts of the test classes, and of the files that they use, by qualified name. Tests call the stand-ins for flash.* standin.flash.*. */
@@ -32,6 +35,35 @@ function withFilesBeside(name, text, beside) {
 	return [text, ...files.map((file) => beside.get(file))].join('\n');
 }
 
+/** The test classes, and tests of classes, that Node runs in place of the browser's interpreter. They take long. */
+export function inNodeAlone(file = 'test/headless/in-node.txt') {
+	return new Set(read(file).split('\n').filter((line) => line !== '' && !line.startsWith('#')));
+}
+
+/**
+ * The tests of what is farther from the sources that a pattern names, in the order in which they find a fault soonest. First come those of the classes that
+ * count as farther; then those of all other classes that use the source, by any number of files between. Of both, those that take long are last, with BROAD
+ * before others. Of two of a kind the nearer is first.
+ *
+ * @param {{ tests: Map<string, string[] | null>, farther: Set<string>, named: string[] }} choice what choose() found
+ * @param {Map<string, string>} classes the texts of the test classes, by qualified name
+ * @param {Map<string, string>} sources the texts of the other files
+ * @param {Set<string>} long the classes and tests that take long
+ * @returns {[string, string][]} the class and the name of each
+ */
+export function fartherTests({ tests, farther, named }, classes, sources, long = inNodeAlone()) {
+	const beyond = named.flatMap((source) => [...users(source, classes, sources)].flat()).filter((name) => classes.has(name) && !tests.has(name));
+	const names = new Set([...farther, ...beyond]);
+	const isLong = ([name, test]) => long.has(name) || long.has(`${name}.${test}`);
+	// 0 if it does not take long, then the place in BROAD, then those that are not there
+	const rankOfLong = ([name, test]) => {
+		const rank = BROAD.findIndex((each) => [simpleName(name), `${simpleName(name)}.${test}`].includes(each));
+		return rank < 0 ? BROAD.length + 1 : rank + 1;
+	};
+	const place = (each) => (farther.has(each[0]) ? 0 : BROAD.length + 2) + (isLong(each) ? rankOfLong(each) : 0);
+	return [...names].flatMap((name) => testsIn(classes.get(name)).map((test) => [name, test])).sort((a, b) => place(a) - place(b));
+}
+
 /** The names of the tests that a test class declares, in its order. */
 export function testsIn(text) {
 	return [...text.matchAll(/^\s*\[Test\b[^\n]*\]\s+(?:\[[^\n]*\]\s+)*public function (\w+)/gm)].map(([, name]) => name);
@@ -54,16 +86,17 @@ export function testsIn(text) {
  * @param {string} pattern what -Dtest has
  * @param {Map<string, string>} classes the texts of the test classes, by qualified name
  * @param {Map<string, string>} sources the texts of the other files that tests use, by qualified name
- * @returns {{ tests: Map<string, string[] | null>, used: Set<string>, farther: Set<string>, said: string[] }} the tests of each class, null for all of
- *     them; the classes that are in it for what they use alone; those of them that are in it because the nearest have too few tests, or many; and why each is in it
+ * @returns {{ tests: Map<string, string[] | null>, used: Set<string>, farther: Set<string>, named: string[], said: string[] }} the tests of each class,
+ *     null for all of them; the classes that are in it for what they use alone; those of them that are in it because the nearest have too few tests, or many;
+ *     the sources that the pattern names; and why each class is in it
  */
 export function choose(pattern, classes, sources) {
-	const choice = { tests: new Map(), used: new Set(), farther: new Set(), said: [] };
+	const choice = { tests: new Map(), used: new Set(), farther: new Set(), named: [], said: [] };
 	for (const part of pattern.split(',').filter((each) => each.trim() !== '')) chooseOne(part.trim(), classes, sources, choice);
 	return choice;
 }
 
-function chooseOne(pattern, classes, sources, { tests, used, farther, said }) {
+function chooseOne(pattern, classes, sources, { tests, used, farther, named, said }) {
 	const { wanted, test, isFile } = parse(pattern, [...classes.keys(), ...sources.keys()]);
 	const take = (reason, found) => {
 		const added = found.filter((name) => tests.get(name) !== null);
@@ -103,6 +136,7 @@ function chooseOne(pattern, classes, sources, { tests, used, farther, said }) {
 				used.add(name);
 				farther.add(name);
 			}
+			named.push(source);
 		}
 	}
 	if (!isFile && !ofClass.some(isOwn)) takeTests([...classes.keys()], wanted);

@@ -6,14 +6,18 @@
  *
  * OUT gets AllTests.as and tests.properties: picked, what is run if it is not all, and allocations, the tests of allocations among them. The samples of
  * the documentation are test classes too. With --away3d those that need Away3D are listed, without it all others. FILE lists what Node runs in place
- * of the player: of that, only what the pattern names itself is taken. What is left to Node is left in the properties; if all is, they have none.
+ * of the player: of that, only what the pattern names itself is taken. What is left to Node is left in the properties; if all is, they have none. What
+ * Node runs after that, as far as the time goes, is then: the tests farther from a source, the nearest first, those that take long last. away3d is the
+ * number of tests that need Away3D, of those that the pattern names and those of a source of the adapters.
  * Files that would be the same keep their times.
  */
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
-import { choose, readTests, testsIn } from './chosen.mjs';
+import { choose, fartherTests, inNodeAlone, readTests, testsIn } from './chosen.mjs';
 import { NOT_HERE } from './module/not-here.mjs';
+
+const simpleName = (name) => name.split('.').pop();
 
 const { values, positionals: [out] } = parseArgs({
 	allowPositionals: true,
@@ -26,17 +30,23 @@ if (values.samples !== '') {
 		all.set(`docs.${file.slice(0, -3)}`, readFileSync(path.join(values.samples, 'docs', file), 'utf8'));
 	}
 }
-const classes = new Map([...all].filter(([name]) => /^(starlogo\.away3d|docs)\.Away3d/.test(name) === values.away3d));
+const needsAway3d = (name) => /^(starlogo\.away3d|docs)\.Away3d/.test(name);
+const classes = new Map([...all].filter(([name]) => needsAway3d(name) === values.away3d));
 
-const { tests, used, farther, said } = values.test === '' ? { tests: new Map([...classes.keys()].map((name) => [name, null])), used: new Set(), farther: new Set(), said: [] } : choose(values.test, classes, sources);
-if (tests.size === 0) {
-	console.error(`no test matches -Dtest=${values.test}: no class of tests, no test and no source file has that name${values.away3d ? '' : ' (what needs Away3D: ./antw test-away3d)'}`);
+const choice = values.test === '' ? { tests: new Map([...classes.keys()].map((name) => [name, null])), used: new Set(), farther: new Set(), named: [], said: [] } : choose(values.test, classes, sources);
+const { tests, used, farther, said } = choice;
+const inAway3d = values.away3d || values.test === '' || choice.named.some((name) => !name.startsWith('starlogo.away3d.')) ? [] : [...choose(values.test, all, sources).tests].filter(([name]) => needsAway3d(name));
+if (tests.size + inAway3d.length === 0) {
+	console.error(`no test matches -Dtest=${values.test}: no class of tests, no test and no source file has that name`);
 	process.exit(1);
 }
+const elsewhere = values.elsewhere === '' ? new Set() : inNodeAlone(values.elsewhere);
 const left = withoutElsewhere();
 for (const line of said) console.log(line);
-const inNode = [...tests.keys()].flatMap((name) => leftToNode(name));
+const inNode = [...tests.keys()].filter((name) => !farther.has(name)).flatMap((name) => leftToNode(name));
 if (inNode.length > 0) console.log(`in Node only: ${inNode.join(', ')}`);
+if (inAway3d.length > 0) console.log(`with Away3D: ${inAway3d.map(([name]) => simpleName(name)).join(', ')}`);
+const then = values.elsewhere === '' ? [] : fartherTests(choice, classes, sources).filter(([name]) => !left.has(name)).map(([name, test]) => `${simpleName(name)}.${test}`);
 
 const names = [...left.keys()];
 write('AllTests.as', `package
@@ -52,12 +62,11 @@ ${names.map((name) => `    import ${name};`).join('\n')}
 }
 `);
 const picked = [...left].flatMap(([name, list]) => list?.map((test) => `${name}.${test}`) ?? [name]);
-write('tests.properties', `picked=${values.test === '' ? '' : picked.join(',')}\nallocations=${picked.filter((name) => /AllocationTest\b/.test(name)).join(',')}\n${inNode.length > 0 ? `left=${inNode.join(',')}\n` : ''}${left.size === 0 ? 'none=true\n' : ''}`);
+write('tests.properties', `picked=${values.test === '' ? '' : picked.join(',')}\nallocations=${picked.filter((name) => /AllocationTest\b/.test(name)).join(',')}\n${inNode.length + then.length > 0 ? `left=${inNode.join(',')}\nthen=${then.join(',')}\n` : ''}${left.size === 0 ? 'none=true\n' : ''}${inAway3d.length > 0 ? `away3d=${inAway3d.reduce((sum, [name, list]) => sum + (list ?? testsIn(all.get(name))).length, 0)}\n` : ''}`);
 
 /** The tests without those that Node runs in place of the player and that are chosen only for what they use, and without those farther on. */
 function withoutElsewhere() {
 	if (values.elsewhere === '') return tests;
-	const elsewhere = new Set(readFileSync(values.elsewhere, 'utf8').split('\n').filter((line) => line !== '' && !line.startsWith('#')));
 	return new Map([...tests].flatMap(([name, list]) => {
 		if (!used.has(name)) return [[name, list]];
 		if (elsewhere.has(name) || (farther.has(name) && !NOT_HERE.has(name))) return [];
@@ -70,7 +79,7 @@ function withoutElsewhere() {
 /** What Node runs of a class in place of the player: the class, or some of its tests, without packages. */
 function leftToNode(name) {
 	if (left.has(name) && left.get(name) === tests.get(name)) return [];
-	const simple = name.split('.').pop();
+	const simple = simpleName(name);
 	return left.has(name) ? testsIn(classes.get(name)).filter((test) => !left.get(name).includes(test)).map((test) => `${simple}.${test}`) : [simple];
 }
 

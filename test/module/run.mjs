@@ -2,21 +2,22 @@
 /**
  * Runs the FlexUnit classes on the ES module's code, in Node.
  *
- *   node test/module/run.mjs TESTS [--test PATTERN] [--order CLASS,CLASS.test,...] [--first] [--full] [--mount /url=folder ...] [--summary FILE]
+ *   node test/module/run.mjs TESTS [--test PATTERN] [--order CLASS,CLASS.test,...] [--then CLASS.test,...] [--first] [--full] [--mount /url=folder ...] [--summary FILE]
  *
  * TESTS is what the build made of the engine and the tests together. With --order these run alone, in that order; with --first it ends when one fails.
+ * If none fails, those of --then run, or those farther from the source that PATTERN names, until one fails or they have taken their time.
  */
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
-import { choose, readTests } from "../chosen.mjs";
+import { choose, fartherTests, readTests } from "../chosen.mjs";
 import { mount } from "./fixtures.mjs";
 import { NOT_HERE } from "./not-here.mjs";
 
 const { values: options, positionals } = parseArgs({
 	allowPositionals: true,
-	options: { test: { type: "string", default: "" }, order: { type: "string", default: "" }, first: { type: "boolean", default: false }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] }, summary: { type: "string" } },
+	options: { test: { type: "string", default: "" }, order: { type: "string", default: "" }, then: { type: "string", default: "" }, first: { type: "boolean", default: false }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] }, summary: { type: "string" } },
 });
 
 const tests = await import(pathToFileURL(path.resolve(positionals[0])));
@@ -24,6 +25,9 @@ const tests = await import(pathToFileURL(path.resolve(positionals[0])));
 const { AssumptionViolatedException, waiting } = tests.flexunit;
 tests.Effort.isFull = options.full;
 mount(tests, options.mount);
+
+/** Seconds of a processor after which none of --then begins any more. */
+const ENOUGH_S = 35;
 
 /** A test that takes longer is named. */
 const SLOW_MS = 3000;
@@ -42,22 +46,55 @@ process.on("uncaughtException", (error) => {
 });
 
 const simpleName = ({ name }) => name.split(".").pop();
-const ordered = options.order.split(",").filter((text) => text !== "").map((text) => text.split(".")).flatMap(([wanted, method = ""]) => tests.CLASSES.filter((each) => simpleName(each) === wanted).map((each) => ({ ...each, isRun: (name) => name.includes(method) })));
-const classes = options.order !== "" ? ordered : options.test !== "" ? chosen() : tests.CLASSES.map((each) => ({ ...each, isRun: () => true }));
+const isOrdered = options.order !== "" || options.then !== "";
+const namesIn = (list) => list.split(",").filter((text) => text !== "").map((text) => text.split("."));
+const { classes, farther } = isOrdered ? { classes: inOrder(namesIn(options.order)), farther: inOrder(namesIn(options.then)) } : options.test !== "" ? chosen() : { classes: inOrder(tests.CLASSES.map((each) => [each.name])), farther: [] };
+
+/** Some classes and tests, by the class's name with or without its package. A class whose tests follow one another is begun once. */
+function inOrder(names) {
+	const found = [];
+	for (const [wanted, test = null] of names) {
+		for (const each of tests.CLASSES.filter((other) => other.name === wanted || simpleName(other) === wanted)) {
+			if (found.at(-1)?.name !== each.name) found.push({ ...each, wanted: [] });
+			found.at(-1).wanted.push(test);
+		}
+	}
+	return found.map((each) => ({ ...each, isRun: (name) => each.wanted.includes(null) || each.wanted.includes(name) }));
+}
 
 /** What --test names. */
 function chosen() {
 	const known = readTests();
-	const { tests: found, said } = choose(options.test, known.classes, known.sources);
+	const choice = choose(options.test, known.classes, known.sources);
+	const { tests: found, farther: far, said } = choice;
 	if (found.size === 0) console.log(`no test matches ${options.test}: no class of tests, no test and no source file has that name`);
 	for (const line of said) console.log(line);
-	return tests.CLASSES.filter(({ name }) => found.has(name)).map((each) => ({ ...each, isRun: (test) => found.get(each.name)?.includes(test) ?? true }));
+	const near = tests.CLASSES.filter(({ name }) => found.has(name) && (options.full || !far.has(name)));
+	const then = options.full ? [] : fartherTests(choice, known.classes, known.sources);
+	return {
+		classes: near.map((each) => ({ ...each, isRun: (test) => found.get(each.name)?.includes(test) ?? true })),
+		farther: inOrder(then),
+	};
 }
 
-for (const { name, type, metadata, isRun } of classes) {
+for (const each of classes) await runClass(each, () => true);
+if (failed === 0) await runFarther();
+
+/** Runs one class of tests farther off after another, until one fails or they have taken their time. Says how many tests have not been run. */
+async function runFarther() {
+	const start = process.cpuUsage();
+	const seconds = () => (process.cpuUsage(start).user + process.cpuUsage(start).system) / 1e6;
+	const isNext = () => failed === 0 && seconds() < ENOUGH_S;
+	const before = passed + skipped;
+	let late = 0;
+	for (const each of farther) late += await runClass(each, isNext);
+	const done = passed + skipped + failed - before;
+	if (farther.length > 0) console.log(`of the tests farther off ${done} ran, in ${seconds().toFixed(0)} s${late > 0 ? `; ${late} did not, because ${failed > 0 ? "one failed" : "that is the time for them"}` : ""}`);
+}
+
+/** Runs the tests of a class while the next may begin, and returns how many have not been run. */
+async function runClass({ name, type, metadata, isRun }, isNext) {
 	const methods = (kind) => metadata.filter((each) => each.kind === kind);
-	await new Promise((resolve) => tests.Fixtures.load(type.FIXTURES ?? [], resolve));
-	let problem = null;
 	const chosen = methods("Test").filter((each) => isRun(each.name)).sort((a, b) => Number(a.args.order ?? 0) - Number(b.args.order ?? 0));
 	const here = chosen.filter((each) => {
 		const place = [name, `${name}.${each.name}`].find((key) => NOT_HERE.has(key));
@@ -65,13 +102,20 @@ for (const { name, type, metadata, isRun } of classes) {
 		return place === undefined;
 	});
 	leftOut += chosen.length - here.length;
-	if (here.length === 0) continue;
+	if (here.length === 0 || !isNext()) return here.length;
+	await new Promise((resolve) => tests.Fixtures.load(type.FIXTURES ?? [], resolve));
+	let late = 0;
+	let problem = null;
 	try {
 		for (const each of methods("BeforeClass")) await type[each.name]();
 	} catch (error) {
 		problem = error;
 	}
 	for (const each of here) {
+		if (!isNext()) {
+			late++;
+			continue;
+		}
 		const start = performance.now();
 		const error = problem ?? await run(type, each, methods);
 		const ms = performance.now() - start;
@@ -85,6 +129,7 @@ for (const { name, type, metadata, isRun } of classes) {
 		if (ms > SLOW_MS) console.log(`  ${name.split(".").pop()}.${each.name}: ${(ms / 1000).toFixed(1)} s`);
 	}
 	for (const each of methods("AfterClass")) await type[each.name]();
+	return late;
 }
 
 /** What a test throws, or null. */
@@ -106,11 +151,11 @@ async function run(type, test, methods) {
 	return expected ? new Error(`expected ${expected}, but nothing was thrown`) : null;
 }
 
-if (options.test === "" && options.order === "" && only.size > 0) {
+if (options.test === "" && !isOrdered && only.size > 0) {
 	failed++;
 	console.log(`FAILED: no such test, though not-here.mjs lists it: ${[...only].join(", ")}`);
 }
-if (passed + failed + skipped === 0) {
+if (passed + failed + skipped === 0 && farther.length === 0) {
 	failed++;
 	console.log("FAILED: no test was run");
 }

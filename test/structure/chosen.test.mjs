@@ -1,7 +1,7 @@
 /** Tests of what -Dtest finds. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { choose, readTests, testsIn } from '../chosen.mjs';
+import { BROAD, choose, fartherTests, readTests, testsIn } from '../chosen.mjs';
 
 const known = readTests();
 
@@ -130,4 +130,26 @@ test('where no test uses a source itself, the tests of its package are chosen to
 	assert.deepEqual(said, ['classes that use a.Inner, directly or through other files: TableTest', 'classes of tests in the package of a.Inner: BesideTest']);
 	assert.deepEqual([...choose('Table', classes, sources).tests.keys()], ['a.TableTest']);
 	for (const name of ['KernelsAgreeTest', 'HullPairsTest', 'RoundKernelTest']) assert.ok(found('SphereBoxGap').includes(name), name);
+});
+
+test('all other classes that use a source by any files between have tests farther off, the nearest first', () => {
+	const sources = new Map([['a.low', 'package a { public function low() {} }'], ['b.High', 'import a.low;'], ['b.Higher', 'import b.High;']]);
+	const tests = (count) => '[Test]\n public function one\n'.repeat(count);
+	const classes = new Map([['c.TopTest', `${tests(1)} import b.Higher;`], ['c.MiddleTest', `${tests(1)} import b.High;`], ['c.NearTest', `${tests(9)} import a.low;`], ['c.OtherTest', tests(1)]]);
+	const found = (pattern) => fartherTests(choose(pattern, classes, sources), classes, sources, new Set()).map(([name]) => name);
+	assert.deepEqual(found('low.as'), ['c.MiddleTest', 'c.TopTest']);
+	assert.deepEqual(found('NearTest'), []);
+	const all = fartherTests(choose('SweptAxes.as', known.classes, known.sources), known.classes, known.sources);
+	assert.ok(all.some(([name, test]) => name.endsWith('.ExactStructuresTest') && test === 'moving'));
+});
+
+test('of the tests farther off those that take long come last, and of these the broad ones first', () => {
+	const sources = new Map([['a.low', 'package a { public function low() {} }'], ['b.High', 'import a.low;']]);
+	const text = '[Test]\n public function one\n [Test]\n public function two\n import ';
+	const classes = new Map([['c.FirstTest', `${text} a.low;`], ['a.FarTest', `${text} b.High;`], [`a.${BROAD[2]}`, `${text} b.High;`], [`a.${BROAD[1]}`, `${text} b.High;`]]);
+	const choice = { tests: new Map([['c.FirstTest', null]]), farther: new Set(['c.FirstTest']), named: ['a.low'] };
+	const found = fartherTests(choice, classes, sources, new Set(['c.FirstTest.one', 'a.FarTest.one', `a.${BROAD[1]}`, `a.${BROAD[2]}`]));
+	assert.deepEqual(found.map((each) => each.join('.')), ['c.FirstTest.two', 'c.FirstTest.one', 'a.FarTest.two', ...BROAD.slice(1, 3).flatMap((each) => [`a.${each}.one`, `a.${each}.two`]), 'a.FarTest.one']);
+	const tests = [...known.classes].flatMap(([name, each]) => [name.split('.').pop(), ...testsIn(each).map((test) => `${name.split('.').pop()}.${test}`)]);
+	for (const name of BROAD) assert.ok(tests.includes(name), name);
 });

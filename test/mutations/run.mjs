@@ -7,7 +7,7 @@
  *
  * TESTS is what the build made of the engine and the tests together. PACKAGES are those to change, with commas: search,solid. First the test
  * classes run that name the changed class. Then the hash of all that the soak's game sees is compared. With "all" every other test class runs after
- * that; no *.test.mjs does.
+ * that; no *.test.mjs does. With "chosen" those run that ./antw test -Dtest=SOURCE runs in Node, and those that it leaves to the player; PACKAGES are all then.
  *
  * What survives with "all" has mostly been a change of no answer: of equal numbers the one or the other is taken, 0 or -0; children of nodes
  * are visited in another order; boxes are wider, or what would spare work does not.
@@ -16,6 +16,7 @@ import { spawnSync } from "node:child_process";
 import { readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
+import { choose, fartherTests, readTests } from "../chosen.mjs";
 import { randomNumbers } from "../module/random.mjs";
 
 const PACKAGES = "collision,handlers,search,ground,terrain,hierarchy,solid,intersection,queries";
@@ -33,8 +34,12 @@ const CHANGES = [
 	[/ \+= /g, " -= "], [/ -= /g, " += "], [/ && /g, " || "], [/ \|\| /g, " && "], [/ === /g, " !== "], [/ !== /g, " === "], [/ == /g, " != "], [/ != /g, " == "],
 	[/\bif \((?=.*\)\s*\{?$)/g, "if (!1 && "], [/\bif \((?=.*\)\s*\{?$)/g, "if (!0 || "], [/\btrue\b/g, "false"], [/\bfalse\b/g, "true"],
 	[/\bMath\.max\b/g, "Math.min"], [/\bMath\.min\b/g, "Math.max"], [/(?<=[-+*(=,[] ?)\b0\b(?![.x])/g, "1"], [/(?<=[-+*(=,[] ?)\b1\b(?![.x])/g, "2"], [/\+\+(?=;)/g, "--"],
-	[/^\s+(this\.)?[#\w.]+\([^()]*\);$/g, ";"],
+	[/^\s+(this\.)?[#\w.]+(\([^()]*\)| = [^;{]*);$/g, ";"],
+	[/ [-+*] [\w.#$]+(?=[;,) ])/g, ""], [/ (&&|\|\|) !?[\w.#$]+(\([^()]*\))?( [<>=!]+ [\w.#$]+)?(?=[;,) ])/g, ""],
 ];
+
+/** A field gets its first value: mostly another is written before it is read. */
+const FIRST_VALUE = /^\s+this\.[#$\w]+ = (-?[\d.]+|null|false|true|""|\(0 \/ 0.*|-?Infinity);$/;
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const [tests, count = "100", seed = "1", all = "", packages = ""] = process.argv.slice(2);
@@ -50,27 +55,40 @@ const testFiles = filesBelow(path.join(root, "test")).filter((file) => file.ends
 function placesOf(name) {
 	const first = lines.findIndex((line) => new RegExp(`^(const ${name} = .*)?(class|function) ${name}\\b`).test(line));
 	const places = [];
+	let isConstructor = false;
 	for (let i = first + 1; first >= 0 && !/^\}/.test(lines[i]); i++) {
 		const line = lines[i];
+		isConstructor = /^\tconstructor\(/.test(line) || (isConstructor && !/^\t\}/.test(line));
+		if (isConstructor && FIRST_VALUE.test(line)) continue;
 		if (/^\s*(\/\/|\*|\/\*)|throw new|static #?\w+ =|requireType|\$check/.test(line)) continue;
 		for (const [from, to] of CHANGES) for (const { index, 0: text } of line.matchAll(from)) places.push({ name, line: i, changed: line.slice(0, index) + to + line.slice(index + text.length) });
 	}
 	return places;
 }
 
-const places = (packages || PACKAGES).split(",").flatMap((each) => filesBelow(path.join(root, "src/starlogo", each)).map(classOf)).flatMap(placesOf);
+const everyPackage = () => readdirSync(path.join(root, "src/starlogo"), { withFileTypes: true }).filter((each) => each.isDirectory() && each.name !== "away3d").map((each) => each.name).join();
+const places = (packages || (all === "chosen" ? everyPackage() : PACKAGES)).split(",").flatMap((each) => filesBelow(path.join(root, "src/starlogo", each)).map(classOf)).flatMap(placesOf);
 const random = randomNumbers(Number(seed));
 for (let i = 0; i < 8; i++) random();
 
+const known = readTests();
+
+/** What the runner is told to run for a change of a class. */
 function testsOf(name) {
+	if (all === "chosen") {
+		const choice = choose(`${name}.as`, known.classes, known.sources);
+		const simpleName = (each) => each.split(".").pop();
+		const near = [...choice.tests.keys()].filter((each) => !choice.farther.has(each)).map(simpleName);
+		return [`--order=${near}`, `--then=${fartherTests(choice, known.classes, known.sources).map(([each, test]) => `${simpleName(each)}.${test}`)}`];
+	}
 	const related = testFiles.filter(({ text }) => new RegExp(`\\b${name}\\b`).test(text)).map((each) => each.name);
 	const others = all ? testFiles.map((each) => each.name).filter((each) => !related.includes(each) && each !== TIMED) : [];
-	return [...related, "SoakTest.whatAGameSeesIsTheSameEverywhere", ...others];
+	return [`--order=${[...related, "SoakTest.whatAGameSeesIsTheSameEverywhere", ...others]}`];
 }
 
 /** The first test that fails; null if none does. */
 function killerOf(file, name) {
-	const run = spawnSync("sh", ["-c", `ulimit -t ${PATIENCE_S}; exec "$@"`, "sh", process.execPath, path.join(root, "test/module/run.mjs"), file, "--first", `--order=${testsOf(name).join()}`,
+	const run = spawnSync("sh", ["-c", `ulimit -t ${PATIENCE_S}; exec "$@"`, "sh", process.execPath, path.join(root, "test/module/run.mjs"), file, "--first", ...testsOf(name),
 		"--mount=/assets=assets", "--mount=/fixtures=test/fixtures", "--mount=/models=bin/test-models", "--mount=/assimp=/usr/share/assimp/models"],
 	{ cwd: root, encoding: "utf8", timeout: PATIENCE_MS, maxBuffer: 1 << 26 });
 	return run.error || run.signal ? "no end" : run.status === 0 ? null : /FAILED,? ([\w.]+)/.exec(run.stdout)?.[1] ?? "no start";

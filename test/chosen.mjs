@@ -7,8 +7,8 @@ const ENOUGH = 5;
 /** More tests than these take minutes in the interpreter. */
 const MANY = 100;
 
-/** Long tests that call much of the engine. What no nearer test finds, these find soonest. */
-export const BROAD = ['SoakTest.whatAGameSeesIsTheSameEverywhere', 'QuestionMatrixTest', 'QuestionVerdictsTest', 'ContactsOfTheFrameTest', 'PlacementsTest', 'ExactStructuresTest', 'CallsOfGamesTest'];
+/** Tests that call much of the engine. What no nearer test finds, these find soonest. */
+export const BROAD = ['SoakTest.whatAGameSeesFirstIsTheSameEverywhere', 'SoakTest.whatAGameSeesIsTheSameEverywhere', 'QuestionMatrixTest', 'QuestionVerdictsTest', 'ContactsOfTheFrameTest', 'PlacementsTest', 'ExactStructuresTest', 'CallsOfGamesTest'];
 
 const simpleName = (name) => name.split('.').pop();
 
@@ -42,8 +42,8 @@ export function inNodeAlone(file = 'test/headless/in-node.txt') {
 
 /**
  * The tests of what is farther from the sources that a pattern names, in the order in which they find a fault soonest. First come those of the classes that
- * count as farther; then those of all other classes that use the source, by any number of files between. Of both, those that take long are last, with BROAD
- * before others. Of two of a kind the nearer is first.
+ * count as farther; then those of all other classes that use the source, by any number of files between. Of both, those that take long are last. BROAD is
+ * before others that take as long. Of two of a kind the nearer is first.
  *
  * @param {{ tests: Map<string, string[] | null>, farther: Set<string>, named: string[] }} choice what choose() found
  * @param {Map<string, string>} classes the texts of the test classes, by qualified name
@@ -55,12 +55,13 @@ export function fartherTests({ tests, farther, named }, classes, sources, long =
 	const beyond = named.flatMap((source) => [...users(source, classes, sources)].flat()).filter((name) => classes.has(name) && !tests.has(name));
 	const names = new Set([...farther, ...beyond]);
 	const isLong = ([name, test]) => long.has(name) || long.has(`${name}.${test}`);
-	// 0 if it does not take long, then the place in BROAD, then those that are not there
-	const rankOfLong = ([name, test]) => {
-		const rank = BROAD.findIndex((each) => [simpleName(name), `${simpleName(name)}.${test}`].includes(each));
-		return rank < 0 ? BROAD.length + 1 : rank + 1;
+	const last = BROAD.length + 2;
+	const place = (each) => {
+		const [name, test] = each;
+		const broad = BROAD.findIndex((wanted) => [simpleName(name), `${simpleName(name)}.${test}`].includes(wanted));
+		const order = !isLong(each) ? Number(broad < 0) : broad < 0 ? last : broad + 2;
+		return order + (farther.has(name) ? 0 : last + 1);
 	};
-	const place = (each) => (farther.has(each[0]) ? 0 : BROAD.length + 2) + (isLong(each) ? rankOfLong(each) : 0);
 	return [...names].flatMap((name) => testsIn(classes.get(name)).map((test) => [name, test])).sort((a, b) => place(a) - place(b));
 }
 

@@ -146,10 +146,10 @@ test('all other classes that use a source by any files between have tests farthe
 test('of the tests farther off those that take long come last, and of these the broad ones first', () => {
 	const sources = new Map([['a.low', 'package a { public function low() {} }'], ['b.High', 'import a.low;']]);
 	const text = '[Test]\n public function one\n [Test]\n public function two\n import ';
-	const classes = new Map([['c.FirstTest', `${text} a.low;`], ['a.FarTest', `${text} b.High;`], [`a.${BROAD[2]}`, `${text} b.High;`], [`a.${BROAD[1]}`, `${text} b.High;`]]);
+	const classes = new Map([['c.FirstTest', `${text} a.low;`], ['a.FarTest', `${text} b.High;`], [`a.${BROAD[3]}`, `${text} b.High;`], [`a.${BROAD[2]}`, `${text} b.High;`]]);
 	const choice = { tests: new Map([['c.FirstTest', null]]), farther: new Set(['c.FirstTest']), named: ['a.low'] };
-	const found = fartherTests(choice, classes, sources, new Set(['c.FirstTest.one', 'a.FarTest.one', `a.${BROAD[1]}`, `a.${BROAD[2]}`]));
-	assert.deepEqual(found.map((each) => each.join('.')), ['c.FirstTest.two', 'c.FirstTest.one', 'a.FarTest.two', ...BROAD.slice(1, 3).flatMap((each) => [`a.${each}.one`, `a.${each}.two`]), 'a.FarTest.one']);
+	const found = fartherTests(choice, classes, sources, new Set(['c.FirstTest.one', 'a.FarTest.one', `a.${BROAD[2]}`, `a.${BROAD[3]}`]));
+	assert.deepEqual(found.map((each) => each.join('.')), ['c.FirstTest.two', 'c.FirstTest.one', 'a.FarTest.two', ...BROAD.slice(2, 4).flatMap((each) => [`a.${each}.one`, `a.${each}.two`]), 'a.FarTest.one']);
 	const tests = [...known.classes].flatMap(([name, each]) => [name.split('.').pop(), ...testsIn(each).map((test) => `${name.split('.').pop()}.${test}`)]);
 	for (const name of BROAD) assert.ok(tests.includes(name), name);
 });

@@ -14,6 +14,7 @@ import { pathToFileURL } from "node:url";
 import { choose, fartherTests, readTests } from "../chosen.mjs";
 import { mount } from "./fixtures.mjs";
 import { NOT_HERE } from "./not-here.mjs";
+import { watch } from "./watch.mjs";
 
 const { values: options, positionals } = parseArgs({
 	allowPositionals: true,
@@ -29,6 +30,10 @@ mount(tests, options.mount);
 /** Seconds of a processor, for all that is run, after which none of --then begins any more. */
 const ENOUGH_S = 40;
 
+/** Seconds of a processor after which a test is taken for one that does not end. */
+const NO_END_S = 40;
+const NO_END_FULL_S = 900;
+
 /** A test that takes longer is named. */
 const SLOW_MS = 3000;
 
@@ -38,6 +43,7 @@ let skipped = 0;
 let leftOut = 0;
 const started = performance.now();
 const only = new Set(NOT_HERE.keys());
+const begins = watch(options.full ? NO_END_FULL_S : NO_END_S);
 
 process.on("uncaughtException", (error) => {
 	failed++;
@@ -115,6 +121,7 @@ async function runClass({ name, type, metadata, isRun }, isNext) {
 			late++;
 			continue;
 		}
+		begins(`${simpleName({ name })}.${each.name}`);
 		const start = performance.now();
 		const error = problem ?? await run(type, each, methods);
 		const ms = performance.now() - start;

@@ -17,6 +17,7 @@ package starlogo.libraries
     import starlogo.fitting.HullFitter;
     import starlogo.fitting.NaiveSphereFitter;
     import starlogo.fitting.ZAlignedBoxFitter;
+    import starlogo.geometry.Tolerances;
     import starlogo.models.BuiltInModel;
     import support.FailingFitter;
     import support.PointSets;
@@ -188,6 +189,29 @@ package starlogo.libraries
                 var capsule:Capsule = new Capsule(new Vector3D(0, 0, half == 0.5 ? -0.5 : -0.49), new Vector3D(0, 0, 0.5), Math.SQRT1_2);
                 _library.fitters = new <Fitter>[new FixedFitter(capsule)];
                 assertAccepted(half == 0.5);
+            }
+        }
+
+        [Test]
+        public function howFarOutsideAVertexMayBeFollowsTheModelsSize():void
+        {
+            for each (var size:Number in [1e-3, 1, 1e3])
+            {
+                var vertices:Vector.<Number> = PointSets.box(0.5 * size, 0.5 * size, 0.5 * size);
+                for each (var share:Number in [0.5, 4])
+                {
+                    var half:Number = size * (0.5 - share * Tolerances.CONTAINMENT);
+                    _library.fitters = new <Fitter>[new FixedFitter(new Box(new Vector3D(), new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), new Vector3D(0, 0, 1),
+                                    half, half, half))];
+                    if (share < 1)
+                    {
+                        _library.add("cube", vertices);
+                    }
+                    else
+                    {
+                        assertThrows(ArgumentError, "does not enclose", _library.add, "cube", vertices);
+                    }
+                }
             }
         }
 

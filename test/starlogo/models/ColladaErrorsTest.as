@@ -154,13 +154,19 @@ package starlogo.models
         [Test]
         public function deepNesting():void
         {
-            fails(null, "nested more than 256 deep", Collada.scene(Collada.geometry("a", POINTS,
-                            Collada.triangles("0 1 2")),
-                        new Array(301).join("<node>") + NODE + new Array(301).join("</node>")));
+            assertEquals(9, new ColladaModel("a", inNodes(255)).vertices.length);
+            fails(null, "nested more than 256 deep", inNodes(256));
             fails("", "no vertices", "<COLLADA>" + nested(999) + "</COLLADA>");
             fails("line 1", "nested more than 1000 deep", "<COLLADA>" + nested(1000) + "</COLLADA>");
             fails("line 1", "nested more than 1000 deep", "<COLLADA>" + new Array(1001).join('<a b="/>">'));
             fails("", "no vertices", "<COLLADA>" + new Array(2001).join("<a b='>'/><!-- <b> --><![CDATA[<c>]]><?d <e>?>") + "</COLLADA>");
+        }
+
+        // A triangle in so many nodes, and its own.
+        private static function inNodes(count:int):String
+        {
+            return Collada.scene(Collada.geometry("a", POINTS, Collada.triangles("0 1 2")),
+                    new Array(count + 1).join("<node>") + NODE + new Array(count + 1).join("</node>"));
         }
 
         [Test]

@@ -60,6 +60,25 @@ package starlogo.libraries.cooked
             assertFalse(tree.isMade);
         }
 
+        [Test]
+        public function aPartWithoutItemsIsRefused():void
+        {
+            for (var items:int = 0; items <= 3; items++)
+            {
+                var bytes:ByteArray = CookedFile.newBytes();
+                bytes.writeByte(0);
+                bytes.writeByte(1);
+                // so many of the two items are in the first part, and no part is divided
+                VarInt.write(1 + 6 * items, bytes);
+                VarInt.write(0, bytes);
+                VarInt.write(0, bytes);
+                bytes.position = 0;
+                var tree:BoxTree = new BoxTree(new <Number>[0, 0, 0, 1, 0, 0], null);
+                finish(new CookedTree(bytes, tree, 10));
+                assertEquals(items + " items", items == 1, tree.isMade);
+            }
+        }
+
         private static function levelsOf(tree:BoxTree):int
         {
             return tree.levelOf(tree.left.length - 1);

@@ -10,7 +10,9 @@
  * that; no *.test.mjs does. With "chosen" those run that ./antw test -Dtest=SOURCE runs in Node, and those that it leaves to the player; PACKAGES are all then.
  *
  * What survives with "all" has mostly been a change of no answer: of equal numbers the one or the other is taken, 0 or -0; children of nodes
- * are visited in another order; boxes are wider, or what would spare work does not.
+ * are visited in another order; boxes are wider, or what would spare work does not; there is room for more than comes; a limit that nothing is
+ * below is another such limit; a method that every subclass has fails in another way. The smallest sphere whose vertices are not all looked at
+ * again is larger by less than a step of the hull's grid.
  */
 import { spawnSync } from "node:child_process";
 import { readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";

@@ -71,7 +71,7 @@ import {
 	ModelLoaderEvents,
 	ModelReceiver,
 	ModelShape,
-	ModelSource,
+	ModelMaker,
 	ModelTransform,
 	NaiveSphereFitter,
 	ObjModel,
@@ -366,8 +366,8 @@ export function load(base: string, bytes: Uint8Array): Promise<string[]> {
 	loader.load("dragon", `${base}/dragon.dae`);
 	loader.load("nothing", `${base}/nothing.obj`);
 	loader.loadBytes("person", bytes);
-	const source: ModelSource = { name: "cube", progress: 1, model: BuiltInModel.cube(), step: () => false };
-	loader.loadFrom(source);
+	const maker: ModelMaker = { name: "cube", progress: 1, model: BuiltInModel.cube(), step: () => false };
+	loader.loadFrom(maker);
 	return new Promise((resolve) => dispatcher.addEventListener("complete", () => resolve(loaded.sort())));
 }
 

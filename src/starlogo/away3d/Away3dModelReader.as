@@ -1,7 +1,7 @@
 package starlogo.away3d
 {
     import starlogo.models.Model;
-    import starlogo.models.ModelSource;
+    import starlogo.models.ModelMaker;
     import starlogo.steps.StepSequence;
 
     /**
@@ -13,7 +13,7 @@ package starlogo.away3d
      *
      * <p>The source must not change until all steps are done.</p>
      */
-    public final class Away3dModelReader implements ModelSource
+    public final class Away3dModelReader implements ModelMaker
     {
         // the progress after reading; normalising is the rest
         private static const READ:Number = 0.9;

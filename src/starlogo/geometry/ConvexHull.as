@@ -48,7 +48,6 @@ package starlogo.geometry
 
         private var _work:StepSequence = new StepSequence();
         private var _simplex:InitialSimplex;
-        private var _quickHull:QuickHull;
 
         /**
          * Computes the hull.
@@ -63,7 +62,7 @@ package starlogo.geometry
         {
             _vertices = vertices;
             _simplex = new InitialSimplex(vertices);
-            _work.add(_simplex).begin(building).begin(joining);
+            _work.add(_simplex).begin(building);
             if (atOnce)
             {
                 finish(this);
@@ -133,32 +132,34 @@ package starlogo.geometry
             return sum / 6;
         }
 
-        // The steps that build the hull of vertices on a grid. Null if the vertices are on a line.
+        // The steps that build the hull of vertices on a grid, and join its corners. Vertices without volume get an extra point outside, the apex.
+        // Triangles and edges with the apex are left out when corners are joined.
         private function building():Steps
         {
+            var simplex:Vector.<int> = _simplex.corners.concat();
             if (dimension < 2)
             {
-                return null;
+                return joining(dimension == 1 ? new <int>[simplex[0], simplex[1], apex, simplex[1], simplex[0], apex] : new <int>[simplex[0], apex, apex]);
             }
             // Flat sides along the coordinate axes stay flat on a grid along these axes.
             var gridAxes:Vector.<Number> = dimension == 2 || _simplex.isThin ? axes : null;
             var grid:Vector.<Number> = new Vector.<Number>(_vertices.length);
+            simplex[3] = dimension == 2 ? apex : simplex[3];
             return HullGrid.rounding(_vertices, gridAxes, _simplex.bounds, dimension == 2, grid).begin(function():Steps
                 {
-                    var corners:Vector.<int> = _simplex.corners.concat();
-                    corners[3] = dimension == 2 ? apex : corners[3];
-                    _quickHull = new QuickHull(grid, corners);
-                    return _quickHull;
+                    var hull:QuickHull = new QuickHull(grid, simplex);
+                    return new StepSequence().add(hull).begin(function():Steps
+                        {
+                            return joining(dimension == 3 ? hull.triangles : trianglesAtApex(hull.triangles));
+                        });
                 });
         }
 
-        // The steps that number the corners and find their neighbours. Their data: the triangles' corners as indices of vertices, and pairs of
-        // a corner and a neighbour of it.
-        private function joining():Steps
+        // The steps that number the corners and find their neighbours. @param corners the triangles' corners, as indices of vertices
+        private function joining(corners:Vector.<int>):Steps
         {
-            var corners:Vector.<int> = findCorners();
+            // a corner and a neighbour of it
             var pairs:Vector.<int> = new Vector.<int>();
-            _quickHull = null;
             return new StepSequence().call(function():void
                 {
                     numberCorners(corners);
@@ -169,24 +170,6 @@ package starlogo.geometry
                 {
                     fillNeighbors(pairs);
                 });
-        }
-
-        // The triangles' corners, as indices of vertices. Vertices without volume get an extra point outside, the apex. Triangles and
-        // edges with the apex are left out later.
-        private function findCorners():Vector.<int>
-        {
-            var corners:Vector.<int> = _simplex.corners;
-            switch (dimension)
-            {
-                case 3:
-                    return _quickHull.triangles;
-                case 2:
-                    return trianglesAtApex(_quickHull.triangles);
-                case 1:
-                    return new <int>[corners[0], corners[1], apex, corners[1], corners[0], apex];
-                default:
-                    return new <int>[corners[0], apex, apex];
-            }
         }
 
         // Replaces the indices of vertices by positions among the hull's corners, and the apex by -1.

@@ -206,15 +206,15 @@ package starlogo.models
         }
 
         /**
-         * Loads a model from your own source.
+         * Loads a model that a class of your own makes.
          *
-         * @param source none of its steps is done yet; each step should take a few milliseconds at most
-         * @throws ArgumentError if the source is null
+         * @param maker none of its steps is done yet; each step should take a few milliseconds at most
+         * @throws ArgumentError if the maker is null
          */
-        public function loadFrom(source:ModelSource):void
+        public function loadFrom(maker:ModelMaker):void
         {
-            requireGiven("the source of the model", source);
-            add(source.name, "z", Model.FOOTPRINT).setSource(source);
+            requireGiven("the maker of the model", maker);
+            add(maker.name, "z", Model.FOOTPRINT).setMaker(maker);
         }
 
         /**

@@ -16,8 +16,6 @@ package starlogo.models
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
         private var _isUsed:Vector.<uint>;
-        private var _newIndices:Vector.<uint>;
-        private var _count:int = 0;
 
         /**
          * @param vertices x, y, z, ...; changed in place
@@ -46,34 +44,41 @@ package starlogo.models
             {
                 return null;
             }
-            _newIndices = new Vector.<uint>(_isUsed.length, true);
-            return new StepSequence().slices(_isUsed.length, VERTICES_PER_STEP, moveVertices)
-                .slices(_triangles.length, CORNERS_PER_STEP, renumber);
+            var newIndices:Vector.<uint> = new Vector.<uint>(_isUsed.length, true);
+            var count:int = 0;
+            return new StepSequence().slices(_isUsed.length, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    count = moveVertices(first, end, count, newIndices);
+                }).slices(_triangles.length, CORNERS_PER_STEP, function(first:int, end:int):void
+                {
+                    _vertices.length = 3 * count;
+                    renumber(first, end, newIndices);
+                });
         }
 
-        // Moves used vertices to the first free index, and notes the new indices.
-        private function moveVertices(first:int, end:int):void
+        // Moves used vertices to the first free index, and notes the new indices. Returns the next free index.
+        private function moveVertices(first:int, end:int, free:int, newIndices:Vector.<uint>):int
         {
             for (var i:int = first; i < end; i++)
             {
                 if (_isUsed[i] != 0)
                 {
                     var from:int = 3 * i;
-                    var to:int = 3 * _count;
+                    var to:int = 3 * free;
                     _vertices[to] = _vertices[from];
                     _vertices[int(to + 1)] = _vertices[int(from + 1)];
                     _vertices[int(to + 2)] = _vertices[int(from + 2)];
-                    _newIndices[i] = _count++;
+                    newIndices[i] = free++;
                 }
             }
+            return free;
         }
 
-        private function renumber(first:int, end:int):void
+        private function renumber(first:int, end:int, newIndices:Vector.<uint>):void
         {
-            _vertices.length = 3 * _count;
             for (var i:int = first; i < end; i++)
             {
-                _triangles[i] = _newIndices[_triangles[i]];
+                _triangles[i] = newIndices[_triangles[i]];
             }
         }
     }

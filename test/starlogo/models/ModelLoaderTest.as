@@ -54,24 +54,24 @@ package starlogo.models
         [Test(async, timeout="150000")]
         public function takesModelsFromSources():void
         {
-            var source:CountedSource = new CountedSource("made", 5, false);
+            var maker:CountedMaker = new CountedMaker("made", 5, false);
             _loader.budget = 0;
             var progress:Array = [];
             _loader.addEventListener(ProgressEvent.PROGRESS, function(event:ProgressEvent):void
                 {
                     progress.push(event.bytesLoaded / event.bytesTotal);
                 });
-            _loader.loadFrom(source);
-            _loader.loadFrom(new CountedSource("broken", 2, true));
+            _loader.loadFrom(maker);
+            _loader.loadFrom(new CountedMaker("broken", 2, true));
             _loader.loadText("text", OBJ);
             assertTrue(_loader.isPending("made"));
             assertEquals("made,broken,text", _receiver.expected.join());
-            assertEquals(0, source.done);
+            assertEquals(0, maker.done);
             whenComplete(function():void
                 {
                     assertEquals('made,model "broken": it can\'t be added: no more,text', _log.join());
                     assertEquals("made,text", _receiver.received.join());
-                    assertEquals(5, source.done);
+                    assertEquals(5, maker.done);
                     assertTrue("a step a frame: " + progress, progress.length > 20);
                     assertTrue("half of a third for what is read: " + progress, progress[2] > progress[1] && Math.abs(progress[5] - 0.16) < 0.011);
                 });
@@ -80,7 +80,7 @@ package starlogo.models
         [Test]
         public function noSourceIsAnError():void
         {
-            assertThrows(ArgumentError, /source of the model must not be null/, _loader.loadFrom, null);
+            assertThrows(ArgumentError, /maker of the model must not be null/, _loader.loadFrom, null);
             assertEquals(0, _loader.pendingCount);
         }
 
@@ -228,10 +228,10 @@ package starlogo.models
 
 import starlogo.models.BuiltInModel;
 import starlogo.models.Model;
-import starlogo.models.ModelSource;
+import starlogo.models.ModelMaker;
 
 /** Makes a cube in some steps. */
-class CountedSource implements ModelSource
+class CountedMaker implements ModelMaker
 {
     public var done:int = 0;
 
@@ -239,7 +239,7 @@ class CountedSource implements ModelSource
     private var _steps:int;
     private var _isBroken:Boolean;
 
-    public function CountedSource(name:String, steps:int, isBroken:Boolean)
+    public function CountedMaker(name:String, steps:int, isBroken:Boolean)
     {
         _name = name;
         _steps = steps;

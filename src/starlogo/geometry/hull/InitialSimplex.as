@@ -29,7 +29,6 @@ package starlogo.geometry.hull
         public var corners:Vector.<int> = new Vector.<int>();
 
         private var _vertices:Vector.<Number>;
-        private var _flat:Number;
 
         // The vertex that is farthest from the space spanned so far, and the square of its distance.
         private var _farthest:int;
@@ -81,7 +80,6 @@ package starlogo.geometry.hull
                 throw new ArgumentError(VertexData.vertexProblem(_vertices));
             }
             VertexBounds.requireWithin(bounds.largest);
-            _flat = Tolerances.HULL_FLAT * bounds.extent + Tolerances.HULL_ROUNDING * bounds.largest;
         }
 
         // Adds the steps that find the next corner.
@@ -169,7 +167,8 @@ package starlogo.geometry.hull
                 y -= t * axes[axis + 1];
                 z -= t * axes[axis + 2];
             }
-            if (!(Math.sqrt(x * x + y * y + z * z) > _flat))
+            var flat:Number = Tolerances.HULL_FLAT * bounds.extent + Tolerances.HULL_ROUNDING * bounds.largest;
+            if (!(Math.sqrt(x * x + y * y + z * z) > flat))
             {
                 return false;
             }

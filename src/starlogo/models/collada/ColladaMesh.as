@@ -66,7 +66,7 @@ package starlogo.models.collada
                     var work:StepSequence = new StepSequence();
                     var symbol:String = element.attribute("material");
                     symbols.beginRun(symbol == "" ? -1 : symbols.addKey(symbol, symbol), triangles.length / 3);
-                    var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(element)), work);
+                    var points:ColladaSource = addPoints(positionSource(ColladaPrimitive.positionInput(element)), work);
                     return work.call(function():void
                         {
                             isUsed.length = vertices.length / 3;
@@ -80,7 +80,7 @@ package starlogo.models.collada
             var element:ColladaElement = _mesh == null ? null : _mesh.child("vertices");
             if (element != null)
             {
-                pointsOf(sourceOfVertices(element), work);
+                addPoints(sourceOfVertices(element), work);
             }
             return work;
         }
@@ -99,8 +99,8 @@ package starlogo.models.collada
             return input.target("source", ["source"], _mesh);
         }
 
-        // The points of a source. If the source is new, adds the work of reading it. Several primitives may share a source.
-        private function pointsOf(source:ColladaElement, work:StepSequence):ColladaSource
+        // Adds the work of reading a source, if the source is new. Returns its points. Several primitives may share a source.
+        private function addPoints(source:ColladaElement, work:StepSequence):ColladaSource
         {
             var key:String = "#" + source.id; // the "#" keeps the key different from every property that each Object has
             var points:ColladaSource = _points[key];

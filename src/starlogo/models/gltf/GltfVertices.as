@@ -24,9 +24,8 @@ package starlogo.models.gltf
         private var _vertices:Vector.<Number>;
         // the points before the node places them
         private var _points:Vector.<Number>;
-        // of a skinned mesh: the joints; pairs of accessors with the joints' indices and their weights
+        // of a skinned mesh
         private var _joints:GltfJoints = null;
-        private var _sets:Vector.<GltfAccessor> = new Vector.<GltfAccessor>();
         private var _transform:AffineTransform;
 
         /**
@@ -103,17 +102,22 @@ package starlogo.models.gltf
         // The weights of a point are divided by their sum. A point without weights moves with the first joint.
         private function addSkin(file:GltfFile, attributes:GltfJson):void
         {
+            // pairs: the indices of joints, and their weights
+            var sets:Vector.<GltfAccessor> = new Vector.<GltfAccessor>();
             for (var i:int = 0; attributes.has("JOINTS_" + i); i++)
             {
                 for each (var key:String in ["JOINTS_" + i, "WEIGHTS_" + i])
                 {
                     var index:int = attributes.reference(key, "accessors");
                     attributes.refuseIf(index < 0, "a mesh has no weights for its joints");
-                    _sets.push(addAccessor(file.accessor(index, "VEC4")));
+                    sets.push(addAccessor(file.accessor(index, "VEC4")));
                 }
             }
-            file.limits.count(FileLimits.NUMBERS, 2 * count * Number(_sets.length), attributes.place);
-            slices(count, SKINNED_PER_STEP, moveByJoints);
+            file.limits.count(FileLimits.NUMBERS, 2 * count * Number(sets.length), attributes.place);
+            slices(count, SKINNED_PER_STEP, function(first:int, end:int):void
+                {
+                    moveByJoints(sets, first, end);
+                });
         }
 
         // Adds the steps of an accessor that has an element for each vertex.
@@ -124,7 +128,7 @@ package starlogo.models.gltf
             return accessor;
         }
 
-        private function moveByJoints(first:int, end:int):void
+        private function moveByJoints(sets:Vector.<GltfAccessor>, first:int, end:int):void
         {
             var points:Vector.<Number> = _points;
             var result:Vector.<Number> = new Vector.<Number>(3);
@@ -135,14 +139,14 @@ package starlogo.models.gltf
                 var x:Number = 0;
                 var y:Number = 0;
                 var z:Number = 0;
-                for (var k:int = 0; k < _sets.length; k += 2)
+                for (var k:int = 0; k < sets.length; k += 2)
                 {
                     for (var j:int = 4 * i; j < 4 * i + 4; j++)
                     {
-                        var weight:Number = _sets[k + 1].numbers[j];
+                        var weight:Number = sets[k + 1].numbers[j];
                         if (weight != 0)
                         {
-                            jointAt(_sets[k], j).transformPoints(points, i, i + 1, result, 0);
+                            jointAt(sets[k], j).transformPoints(points, i, i + 1, result, 0);
                             sum += weight;
                             x += weight * result[0];
                             y += weight * result[1];

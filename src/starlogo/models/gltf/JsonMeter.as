@@ -74,7 +74,7 @@ package starlogo.models.gltf
                 var code:int = text.charCodeAt(i);
                 if (isInNumber(code))
                 {
-                    i = endOfNumber(i);
+                    i = passNumber(i);
                     continue;
                 }
                 i = code == QUOTE ? endOfString(i + 1) : i + 1;
@@ -109,8 +109,8 @@ package starlogo.models.gltf
             return code > COMMA && code < 0x3A && code != 0x2F;
         }
 
-        // The place after a number, or after text that looks like one.
-        private function endOfNumber(from:int):int
+        // Passes a number, or text that looks like one, and marks a number that players may parse differently. Returns the place after it.
+        private function passNumber(from:int):int
         {
             var end:int = from;
             var code:int;

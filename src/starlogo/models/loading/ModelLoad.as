@@ -5,7 +5,7 @@ package starlogo.models.loading
     import starlogo.models.ModelError;
     import starlogo.models.ModelReader;
     import starlogo.models.ModelReceiver;
-    import starlogo.models.ModelSource;
+    import starlogo.models.ModelMaker;
     import starlogo.models.ModelTransform;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
@@ -56,9 +56,9 @@ package starlogo.models.loading
         // they are fetched, and after they are read.
         private var _downloads:Vector.<ModelDownload> = new Vector.<ModelDownload>();
 
-        // What is read now: a file, or a source that makes the model instead.
+        // what reads the file, or makes the model instead
         private var _reader:ModelReader = null;
-        private var _source:ModelSource = null;
+        private var _maker:ModelMaker = null;
 
         /**
          * @param name the model's name
@@ -93,7 +93,7 @@ package starlogo.models.loading
             {
                 return FETCHED + (READ - FETCHED) * _reader.progress;
             }
-            return _source != null ? READ * _source.progress : (_downloads.length == 0 ? 0 : FETCHED * _downloads[0].progress);
+            return _maker != null ? READ * _maker.progress : (_downloads.length == 0 ? 0 : FETCHED * _downloads[0].progress);
         }
 
         /**
@@ -133,11 +133,11 @@ package starlogo.models.loading
                 });
         }
 
-        /** Sets the source that makes the model instead of a file. */
-        public function setSource(source:ModelSource):void
+        /** Sets what makes the model instead of a file. */
+        public function setMaker(maker:ModelMaker):void
         {
-            _source = source;
-            add(source).call(keepModel);
+            _maker = maker;
+            add(maker).call(keepModel);
         }
 
         /** Stops fetching. */
@@ -286,9 +286,9 @@ package starlogo.models.loading
 
         private function keepModel():void
         {
-            model = _source != null ? _source.model : new Model(name, null, null, _scaling, _reader.data);
+            model = _maker != null ? _maker.model : new Model(name, null, null, _scaling, _reader.data);
             _reader = null;
-            _source = null;
+            _maker = null;
             _downloads.length = 0;
             begin(receiving);
         }

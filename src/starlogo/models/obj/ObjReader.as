@@ -87,7 +87,7 @@ package starlogo.models.obj
         // The number of the name in the rest of a statement; -1 if there is no name.
         private function readLabel(labels:TriangleLabels):int
         {
-            var label:String = _lines.restOfStatement().join(" ");
+            var label:String = _lines.readRest().join(" ");
             return label == "" ? -1 : labels.addKey(label, label);
         }
 
@@ -106,7 +106,7 @@ package starlogo.models.obj
         private function readUnusualVertex():void
         {
             var first:int = _lines.line;
-            var rest:Array = _lines.restOfStatement();
+            var rest:Array = _lines.readRest();
             for (var i:int = 0; i < 3; i++)
             {
                 var coordinate:Number = i < rest.length ? TextWords.toNumber(rest[i]) : NaN;

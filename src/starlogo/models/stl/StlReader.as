@@ -31,7 +31,6 @@ package starlogo.models.stl
 
         // of a text file: the number of corners of the present facet so far, and the last one
         private var _corners:int = 0;
-        private var _point:Vector.<Number> = new Vector.<Number>(3, true);
 
         /**
          * @param name the model's name
@@ -149,12 +148,13 @@ package starlogo.models.stl
 
         private function readVertex():void
         {
-            if (_corners == 3 || !_lines.readPoint(_point, 0))
+            var point:Vector.<Number> = new Vector.<Number>(3, true);
+            if (_corners == 3 || !_lines.readPoint(point, 0))
             {
                 throw new ModelError(name, _lines.place, _corners == 3 ? "a facet has more than three vertices"
-                        : LineReader.vertexProblem(_lines.restOfStatement().join(" ")));
+                        : LineReader.vertexProblem(_lines.readRest().join(" ")));
             }
-            data.triangles.push(_points.add(_point[0], _point[1], _point[2]));
+            data.triangles.push(_points.add(point[0], point[1], point[2]));
             _corners++;
         }
 

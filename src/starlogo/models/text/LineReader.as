@@ -165,7 +165,7 @@ package starlogo.models.text
         }
 
         /** Returns the words that are left of the statement, and moves on to its end. */
-        public function restOfStatement():Array
+        public function readRest():Array
         {
             var rest:Array = [];
             for (var word:String = nextWord(); word != null; word = nextWord())

@@ -6,7 +6,7 @@ package starlogo.models
      * Makes a model in steps from something other than a file, for example from a renderer's meshes. A ModelLoader does its steps. If a
      * step throws, the load ends.
      */
-    public interface ModelSource extends Steps
+    public interface ModelMaker extends Steps
     {
         /** The model's name. */
         function get name():String;

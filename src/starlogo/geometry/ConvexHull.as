@@ -1,11 +1,13 @@
 package starlogo.geometry
 {
-    import starlogo.geometry.hull.HullGrid;
+    import starlogo.engine;
     import starlogo.geometry.hull.InitialSimplex;
     import starlogo.geometry.hull.QuickHull;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
+
+    use namespace engine;
 
     /**
      * Finds the convex hull of vertices: its corners, edges, triangles and volume.
@@ -23,6 +25,8 @@ package starlogo.geometry
      */
     public final class ConvexHull implements Steps
     {
+        private static const VERTICES_PER_STEP:int = 2000;
+
         /** The hull's corners in ascending order, as indices of vertices. The first vertex has index 0. */
         public var indices:Vector.<int> = new Vector.<int>();
 
@@ -141,11 +145,9 @@ package starlogo.geometry
             {
                 return joining(dimension == 1 ? new <int>[simplex[0], simplex[1], apex, simplex[1], simplex[0], apex] : new <int>[simplex[0], apex, apex]);
             }
-            // Flat sides along the coordinate axes stay flat on a grid along these axes.
-            var gridAxes:Vector.<Number> = dimension == 2 || _simplex.isThin ? axes : null;
             var grid:Vector.<Number> = new Vector.<Number>(_vertices.length);
             simplex[3] = dimension == 2 ? apex : simplex[3];
-            return HullGrid.rounding(_vertices, gridAxes, _simplex.bounds, dimension == 2, grid).begin(function():Steps
+            return rounding(grid).begin(function():Steps
                 {
                     var hull:QuickHull = new QuickHull(grid, simplex);
                     return new StepSequence().add(hull).begin(function():Steps
@@ -153,6 +155,50 @@ package starlogo.geometry
                             return joining(dimension == 3 ? hull.triangles : trianglesAtApex(hull.triangles));
                         });
                 });
+        }
+
+        // The steps that write the vertices on the grid: whole numbers from 0 to QuickHull.GRID. Vertices in a plane are on the grid's floor.
+        private function rounding(grid:Vector.<Number>):StepSequence
+        {
+            var work:StepSequence = new StepSequence();
+            var isPlane:Boolean = dimension == 2;
+            var count:int = _vertices.length / 3;
+            var from:Vector.<Number> = _vertices;
+            var bounds:VertexBounds = _simplex.bounds;
+            if (isPlane)
+            {
+                grid.push(QuickHull.GRID / 2, QuickHull.GRID / 2, QuickHull.GRID);
+            }
+            // Flat sides along the coordinate axes stay flat on a grid along these axes.
+            if (isPlane || _simplex.isThin)
+            {
+                var turning:Placement = new Placement();
+                turning.readRotation(axes, 0);
+                bounds = new VertexBounds();
+                from = grid;
+                work.slices(count, VERTICES_PER_STEP, function(first:int, end:int):void
+                    {
+                        turning.placePoints(_vertices, 3 * first, 3 * end, grid, 3 * first);
+                        bounds.add(grid, first, end);
+                    });
+            }
+            return work.slices(count, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    snap(from, 3 * first, 3 * end, bounds.minX, bounds.maxX, grid);
+                    snap(from, 3 * first + 1, 3 * end, bounds.minY, bounds.maxY, grid);
+                    snap(from, 3 * first + 2, 3 * end, bounds.minZ, isPlane ? Infinity : bounds.maxZ, grid);
+                });
+        }
+
+        // Rounds every third of the numbers from one index up to another, which are between two limits. If the upper limit is infinite, all
+        // become 0.
+        private static function snap(from:Vector.<Number>, first:int, last:int, low:Number, high:Number, grid:Vector.<Number>):void
+        {
+            var scale:Number = QuickHull.GRID / (high - low);
+            for (var i:int = first; i < last; i += 3)
+            {
+                grid[i] = int((from[i] - low) * scale + 0.5);
+            }
         }
 
         // The steps that number the corners and find their neighbours. @param corners the triangles' corners, as indices of vertices

@@ -59,21 +59,11 @@ package starlogo.models.gltf
             return most;
         }
 
-        /** The numbers of all animated properties at a time in seconds. <code>valueIn()</code> finds them. */
-        public function valuesAt(time:Number):Object
+        /** The numbers of a node's property at a time in seconds; null if it is not animated. */
+        internal function valueAt(node:int, path:String, time:Number):Vector.<Number>
         {
-            var values:Object = {};
-            for (var key:String in _samplers)
-            {
-                values[key] = GltfSampler(_samplers[key]).valueAt(time);
-            }
-            return values;
-        }
-
-        /** The numbers of a node's property. Null if it is not animated, or if there are no values. */
-        internal static function valueIn(values:Object, node:int, path:String):Vector.<Number>
-        {
-            return values == null ? null : values[node + " " + path];
+            var sampler:GltfSampler = _samplers[node + " " + path];
+            return sampler == null ? null : sampler.valueAt(time);
         }
     }
 }

@@ -14,22 +14,22 @@ package starlogo.models.gltf
     public final class GltfReader extends ModelReader
     {
         private var _file:GltfFile;
-        private var _animated:Object;
+        private var _pose:GltfPose;
 
         /**
          * @param name the model's name
          * @param file the file; all its steps must be done and all buffers set
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
          * @param scaling as for Model's constructor
-         * @param animated the values of a GltfAnimation at a time: the vertices are not normalised then; null for the rest pose
+         * @param pose the vertices are not normalised in it; null to normalise those of the rest pose
          */
-        public function GltfReader(name:String, file:GltfFile, upAxis:Object, scaling:String, animated:Object = null)
+        public function GltfReader(name:String, file:GltfFile, upAxis:Object, scaling:String, pose:GltfPose = null)
         {
             super(name, upAxis == null ? "y" : upAxis, scaling);
             _file = file;
-            _animated = animated;
+            _pose = pose || new GltfPose();
             begin(readingScene).begin(droppingUnused);
-            if (animated == null)
+            if (pose == null)
             {
                 begin(normalising);
             }
@@ -42,7 +42,7 @@ package starlogo.models.gltf
             {
                 data.materials.addName(json.fileEntry("materials", i).text("name"));
             }
-            var scene:GltfScene = new GltfScene(json, turnUp, _animated);
+            var scene:GltfScene = new GltfScene(json, turnUp, _pose);
             var next:int = 0;
             return new StepSequence().add(scene).beginEach(function():Steps
                 {
@@ -61,7 +61,7 @@ package starlogo.models.gltf
             var node:GltfJson = _file.json.fileEntry("nodes", nodeIndex);
             var mesh:GltfJson = node.fileEntry("meshes", node.reference("mesh", "meshes"));
             var count:int = mesh.count("primitives");
-            var weights:Vector.<Number> = GltfAnimation.valueIn(_animated, nodeIndex, "weights") || node.numbers("weights", -1)
+            var weights:Vector.<Number> = _pose.valueOf(nodeIndex, "weights") || node.numbers("weights", -1)
                 || mesh.numbers("weights", -1, new Vector.<Number>());
             var label:String = node.text("name") || mesh.text("name");
             // The vertices of this node so far. The key is everything that they depend on.

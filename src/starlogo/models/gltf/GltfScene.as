@@ -14,7 +14,7 @@ package starlogo.models.gltf
 
         private var _json:GltfJson;
         private var _root:AffineTransform;
-        private var _animated:Object;
+        private var _pose:GltfPose;
         private var _parents:Vector.<int>;
         private var _globalTransforms:Vector.<AffineTransform>;
         private var _pending:Vector.<int> = new Vector.<int>();
@@ -24,13 +24,13 @@ package starlogo.models.gltf
         /**
          * @param json the file's JSON
          * @param root is applied to the whole scene
-         * @param animated the values of a GltfAnimation at a time; null for the rest pose
+         * @param pose of the nodes
          */
-        public function GltfScene(json:GltfJson, root:AffineTransform, animated:Object)
+        public function GltfScene(json:GltfJson, root:AffineTransform, pose:GltfPose)
         {
             _json = json;
             _root = root;
-            _animated = animated;
+            _pose = pose;
             var count:int = json.count("nodes");
             _parents = new Vector.<int>(count);
             _globalTransforms = new Vector.<AffineTransform>(count);
@@ -146,9 +146,9 @@ package starlogo.models.gltf
                 node.refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, "expected 0, 0, 0 and 1 as every fourth number", "matrix");
                 return ofColumns(m, 0);
             }
-            var t:Vector.<Number> = GltfAnimation.valueIn(_animated, index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
-            var r:Vector.<Number> = GltfAnimation.valueIn(_animated, index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
-            var s:Vector.<Number> = GltfAnimation.valueIn(_animated, index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
+            var t:Vector.<Number> = _pose.valueOf(index, "translation") || node.numbers("translation", 3, new <Number>[0, 0, 0]);
+            var r:Vector.<Number> = _pose.valueOf(index, "rotation") || node.numbers("rotation", 4, new <Number>[0, 0, 0, 1]);
+            var s:Vector.<Number> = _pose.valueOf(index, "scale") || node.numbers("scale", 3, new <Number>[1, 1, 1]);
             var turn:Placement = new Placement();
             turn.setQuaternion(r[0], r[1], r[2], r[3]);
             return AffineTransform.of(turn, s[0], s[1], s[2], t[0], t[1], t[2]);

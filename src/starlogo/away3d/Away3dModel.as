@@ -22,8 +22,6 @@ package starlogo.away3d
      */
     public final class Away3dModel extends Model
     {
-        private var _origin:Vector3D;
-
         /**
          * Reads a model at once.
          *
@@ -35,16 +33,15 @@ package starlogo.away3d
         public function Away3dModel(name:String, object:Object)
         {
             super(name, null, null, Model.FOOTPRINT, object as ModelData || new SourceReader(name, object).readAll());
-            var offset:Vector3D = source.offset;
-            _origin = new Vector3D(offset.x, offset.z, offset.y);
         }
 
         /**
-         * The point of the source's own space, in Away3D's axes, that becomes the model's origin. Shared with the model: do not change it.
+         * The point of the source's own space, in Away3D's axes, that becomes the model's origin.
          */
         public function get origin():Vector3D
         {
-            return _origin;
+            var offset:Vector3D = source.offset;
+            return new Vector3D(offset.x, offset.z, offset.y);
         }
 
         /** The width of the source in its own units. It is the length of the model's unit. */

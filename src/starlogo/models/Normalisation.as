@@ -38,25 +38,20 @@ package starlogo.models
             refuseIf(vertices.length == 0, data.name, "no vertices: a model needs at least one");
             refuseIf(vertices.length % 3 != 0, data.name, "vertices have three coordinates each, but there are " + vertices.length + " in all");
             vertices.fixed = true;
+            refuseIf(Model.SCALINGS.indexOf(data.scaling) < 0, data.name, "the scaling must be Model.FOOTPRINT, VOLUME or AS_GIVEN, not \"" + data.scaling + "\"");
             var unit:Number = data.scaling == Model.AS_GIVEN ? data.unit : 1;
             var factors:Vector3D = data.transform == null ? new Vector3D(unit, unit, unit) : data.transform.scale;
             addMeasuring();
-            // data that have a frame are normalised already, and stay
-            switch (data.frame == null ? data.scaling : Model.AS_GIVEN)
+            // data that have a frame are normalised already
+            if (data.frame != null)
             {
-                case Model.FOOTPRINT:
-                    addTurning().addScaling(factors).begin(placingFootprint);
-                    break;
-                case Model.VOLUME:
-                    addCentring().addTurning().addCentring().addScaling(factors).begin(translatingFromFloor);
-                    break;
-                case Model.AS_GIVEN:
-                    addTurning().addScaling(factors).begin(translating);
-                    break;
-                default:
-                    refuseIf(true, data.name, "the scaling must be Model.FOOTPRINT, VOLUME or AS_GIVEN, not \"" + data.scaling + "\"");
+                call(checkExtent);
             }
-            data.frame ||= _frame;
+            else
+            {
+                data.frame = _frame;
+                addPlacing(factors);
+            }
             var triangleCount:int = data.triangles.length / 3;
             data.materials = data.materials.trim(triangleCount);
             data.meshes = data.meshes.trim(triangleCount);
@@ -70,6 +65,21 @@ package starlogo.models
                 {
                     call(reverseTriangles);
                 }
+            }
+        }
+
+        private function addPlacing(factors:Vector3D):void
+        {
+            switch (_data.scaling)
+            {
+                case Model.FOOTPRINT:
+                    addTurning().addScaling(factors).begin(placingFootprint);
+                    break;
+                case Model.VOLUME:
+                    addCentring().addTurning().addCentring().addScaling(factors).begin(translating);
+                    break;
+                default:
+                    addTurning().addScaling(factors).begin(translating);
             }
         }
 
@@ -138,28 +148,17 @@ package starlogo.models
             return placing(_bounds.minX, _bounds.minY, _bounds.minZ, _bounds.extentX / 2, _bounds.extentY / 2, height, divisor);
         }
 
+        // Moves by the transform. With the scaling VOLUME the lowest vertex is put at z = 0 first.
         private function translating():Steps
         {
-            return translatingFrom(0);
-        }
-
-        // Puts the lowest vertex at z = 0 first.
-        private function translatingFromFloor():Steps
-        {
-            return translatingFrom(_bounds.minZ);
-        }
-
-        private function translatingFrom(z:Number):Steps
-        {
             var move:Vector3D = _data.transform == null ? new Vector3D() : _data.transform.translation;
-            return placing(0, 0, z, -move.x, -move.y, -move.z, 1);
+            return placing(0, 0, _data.scaling == Model.VOLUME ? _bounds.minZ : 0, -move.x, -move.y, -move.z, 1);
         }
 
         // The steps that put a point at the origin, and divide by a divisor. The point is the sum of two, whose differences are exact.
         private function placing(firstX:Number, firstY:Number, firstZ:Number, secondX:Number, secondY:Number, secondZ:Number, divisor:Number):Steps
         {
-            var size:Number = _bounds.extentX + _bounds.extentY + _bounds.extentZ;
-            refuseIf(!(size < Infinity), _data.name, "the coordinates are too large: the model's extent is not a finite number");
+            checkExtent();
             _frame.addMove(firstX + secondX, firstY + secondY, firstZ + secondZ, divisor);
             return new Slices(_data.vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
@@ -182,6 +181,12 @@ package starlogo.models
                 placed[j] = (placed[j] - firstY + moveY) / divisor;
                 placed[k] = (placed[k] - firstZ + moveZ) / divisor;
             }
+        }
+
+        private function checkExtent():void
+        {
+            var size:Number = _bounds.extentX + _bounds.extentY + _bounds.extentZ;
+            refuseIf(!(size < Infinity), _data.name, "the coordinates are too large: the model's extent is not a finite number");
         }
 
         private function checkCorners(first:int, end:int):void

@@ -23,8 +23,10 @@ package starlogo.fitting.hull
         private static const LEAST_EXCESS:Number = 1e-15;
         private static const MOST_SCALINGS:int = 20;
 
+        /** The hull, when no step is left. */
+        public var hull:Hull;
+
         private var _session:FitSession;
-        private var _hull:Hull;
 
         /**
          * @param session the vertices; their hull may not exist before the first step
@@ -36,25 +38,19 @@ package starlogo.fitting.hull
             addSteps(new HullReduction(session, most));
         }
 
-        /** The hull, when no step is left. */
-        public function get hull():Hull
-        {
-            return _hull;
-        }
-
         // Most hulls need to be scaled, so the first rounds are those with few vertices.
         private function addSteps(reduction:HullReduction):void
         {
             add(reduction).call(function():void
                 {
-                    _hull = new Hull(reduction.listCorners());
+                    hull = new Hull(reduction.listCorners());
                     addRound(_session.hull.points, 0);
                 });
         }
 
         private function addRound(vertices:Vector.<Number>, scalings:int):void
         {
-            var heights:Vector.<Number> = new Vector.<Number>(_hull.halfSpaces.length / 4);
+            var heights:Vector.<Number> = new Vector.<Number>(hull.halfSpaces.length / 4);
             slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     measure(vertices, first, end, heights);
@@ -67,10 +63,10 @@ package starlogo.fitting.hull
         // Increases the heights along the normal of each half-space of the hull to those of some vertices.
         private function measure(vertices:Vector.<Number>, first:int, end:int, heights:Vector.<Number>):void
         {
-            var halfSpaces:Vector.<Number> = _hull.halfSpaces;
-            var centerX:Number = _hull.center.x;
-            var centerY:Number = _hull.center.y;
-            var centerZ:Number = _hull.center.z;
+            var halfSpaces:Vector.<Number> = hull.halfSpaces;
+            var centerX:Number = hull.center.x;
+            var centerY:Number = hull.center.y;
+            var centerZ:Number = hull.center.z;
             var last:int = 3 * end;
             for (var i:int = 0; i < halfSpaces.length; i += 4)
             {
@@ -89,7 +85,7 @@ package starlogo.fitting.hull
 
         private function endRound(vertices:Vector.<Number>, heights:Vector.<Number>, scalings:int):void
         {
-            var halfSpaces:Vector.<Number> = _hull.halfSpaces;
+            var halfSpaces:Vector.<Number> = hull.halfSpaces;
             var factor:Number = 1;
             for (var i:int = 0; i < heights.length; i++)
             {
@@ -100,7 +96,7 @@ package starlogo.fitting.hull
                 }
                 else
                 {
-                    _hull.radius = Math.max(_hull.radius, heights[i] - offset);
+                    hull.radius = Math.max(hull.radius, heights[i] - offset);
                 }
             }
             if (factor > 1 && scalings + 1 < MOST_SCALINGS)
@@ -116,12 +112,12 @@ package starlogo.fitting.hull
 
         private function scaleBy(factor:Number):void
         {
-            var numbers:Vector.<Number> = _hull.numbers();
+            var numbers:Vector.<Number> = hull.numbers();
             for (var i:int = Hull.FIRST_CORNER; i < numbers.length; i++)
             {
                 numbers[i] *= factor;
             }
-            _hull.setNumbers(numbers);
+            hull.setNumbers(numbers);
         }
     }
 }

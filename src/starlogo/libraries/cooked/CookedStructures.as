@@ -90,7 +90,7 @@ package starlogo.libraries.cooked
         private static function readNumbers(structure:BoundingStructure, bytes:ByteArray, limit:Number):Boolean
         {
             var numbers:Vector.<Number> = new Vector.<Number>();
-            var count:int = structure.kind == BoundingStructure.HULL ? readCount(bytes) : structure.numbers().length;
+            var count:int = structure.kind == BoundingStructure.HULL ? (bytes.bytesAvailable < 4 ? 0 : bytes.readInt()) : structure.numbers().length;
             var areRight:Boolean = count > 0 && bytes.bytesAvailable / 8 >= count;
             for (var i:int = 0; i < count && areRight; i++)
             {
@@ -117,11 +117,6 @@ package starlogo.libraries.cooked
                 areRight = made.length == count && Math.abs(made[i] - numbers[i]) <= 100 * Tolerances.ROUNDING;
             }
             return areRight;
-        }
-
-        private static function readCount(bytes:ByteArray):int
-        {
-            return bytes.bytesAvailable < 4 ? 0 : bytes.readInt();
         }
     }
 }

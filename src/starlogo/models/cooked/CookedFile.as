@@ -118,7 +118,11 @@ package starlogo.models.cooked
             out.length = out.length + 7 & ~7;
             out.position = LENGTH_AT;
             out.writeInt(out.length + Fingerprint.LENGTH);
-            seal(out);
+            var whole:Fingerprint = new Fingerprint();
+            out.position = 0;
+            whole.addBytes(out, out.length / Fingerprint.LENGTH);
+            whole.writeTo(out);
+            out.position = 0;
             return out;
         }
 
@@ -181,16 +185,6 @@ package starlogo.models.cooked
             bytes.writeBytes(_bytes, start, length);
             bytes.position = 0;
             return bytes;
-        }
-
-        // Appends the fingerprint of the bytes and moves the position to the first byte. The length must be a multiple of 8.
-        private static function seal(bytes:ByteArray):void
-        {
-            var whole:Fingerprint = new Fingerprint();
-            bytes.position = 0;
-            whole.addBytes(bytes, bytes.length / Fingerprint.LENGTH);
-            whole.writeTo(bytes);
-            bytes.position = 0;
         }
 
         private function lengthOf(index:int):int

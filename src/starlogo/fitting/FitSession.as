@@ -27,7 +27,7 @@ package starlogo.fitting
          * @param vertices x, y, z of each vertex; kept, not copied, and never changed
          * @param atOnce false leaves all work, including the check of the vertices, to <code>step()</code>
          * @throws ArgumentError if the vertices are null or empty, if the number of coordinates is not a multiple of 3, or if one of them
-         *     is not finite
+         *     is not finite or beyond 1e60
          */
         public function FitSession(vertices:Vector.<Number>, atOnce:Boolean = true)
         {

@@ -89,7 +89,7 @@ package starlogo.fitting
          * @param vertices x, y, z of each vertex; not changed
          * @return a new structure, in the vertices' space and unit
          * @throws ArgumentError if the vertices are null or empty, if the number of coordinates is not a multiple of 3, or if one of them
-         *     is not finite
+         *     is not finite or beyond 1e60
          */
         public final function fit(vertices:Vector.<Number>):BoundingStructure
         {

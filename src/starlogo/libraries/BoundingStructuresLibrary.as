@@ -117,15 +117,15 @@ package starlogo.libraries
          * @param name the shape's name
          * @param vertices x, y, z of each vertex, in the model's space; neither kept nor changed
          * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, if the number of coordinates is not a
-         *     multiple of 3, or if a coordinate is not finite; if the list of fitters is empty, or one of them finds a structure that
-         *     cannot be collided or does not enclose the vertices
+         *     multiple of 3, or if a coordinate is not finite or beyond 1e60; if the list of fitters is empty, or one of them finds a structure
+         *     that cannot be collided or does not enclose the vertices
          * @throws RangeError if the vertices are in different places, but less than 1e-70 apart
          */
         public function add(name:String, vertices:Vector.<Number>):void
         {
             var builder:StructuresBuilder = newBuilder(name, vertices);
             finish(builder);
-            models.entryToWrite(name).structures = builder.structures;
+            models.entryToWrite(name).structures = new ModelStructures(builder.found, builder.hull, keepAll);
         }
 
         /** Whether the library has structures for a shape. */
@@ -227,9 +227,9 @@ package starlogo.libraries
             }
             if (shape.smallest[kind] == null)
             {
-                var builder:StructuresBuilder = new StructuresBuilder(name, vertices, fitters, null, true);
+                var builder:StructuresBuilder = new StructuresBuilder(name, vertices, fitters, null);
                 finish(builder);
-                shape.addMissing(builder.structures);
+                shape.addMissing(builder.found);
             }
             if (shape.smallest[kind] == null)
             {
@@ -246,7 +246,7 @@ package starlogo.libraries
         engine function newBuilder(name:String, vertices:Vector.<Number>):StructuresBuilder
         {
             ModelTable.checkName(name);
-            return new StructuresBuilder(name, vertices, fitters, keepHulls ? hullFitter : null, keepAll);
+            return new StructuresBuilder(name, vertices, fitters, keepHulls ? hullFitter : null);
         }
 
         private function find(name:String):ModelStructures

@@ -72,16 +72,16 @@ package starlogo.libraries
         /**
          * Makes the bytes of a cooked file.
          *
-         * @param model the settings of the model's section: see <code>CookedFile.MODEL</code>
+         * @param modelKey the key of the model's section: see <code>CookedFile.MODEL</code>
          * @param contents the bytes of each section; null for none. Those that cannot be kept are left out
          *
          * @private
          */
-        engine function newFile(model:Fingerprint, contents:Vector.<ByteArray>):ByteArray
+        engine function bytesOfFile(modelKey:Fingerprint, contents:Vector.<ByteArray>):ByteArray
         {
             var settings:Vector.<Fingerprint> = _sections.concat();
             var kept:Vector.<ByteArray> = contents.concat();
-            settings[CookedFile.MODEL] = model;
+            settings[CookedFile.MODEL] = modelKey;
             for (var i:int = 0; i < CookedFile.SECTIONS; i++)
             {
                 kept[i] = settings[i] == null ? null : kept[i];

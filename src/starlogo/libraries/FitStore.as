@@ -69,8 +69,8 @@ package starlogo.libraries
         }
 
         /**
-         * Reads the entry of a model, at once. The entry is then the one used last. A game does not need it: its GreatLand reads and writes entries. It is for a program that
-         * moves entries from one store to another.
+         * Reads the entry of a model, at once. The entry is then the one used last. A game does not need it: its GreatLand reads and writes
+         * entries. It is for a program that moves entries from one store to another.
          *
          * @param model the model
          * @param settings the settings of the results

@@ -91,7 +91,7 @@ package starlogo.libraries
          * @param name the shape's name
          * @param vertices x, y, z of each vertex, in the model's space; copied
          * @param triangles three vertex indices each; null or empty if only vertices are known; copied. Triangles without area are allowed
-         * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, or a coordinate is missing or not finite;
+         * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, or a coordinate is missing, not finite or beyond 1e60;
          * if a triangle names a vertex that does not exist
          */
         public function add(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null):void

@@ -38,7 +38,11 @@ package starlogo.libraries
         public var buildingTree:Steps = null;
 
         private var _model:Model;
-        private var _structuresBuilder:StructuresBuilder;
+        private var _structuresBuilder:StructuresBuilder = null;
+
+        // Whether a hull is wanted too, and whether clients may read the smallest structure of each kind.
+        private var _wantsHull:Boolean = false;
+        private var _keepsAll:Boolean = false;
 
         // the deepest level of the hierarchies
         private var _maxDepth:int = 0;
@@ -67,7 +71,12 @@ package starlogo.libraries
             {
                 _settings = new FitSettings(structuresLibrary, hierarchiesLibrary);
             }
-            _structuresBuilder = structuresLibrary == null ? null : structuresLibrary.newBuilder(model.name, model.vertices);
+            if (structuresLibrary != null)
+            {
+                _structuresBuilder = structuresLibrary.newBuilder(model.name, model.vertices);
+                _wantsHull = structuresLibrary.keepHulls;
+                _keepsAll = structuresLibrary.keepAll;
+            }
             if (hierarchiesLibrary != null)
             {
                 modelTree = new ModelTree(new BoxTree(model.vertices, model.triangles));
@@ -86,7 +95,7 @@ package starlogo.libraries
             begin(findingStructures).call(takeStructures).begin(beginningTree);
             if (_store != null)
             {
-                call(keepResults);
+                begin(beginningStoredTree).call(keepResults);
             }
         }
 
@@ -100,16 +109,16 @@ package starlogo.libraries
          * Makes a cooked file of the model, including the surface. Call it when no step is left. A surface that is missing is prepared now.
          *
          * @param settings the settings of the results
-         * @param load the settings of the model's section: see <code>CookedFile.settingsOfLoad()</code>
+         * @param modelKey the key of the model's section: see <code>CookedFile.settingsOfLoad()</code>
          */
-        public function toCooked(settings:FitSettings, load:Fingerprint):ByteArray
+        public function toCooked(settings:FitSettings, modelKey:Fingerprint):ByteArray
         {
             if (modelTree != null)
             {
                 finish(buildingTree);
                 modelTree.prepareExact();
             }
-            return newFile(settings, load, CookedWriter.of(_model));
+            return bytesOfFile(settings, modelKey, CookedWriter.of(_model));
         }
 
         // Whether all results that are wanted are there, or stored. For stored results.
@@ -139,7 +148,10 @@ package starlogo.libraries
 
         private function takeStructures():void
         {
-            structures ||= _structuresBuilder == null ? null : _structuresBuilder.structures;
+            if (_structuresBuilder != null && structures == null)
+            {
+                structures = new ModelStructures(_structuresBuilder.found, _structuresBuilder.hull, _keepsAll);
+            }
         }
 
         private function restoringTree():Steps
@@ -152,14 +164,24 @@ package starlogo.libraries
             return isTreeStored && !_settings.wantsSurface ? null : buildingTree;
         }
 
-        // Stores the results, unless all have come from the store.
+        // A tree that will be stored has to be built, even if its division came from a cooked model.
+        private function beginningStoredTree():Steps
+        {
+            return willStore ? buildingTree : null;
+        }
+
         private function keepResults():void
         {
-            var isKept:Boolean = _isStored && (modelTree == null || isTreeStored);
-            if (!isKept && _store.hasRoomFor(_model, modelTree != null))
+            if (willStore)
             {
-                _store.keep(_geometry, _settings, newFile(_settings, _geometry, null));
+                _store.keep(_geometry, _settings, bytesOfFile(_settings, _geometry, null));
             }
+        }
+
+        // Whether the results will be stored. They are not if all have come from the store.
+        private function get willStore():Boolean
+        {
+            return !(_isStored && (modelTree == null || isTreeStored)) && _store.hasRoomFor(_model, modelTree != null);
         }
 
         // Takes results that are missing from a file. The callers know that it is the model's: a cooked model brought it, or its geometry was
@@ -185,15 +207,14 @@ package starlogo.libraries
         // The file must have all structures that are wanted.
         private function readStructures(file:CookedFile, size:Number):void
         {
-            var wantsHull:Boolean = _structuresBuilder.wantsHull;
             var found:Vector.<BoundingStructure> = CookedStructures.read(_settings.sectionOf(file, CookedFile.STRUCTURES), BoundingStructure.BOX, size);
-            var hulls:Vector.<BoundingStructure> = wantsHull
+            var hulls:Vector.<BoundingStructure> = _wantsHull
                 ? CookedStructures.read(_settings.sectionOf(file, CookedFile.HULL), BoundingStructure.HULL, size) : null;
-            if (found != null && (hulls != null || !wantsHull))
+            if (found != null && (hulls != null || !_wantsHull))
             {
                 // The smallest sphere may be in the hull's place.
                 structures = new ModelStructures(found, hulls == null ? null : hulls[BoundingStructure.HULL] || hulls[BoundingStructure.SPHERE],
-                        _structuresBuilder.keepsAll);
+                        _keepsAll);
             }
         }
 
@@ -209,9 +230,9 @@ package starlogo.libraries
             }
         }
 
-        // Makes a file of the results. The load's settings and the bytes are those of the model's section. For the store, these are the
-        // fingerprint of the geometry, and null.
-        private function newFile(settings:FitSettings, load:Fingerprint, model:ByteArray):ByteArray
+        // Makes a file of the results. The tree must be built. The key and the bytes are those of the model's section. For the store, these are
+        // the fingerprint of the geometry, and null.
+        private function bytesOfFile(settings:FitSettings, modelKey:Fingerprint, model:ByteArray):ByteArray
         {
             var contents:Vector.<ByteArray> = new Vector.<ByteArray>(CookedFile.SECTIONS, true);
             contents[CookedFile.MODEL] = model;
@@ -222,7 +243,6 @@ package starlogo.libraries
             }
             if (modelTree != null)
             {
-                finish(buildingTree);
                 contents[CookedFile.HIERARCHY] = CookedTree.write(modelTree.tree);
                 if (modelTree.hasInterior)
                 {
@@ -230,7 +250,7 @@ package starlogo.libraries
                     modelTree.surface.writeTo(contents[CookedFile.SURFACE]);
                 }
             }
-            return settings.newFile(load, contents);
+            return settings.bytesOfFile(modelKey, contents);
         }
     }
 }

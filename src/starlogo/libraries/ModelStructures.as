@@ -77,9 +77,10 @@ package starlogo.libraries
             hull = found != null && sphere != null && sphere.volume <= found.volume ? sphere : found;
         }
 
-        /** Adds the structures of kinds that are missing here. */
-        public function addMissing(other:ModelStructures):void
+        /** Adds the structures of kinds that are missing here. @param found the spheres, capsules and boxes that were found */
+        public function addMissing(found:Vector.<BoundingStructure>):void
         {
+            var other:ModelStructures = new ModelStructures(found, null, false);
             for (var kind:int = 0; kind < smallest.length; kind++)
             {
                 smallest[kind] ||= other.smallest[kind];

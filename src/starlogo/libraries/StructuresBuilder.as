@@ -9,7 +9,9 @@ package starlogo.libraries
     import starlogo.fitting.Fitter;
     import starlogo.fitting.HullFitter;
     import starlogo.geometry.Tolerances;
+    import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
 
     use namespace engine;
 
@@ -21,11 +23,13 @@ package starlogo.libraries
      */
     public final class StructuresBuilder extends StepSequence
     {
-        /** The structures, when no step is left. */
-        public var structures:ModelStructures = null;
+        private static const VERTICES_PER_STEP:int = 2000;
 
-        /** Whether the client may read the smallest structure of each kind. */
-        public var keepsAll:Boolean;
+        /** The spheres, capsules and boxes, when no step is left. */
+        public var found:Vector.<BoundingStructure> = null;
+
+        /** The hull, when no step is left; null if none is wanted. */
+        public var hull:BoundingStructure = null;
 
         private var _name:String;
         private var _vertices:Vector.<Number>;
@@ -33,19 +37,21 @@ package starlogo.libraries
         private var _fits:Vector.<Fit> = new Vector.<Fit>();
         private var _hullFit:Fit = null;
 
+        // How far outside of a structure vertices may be, and how many fits are checked.
+        private var _tolerance:Number = 0;
+        private var _checked:int = 0;
+
         /**
          * @param name the shape's name
          * @param vertices x, y, z each; must not change until the last step is done
          * @param fitters the fitters to compare; copied
          * @param hullFitter finds the hull; null if none is wanted
-         * @param keepsAll whether the client may read the smallest structure of each kind
          * @throws ArgumentError if there are no fitters, or one is null; the message names the shape
          */
-        public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, hullFitter:HullFitter, keepsAll:Boolean)
+        public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, hullFitter:HullFitter)
         {
             _name = name;
             _vertices = vertices;
-            this.keepsAll = keepsAll;
             if (fitters == null || fitters.length == 0)
             {
                 throw ModelTable.errorOf(name, "the library's list of fitters is empty");
@@ -68,20 +74,14 @@ package starlogo.libraries
                 _hullFit = hullFitter.fittingOnce(session);
                 add(_hullFit);
             }
-            slices(fitters.length, 1, check).call(choose);
-        }
-
-        /** Whether a hull is wanted too. */
-        public function get wantsHull():Boolean
-        {
-            return _hullFit != null;
+            call(measure).beginEach(checkingNext).call(choose);
         }
 
         /**
          * @inheritDoc
          *
          * @throws ArgumentError if the vertices are null or empty, if the number of coordinates is not a multiple of 3, or if a
-         *     coordinate is not finite; if a fitter finds a structure that cannot be collided or does not enclose the vertices, or
+         *     coordinate is not finite or beyond 1e60; if a fitter finds a structure that cannot be collided or does not enclose the vertices, or
          *     refuses the vertices; the message names the shape
          * @throws RangeError as a structure's constructor
          */
@@ -98,34 +98,46 @@ package starlogo.libraries
             return false;
         }
 
-        // Throws an ArgumentError if a fitter has found a structure that cannot be used.
-        private function check(index:int, end:int):void
+        private function measure():void
         {
-            var fitter:Fitter = _fitters[index];
-            var structure:BoundingStructure = _fits[index].structure;
+            _tolerance = Tolerances.CONTAINMENT * EnclosingStructures.sphere(_vertices, _vertices[0], _vertices[1], _vertices[2]).radius;
+        }
+
+        // The check of the next fit; null after the last. It throws an ArgumentError if the fitter has found a structure that cannot be used.
+        private function checkingNext():Steps
+        {
+            if (_checked == _fits.length)
+            {
+                return null;
+            }
+            var fitter:Fitter = _fitters[_checked];
+            var structure:BoundingStructure = _fits[_checked].structure;
+            _checked++;
             if (structure == null || structure.kind > BoundingStructure.BOX)
             {
                 throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + fitter + " found " + structure);
             }
-            var outside:int = firstOutside(structure);
-            if (outside >= 0)
-            {
-                throw new ArgumentError(fitter + " found a structure that does not enclose vertex " + outside / 3 + " at ("
-                        + _vertices.slice(outside, outside + 3).join(", ") + "): " + structure);
-            }
+            var wider:BoundingStructure = structure.clone();
+            wider.widen(_tolerance);
+            return new Slices(_vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    var outside:int = firstOutside(wider, first, end);
+                    if (outside >= 0)
+                    {
+                        throw new ArgumentError(fitter + " found a structure that does not enclose vertex " + outside + " at ("
+                                + _vertices.slice(3 * outside, 3 * outside + 3).join(", ") + "): " + structure);
+                    }
+                });
         }
 
-        // The place of the first vertex that is farther outside than the tolerance of a fit; -1 if there is none.
-        private function firstOutside(structure:BoundingStructure):int
+        // The first of some vertices that is outside of a structure; -1 if there is none.
+        private function firstOutside(structure:BoundingStructure, first:int, end:int):int
         {
-            var most:Number = EnclosingStructures.sphere(_vertices, _vertices[0], _vertices[1], _vertices[2]).radius;
-            var wider:BoundingStructure = structure.clone();
-            wider.widen(Tolerances.CONTAINMENT * most);
             var vertex:Vector3D = new Vector3D();
-            for (var i:int = 0; i < _vertices.length; i += 3)
+            for (var i:int = first; i < end; i++)
             {
-                vertex.setTo(_vertices[i], _vertices[i + 1], _vertices[i + 2]);
-                if (!wider.contains(vertex))
+                vertex.setTo(_vertices[3 * i], _vertices[3 * i + 1], _vertices[3 * i + 2]);
+                if (!structure.contains(vertex))
                 {
                     return i;
                 }
@@ -135,13 +147,13 @@ package starlogo.libraries
 
         private function choose():void
         {
-            var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
+            found = new Vector.<BoundingStructure>();
             for each (var fit:Fit in _fits)
             {
                 found.push(widened(fit.structure));
             }
             // A HullFitter checks all vertices itself.
-            structures = new ModelStructures(found, _hullFit == null ? null : widened(_hullFit.structure), keepsAll);
+            hull = _hullFit == null ? null : widened(_hullFit.structure);
         }
 
         /** A copy of a fitted structure, enlarged by the distance at which surfaces still touch. */

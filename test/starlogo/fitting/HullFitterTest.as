@@ -3,6 +3,7 @@ package starlogo.fitting
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.bounding.Box;
     import starlogo.bounding.Hull;
     import starlogo.engine;
     import starlogo.models.Model;
@@ -36,6 +37,7 @@ package starlogo.fitting
                         var hull:Hull = Hull(new HullFitter(most).fitOnce(session));
                         var name:String = sets[i] + ", seed " + seed + ", " + most + " corners";
                         assertHolds(name, hull, sets[i + 1]);
+                        assertBoxIsAround(name, hull);
                         assertTrue(name + ": " + hull, hull.corners.length <= 3 * most);
                         assertEquals(name, session.hull.dimension, hull.topology.dimension);
                         full += session.hull.indices.length <= most ? 1 : 0;
@@ -81,6 +83,36 @@ package starlogo.fitting
                         assertEquals(name + ", vertex " + k / 3 + " of " + hull, 0, beyond);
                     }
                 }
+            }
+        }
+
+        // Far from the origin, the vertices of a flat set are beside its plane by more than the slack of the box.
+        [Test]
+        public function theBoxIsAroundFlatHullsFarOut():void
+        {
+            var random:SeededRandom = new SeededRandom(7113);
+            var wide:int = 0;
+            for (var i:int = 0; i < 40; i++)
+            {
+                var points:Vector.<Number> = PointSets.cloud(random, 30, 1, 1, 0);
+                points = PointSets.placed(PointSets.turned(points, random), 1, random.pick([1e3, 1e5, 1e6]), random.pick([0, 1e6]));
+                var hull:Hull = Hull(new HullFitter(12).fitOnce(new FitSession(points)));
+                assertBoxIsAround("set " + i, hull);
+                wide += hull.radius > 1e-12 ? 1 : 0;
+            }
+            assertTrue(wide + "", wide > 5);
+        }
+
+        // The box around a hull rules out pairs before the hull is tested.
+        private static function assertBoxIsAround(name:String, hull:Hull):void
+        {
+            var box:Box = Box(hull.around);
+            for (var i:int = 0; i < hull.points.length; i += 3)
+            {
+                var x:Number = Math.abs(hull.center.x + hull.points[i] - box.center.x) + hull.radius;
+                var y:Number = Math.abs(hull.center.y + hull.points[i + 1] - box.center.y) + hull.radius;
+                var z:Number = Math.abs(hull.center.z + hull.points[i + 2] - box.center.z) + hull.radius;
+                assertTrue(name + ", corner " + i / 3 + " of " + hull + " in " + box, x <= box.halfX && y <= box.halfY && z <= box.halfZ);
             }
         }
 

@@ -304,7 +304,7 @@ package starlogo.libraries
             {
                 sections.push(change(i, file.section(i, null) || CookedFile.newBytes()));
             }
-            return settings.newFile(new Fingerprint(), sections);
+            return settings.bytesOfFile(new Fingerprint(), sections);
         }
 
         // Agents of a model that was forged much larger would be, or would be moved, beyond the largest coordinate, as those of any such model.

@@ -96,7 +96,7 @@ package starlogo.fitting.hull
                 }
                 else
                 {
-                    hull.radius = Math.max(hull.radius, heights[i] - offset);
+                    hull.widen(Math.max(0, heights[i] - offset - hull.radius));
                 }
             }
             if (factor > 1 && scalings + 1 < MOST_SCALINGS)

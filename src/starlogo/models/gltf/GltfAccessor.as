@@ -8,7 +8,7 @@ package starlogo.models.gltf
      * Reads the numbers of an accessor, in steps. The accessor may have any kind of number, be normalised, have gaps between rows, or be
      * sparse.
      *
-     * <p>The loops are written out for each kind of number, because they take most of the time of reading a large file.</p>
+     * <p>Floats, 32-bit integers and all other numbers have a loop each, because the loops take most of the time of reading a large file.</p>
      */
     internal final class GltfAccessor extends StepSequence
     {
@@ -22,7 +22,7 @@ package starlogo.models.gltf
         private static const FLOAT:int = 5126;
 
         private static const SIZES:Object = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4};
-        private static const WIDTHS:Object = {SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16};
+        private static const WIDTHS:Object = {SCALAR: 1, VEC3: 3, VEC4: 4, MAT4: 16};
         private static const LARGEST:Object = {5120: 127, 5121: 255, 5122: 32767, 5123: 65535};
 
         /** The numbers, when no step is left. */
@@ -81,6 +81,7 @@ package starlogo.models.gltf
             var entry:GltfJson = file.json.fileEntry("bufferViews", view);
             var stride:int = entry.whole("byteStride", 252, size);
             entry.refuseIf(stride < size, "expected at least " + size + ", but found " + stride, "byteStride");
+            // data that end early are refused before the numbers get their memory
             file.openView(view, offset, count == 0 ? 0 : Number(count - 1) * stride + size, json);
             slices(count, NUMBERS_PER_STEP / _width, function(first:int, end:int):void
                 {

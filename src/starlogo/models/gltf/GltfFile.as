@@ -134,7 +134,12 @@ package starlogo.models.gltf
             return _accessors[index] ||= new GltfAccessor(this, found, found);
         }
 
-        /** Checks a bufferView and returns its bytes. Their position is set to an offset in the view. @param user needs the bytes, for errors */
+        /**
+         * Checks that a bufferView has some bytes. Returns its whole buffer, whose position is the first of them; the next call moves it.
+         *
+         * @param offset the first of them, in the view
+         * @param user needs the bytes, for errors
+         */
         internal function openView(index:int, offset:Number, length:Number, user:GltfJson):ByteArray
         {
             var view:GltfJson = json.fileEntry("bufferViews", index);

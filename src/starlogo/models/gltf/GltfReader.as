@@ -74,8 +74,8 @@ package starlogo.models.gltf
                 });
         }
 
-        // The work on a primitive: its vertices, the vertices at the node's place, the triangles. Nothing if it has no vertices. A node is a mesh
-        // with a label. A primitive has one material.
+        // The steps that read a primitive of a node's mesh: its vertices, where the node puts them, and its triangles, which all have one material.
+        // No steps if it has no vertices.
         private function readingPrimitive(scene:GltfScene, node:int, label:String, primitive:GltfJson, weights:Vector.<Number>, placed:Object):Steps
         {
             var work:StepSequence = new StepSequence();

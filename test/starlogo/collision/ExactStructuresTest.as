@@ -18,6 +18,7 @@ package starlogo.collision
     import support.Complaints;
     import support.Effort;
     import support.EveryTriangle;
+    import support.FrameByFrame;
     import support.PlainDistance;
     import support.SolidAngles;
     import support.SolidModels;
@@ -46,6 +47,9 @@ package starlogo.collision
         private var _collider:CombinationCollider = new CombinationCollider(sGreatLand);
         private var _queries:AgentQueries = new AgentQueries(_collider);
         private var _wrong:Complaints = new Complaints();
+        private var _touches:int = 0;
+        private var _insides:int = 0;
+        private var _stopped:int = 0;
         private var _tree:Agent;
         private var _other:Agent;
         private var _corners:Vector.<Number> = new Vector.<Number>();
@@ -72,74 +76,79 @@ package starlogo.collision
             _collider.exact = true;
         }
 
-        [Test]
+        [Test(async, timeout="3600000")]
         public function standing():void
         {
-            var touches:int = 0;
-            var insides:int = 0;
             var count:int = Effort.choose(300, 100000);
-            for (var i:int = 0; i < count; i++)
-            {
-                place(i);
-                var structure:BoundingStructure = structureNow();
-                var gap:Number = gapOf(structure);
-                var isInside:Boolean = gap > 0 && isInTree(structure);
-                var expected:Boolean = gap <= 0 || isInside;
-                if (Math.abs(gap) < NEAR)
+            FrameByFrame.repeat(this, count, checkStanding, function():void
                 {
-                    continue;
-                }
-                touches += expected ? 1 : 0;
-                insides += isInside ? 1 : 0;
-                check("colliding", expected == _collider.areColliding(_tree, _other) && expected == _collider.areColliding(_other, _tree), structure);
-                check("in a frame", expected == _collider.findCollisions(new <Agent>[_other, _tree]).length > 0, structure);
-                _queries.update(new <Agent>[_tree, _other]);
-                var pointA:Vector3D = new Vector3D();
-                var pointB:Vector3D = new Vector3D();
-                var distance:Number = _queries.distance(_tree, _other, pointA, pointB);
-                check("distance " + distance + ", not " + gap, Math.abs(distance - (expected ? 0 : gap)) < NEAR, structure);
-                check("points", Math.abs(Vector3D.distance(pointA, pointB) - distance) < NEAR && structure.contains(pointB), structure);
-                if (expected && !isInside)
-                {
-                    checkContact(structure);
-                }
-            }
-            _wrong.assertNone();
-            assertTrue(touches + " touch, " + insides + " inside", touches > count / 5 && touches < count * 4 / 5 && insides > 1);
+                    _wrong.assertNone();
+                    assertTrue(_touches + " touch, " + _insides + " inside", _touches > count / 5 && _touches < count * 4 / 5 && _insides > 1);
+                });
         }
 
-        [Test]
+        private function checkStanding(i:int):void
+        {
+            place(i);
+            var structure:BoundingStructure = structureNow();
+            var gap:Number = gapOf(structure);
+            var isInside:Boolean = gap > 0 && isInTree(structure);
+            var expected:Boolean = gap <= 0 || isInside;
+            if (Math.abs(gap) < NEAR)
+            {
+                return;
+            }
+            _touches += expected ? 1 : 0;
+            _insides += isInside ? 1 : 0;
+            check("colliding", expected == _collider.areColliding(_tree, _other) && expected == _collider.areColliding(_other, _tree), structure);
+            check("in a frame", expected == _collider.findCollisions(new <Agent>[_other, _tree]).length > 0, structure);
+            _queries.update(new <Agent>[_tree, _other]);
+            var pointA:Vector3D = new Vector3D();
+            var pointB:Vector3D = new Vector3D();
+            var distance:Number = _queries.distance(_tree, _other, pointA, pointB);
+            check("distance " + distance + ", not " + gap, Math.abs(distance - (expected ? 0 : gap)) < NEAR, structure);
+            check("points", Math.abs(Vector3D.distance(pointA, pointB) - distance) < NEAR && structure.contains(pointB), structure);
+            if (expected && !isInside)
+            {
+                checkContact(structure);
+            }
+        }
+
+        [Test(async, timeout="3600000")]
         public function moving():void
         {
-            var stopped:int = 0;
             var count:int = Effort.choose(70, 20000);
-            for (var i:int = 0; i < count; i++)
+            FrameByFrame.repeat(this, count, checkMoving, function():void
+                {
+                    _wrong.assertNone();
+                    assertTrue(_stopped + " of " + count, _stopped > count / 10 && _stopped < count * 9 / 10);
+                });
+        }
+
+        private function checkMoving(i:int):void
+        {
+            var structure:BoundingStructure = null;
+            while (structure == null || _collider.areColliding(_tree, _other) || gapOf(structure) < NEAR)
             {
-                var structure:BoundingStructure = null;
-                while (structure == null || _collider.areColliding(_tree, _other) || gapOf(structure) < NEAR)
-                {
-                    place(i);
-                    structure = structureNow();
-                }
-                _queries.update(new <Agent>[_tree, _other]);
-                var way:Vector3D = new Vector3D(_random.between(-2, 2), _random.between(-2, 2), _random.between(-2, 2));
-                var hit:ShapeHit = _queries.castAgent(_other, way.x, way.y, way.z);
-                var most:Number = hit == null ? 1 : hit.time;
-                stopped += hit == null ? 0 : 1;
-                for (var k:int = 0; k <= 20; k++)
-                {
-                    var share:Number = (most - 1e-7) * k / 20;
-                    check("through", share < 0 || gapOf(moved(structure, way, share)) > 0, structure);
-                }
-                check("stops early", hit == null || gapOf(moved(structure, way, most)) < 1e-8, structure);
-                checkSweep(way, most, hit != null, structure);
-                checkCastShape(way, most, hit, structure);
-                var x:Number = _other.x;
-                check("motion", Math.abs(_queries.moveUntilTouch(_other, way.x, way.y, way.z) - most) < 1e-12, structure);
-                check("moved", Math.abs(_other.x - x - most * way.x) < 1e-8, structure);
+                place(i);
+                structure = structureNow();
             }
-            _wrong.assertNone();
-            assertTrue(stopped + " of " + count, stopped > count / 10 && stopped < count * 9 / 10);
+            _queries.update(new <Agent>[_tree, _other]);
+            var way:Vector3D = new Vector3D(_random.between(-2, 2), _random.between(-2, 2), _random.between(-2, 2));
+            var hit:ShapeHit = _queries.castAgent(_other, way.x, way.y, way.z);
+            var most:Number = hit == null ? 1 : hit.time;
+            _stopped += hit == null ? 0 : 1;
+            for (var k:int = 0; k <= 20; k++)
+            {
+                var share:Number = (most - 1e-7) * k / 20;
+                check("through", share < 0 || gapOf(moved(structure, way, share)) > 0, structure);
+            }
+            check("stops early", hit == null || gapOf(moved(structure, way, most)) < 1e-8, structure);
+            checkSweep(way, most, hit != null, structure);
+            checkCastShape(way, most, hit, structure);
+            var x:Number = _other.x;
+            check("motion", Math.abs(_queries.moveUntilTouch(_other, way.x, way.y, way.z) - most) < 1e-12, structure);
+            check("moved", Math.abs(_other.x - x - most * way.x) < 1e-8, structure);
         }
 
         // A tree about the origin, and near it an agent that has a structure. Some are small, so that they get inside.

@@ -13,6 +13,7 @@ package starlogo.intersection
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import support.Effort;
+    import support.FrameByFrame;
     import support.cornerOf;
 
     use namespace engine;
@@ -25,31 +26,37 @@ package starlogo.intersection
 
         private var _random:SeededRandom = new SeededRandom(7121);
         private var _structures:RandomStructures = new RandomStructures(_random);
+        private var _touching:int = 0;
+        private var _met:int = 0;
+        private var _deep:int = 0;
 
-        [Test]
+        [Test(async, timeout="3600000")]
         public function theyTouchWhatTheBoxTouches():void
         {
-            var touching:int = 0;
             var count:int = Effort.choose(3000, 100000);
-            for (var i:int = 0; i < count; i++)
-            {
-                var box:Box = Box(_structures.ofKind(BoundingStructure.BOX, _random.logBetween(0.2, 2), 1));
-                var other:BoundingStructure = _structures.ofKind(_random.pick(KINDS), _random.logBetween(0.2, 2), 1);
-                var result:ClosestPoints = new ClosestPoints();
-                PairTable.findClosest(box, other, result);
-                var isTouching:Boolean = intersects(box, other);
-                touching += isTouching ? 1 : 0;
-                var hull:Hull = hullOf(box);
-                for each (var second:BoundingStructure in other is Box ? [other, hullOf(Box(other))] : [other])
+            FrameByFrame.repeat(this, count, compareTouch, function():void
                 {
-                    var name:String = i + ": " + box + ", " + second;
-                    assertEquals(name, isTouching, intersects(hull, second));
-                    assertEquals(name, isTouching, intersects(second, hull));
-                    compareDistance(name, result.distance, hull, second);
-                    compareDistance(name, result.distance, second, hull);
-                }
+                    assertTrue(_touching + "", _touching > count / 5 && _touching < 4 * count / 5);
+                });
+        }
+
+        private function compareTouch(i:int):void
+        {
+            var box:Box = Box(_structures.ofKind(BoundingStructure.BOX, _random.logBetween(0.2, 2), 1));
+            var other:BoundingStructure = _structures.ofKind(_random.pick(KINDS), _random.logBetween(0.2, 2), 1);
+            var result:ClosestPoints = new ClosestPoints();
+            PairTable.findClosest(box, other, result);
+            var isTouching:Boolean = intersects(box, other);
+            _touching += isTouching ? 1 : 0;
+            var hull:Hull = hullOf(box);
+            for each (var second:BoundingStructure in other is Box ? [other, hullOf(Box(other))] : [other])
+            {
+                var name:String = i + ": " + box + ", " + second;
+                assertEquals(name, isTouching, intersects(hull, second));
+                assertEquals(name, isTouching, intersects(second, hull));
+                compareDistance(name, result.distance, hull, second);
+                compareDistance(name, result.distance, second, hull);
             }
-            assertTrue(touching + "", touching > count / 5 && touching < 4 * count / 5);
         }
 
         private static function compareDistance(name:String, expected:Number, a:BoundingStructure, b:BoundingStructure):void
@@ -61,28 +68,31 @@ package starlogo.intersection
             assertTrue(name + ": points " + between, Math.abs(between - result.distance) < NEAR);
         }
 
-        [Test]
+        [Test(async, timeout="3600000")]
         public function theyMeetWhenTheBoxDoes():void
         {
-            var met:int = 0;
             var count:int = Effort.choose(3000, 100000);
-            for (var i:int = 0; i < count; i++)
-            {
-                var box:Box = Box(_structures.ofKind(BoundingStructure.BOX, _random.logBetween(0.2, 2), 2));
-                var other:BoundingStructure = _structures.ofKind(_random.pick(KINDS), _random.logBetween(0.2, 2), 1.5);
-                var way:Vector3D = _structures.position(6);
-                var expected:Number = timeOf(box, other, way);
-                met += expected > 0 && expected <= 1 ? 1 : 0;
-                for each (var second:BoundingStructure in other is Box ? [other, hullOf(Box(other))] : [other])
+            FrameByFrame.repeat(this, count, compareTime, function():void
                 {
-                    var found:Number = timeOf(hullOf(box), second, way);
-                    var back:Number = timeOf(second, hullOf(box), new Vector3D(-way.x, -way.y, -way.z));
-                    var name:String = i + ": " + box + ", " + second + " along " + way + ", " + expected + ", " + found + ", " + back;
-                    assertTrue(name, expected == found || Math.abs(expected - found) < 1e-10);
-                    assertTrue(name, found == back || Math.abs(back - found) < 1e-13);
-                }
+                    assertTrue(_met + "", _met > count / 20);
+                });
+        }
+
+        private function compareTime(i:int):void
+        {
+            var box:Box = Box(_structures.ofKind(BoundingStructure.BOX, _random.logBetween(0.2, 2), 2));
+            var other:BoundingStructure = _structures.ofKind(_random.pick(KINDS), _random.logBetween(0.2, 2), 1.5);
+            var way:Vector3D = _structures.position(6);
+            var expected:Number = timeOf(box, other, way);
+            _met += expected > 0 && expected <= 1 ? 1 : 0;
+            for each (var second:BoundingStructure in other is Box ? [other, hullOf(Box(other))] : [other])
+            {
+                var found:Number = timeOf(hullOf(box), second, way);
+                var back:Number = timeOf(second, hullOf(box), new Vector3D(-way.x, -way.y, -way.z));
+                var name:String = i + ": " + box + ", " + second + " along " + way + ", " + expected + ", " + found + ", " + back;
+                assertTrue(name, expected == found || Math.abs(expected - found) < 1e-10);
+                assertTrue(name, found == back || Math.abs(back - found) < 1e-13);
             }
-            assertTrue(met + "", met > count / 20);
         }
 
         private static function timeOf(a:BoundingStructure, b:BoundingStructure, way:Vector3D):Number
@@ -96,33 +106,36 @@ package starlogo.intersection
         }
 
         // As deep, and apart after the depth.
-        [Test]
+        [Test(async, timeout="3600000")]
         public function theirContactsAreAsDeep():void
         {
-            var deep:int = 0;
             var count:int = Effort.choose(3000, 100000);
-            for (var i:int = 0; i < count; i++)
+            FrameByFrame.repeat(this, count, compareContact, function():void
+                {
+                    assertTrue(_deep + "", _deep > count / 3);
+                });
+        }
+
+        private function compareContact(i:int):void
+        {
+            var box:Box = Box(_structures.ofKind(BoundingStructure.BOX, _random.logBetween(0.2, 2), 0.6));
+            var other:BoundingStructure = _structures.ofKind(_random.pick(KINDS), _random.logBetween(0.2, 2), 0.6);
+            if (!intersects(box, other))
             {
-                var box:Box = Box(_structures.ofKind(BoundingStructure.BOX, _random.logBetween(0.2, 2), 0.6));
-                var other:BoundingStructure = _structures.ofKind(_random.pick(KINDS), _random.logBetween(0.2, 2), 0.6);
-                if (!intersects(box, other))
-                {
-                    continue;
-                }
-                deep++;
-                var expected:ContactPoint = new ContactPoint();
-                PairTable.findContact(box, other, RelativeMotion.NONE, expected);
-                for each (var second:BoundingStructure in other is Box ? [other, hullOf(Box(other))] : [other])
-                {
-                    var contact:ContactPoint = new ContactPoint();
-                    var hull:Hull = hullOf(box);
-                    PairTable.findContact(hull, second, RelativeMotion.NONE, contact);
-                    var name:String = i + ": " + box + ", " + second + ", depth " + contact.depth + " instead of " + expected.depth;
-                    assertTrue(name, contact.depth <= expected.depth + 1e-9 && contact.depth >= expected.depth - 1e-9);
-                    assertTrue(name, touchesAfter(hull, second, contact, contact.depth - 1e-9) && !touchesAfter(hull, second, contact, contact.depth + 1e-9));
-                }
+                return;
             }
-            assertTrue(deep + "", deep > count / 3);
+            _deep++;
+            var expected:ContactPoint = new ContactPoint();
+            PairTable.findContact(box, other, RelativeMotion.NONE, expected);
+            for each (var second:BoundingStructure in other is Box ? [other, hullOf(Box(other))] : [other])
+            {
+                var contact:ContactPoint = new ContactPoint();
+                var hull:Hull = hullOf(box);
+                PairTable.findContact(hull, second, RelativeMotion.NONE, contact);
+                var name:String = i + ": " + box + ", " + second + ", depth " + contact.depth + " instead of " + expected.depth;
+                assertTrue(name, contact.depth <= expected.depth + 1e-9 && contact.depth >= expected.depth - 1e-9);
+                assertTrue(name, touchesAfter(hull, second, contact, contact.depth - 1e-9) && !touchesAfter(hull, second, contact, contact.depth + 1e-9));
+            }
         }
 
         private static function touchesAfter(a:BoundingStructure, b:BoundingStructure, contact:ContactPoint, by:Number):Boolean

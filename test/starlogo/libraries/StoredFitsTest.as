@@ -165,7 +165,7 @@ package starlogo.libraries
             assertTrue("its hierarchy is", isTaken(bear(), cooked, false));
         }
 
-        [Test(async, timeout="900000")]
+        [Test(async, timeout="3600000")]
         public function damagedFilesAreRefused():void
         {
             var models:Vector.<Model> = new <Model>[BuiltInModel.cube(), tetrahedron(), points()];
@@ -200,7 +200,7 @@ package starlogo.libraries
         }
 
         // Of sections that were changed before the file was sealed.
-        [Test(async, timeout="900000")]
+        [Test(async, timeout="3600000")]
         public function forgedFilesAreRefusedOrCanBePlayedWith():void
         {
             _greatLand.loadHulls = true;

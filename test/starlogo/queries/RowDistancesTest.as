@@ -23,6 +23,7 @@ package starlogo.queries
     import support.DistanceReference;
     import support.Effort;
     import support.Fixtures;
+    import support.FrameByFrame;
     import support.SolidModels;
 
     use namespace engine;
@@ -62,23 +63,23 @@ package starlogo.queries
             }
         }
 
-        [Test]
+        [Test(async, timeout="3600000")]
         public function structures():void
         {
+            var systems:Array = [];
             for each (var choice:AgentShapes in [new SphereShapes(sGreatLand), new TightestShapes(sGreatLand)])
             {
                 var pairs:NarrowPhase = new NarrowPhase(choice);
                 StructurePairTests.addTo(pairs);
-                var asked:AskedDistance = new AskedDistance(choice, pairs);
-                for (var i:int = 0; i < Effort.choose(400, 20000); i++)
-                {
-                    check(asked, agent(), agent(), "pair " + i);
-                }
+                systems.push(new AskedDistance(choice, pairs));
             }
-            assertMixed();
+            FrameByFrame.repeat(this, Effort.choose(800, 40000), function(i:int):void
+                {
+                    check(systems[i % 2], agent(), agent(), "pair " + i);
+                }, assertMixed);
         }
 
-        [Test]
+        [Test(async, timeout="3600000")]
         public function trees():void
         {
             var choice:AgentShapes = new TreeShapes(sGreatLand);
@@ -87,31 +88,30 @@ package starlogo.queries
             TreePairTests.addTo(pairs);
             var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
-            for (var i:int = 0; i < Effort.choose(180, 9000); i++)
-            {
-                pairs.treeLimits.maxDepth = _random.integer(1, 6);
-                var a:Agent = agent();
-                var b:Agent = agent();
-                if (_random.chance(0.3))
+            FrameByFrame.repeat(this, Effort.choose(180, 9000), function(i:int):void
                 {
-                    b.traversalDepth = _random.integer(1, 8);
-                }
-                check(asked, a, b, "pair " + i);
-                if (!asked.areTouching)
-                {
-                    var depthB:int = b.traversalDepth || pairs.treeLimits.maxDepth;
-                    var least:Number = reference.ofNodes(a, pairs.treeLimits.maxDepth, b, depthB);
-                    assertNear("pair " + i, least, asked.closest.distance, a, b);
-                }
-                var slack:Number = PRECISION * sizeOf(a, b);
-                var offA:Number = reference.fromNodes(a, pairs.treeLimits.maxDepth, asked.pointA);
-                var offB:Number = reference.fromNodes(b, b.traversalDepth || pairs.treeLimits.maxDepth, asked.pointB);
-                assertTrue("pair " + i + ": points " + offA + " and " + offB + " off", arePoints(asked, offA, offB, slack));
-            }
-            assertMixed();
+                    pairs.treeLimits.maxDepth = _random.integer(1, 6);
+                    var a:Agent = agent();
+                    var b:Agent = agent();
+                    if (_random.chance(0.3))
+                    {
+                        b.traversalDepth = _random.integer(1, 8);
+                    }
+                    check(asked, a, b, "pair " + i);
+                    if (!asked.areTouching)
+                    {
+                        var depthB:int = b.traversalDepth || pairs.treeLimits.maxDepth;
+                        var least:Number = reference.ofNodes(a, pairs.treeLimits.maxDepth, b, depthB);
+                        assertNear("pair " + i, least, asked.closest.distance, a, b);
+                    }
+                    var slack:Number = PRECISION * sizeOf(a, b);
+                    var offA:Number = reference.fromNodes(a, pairs.treeLimits.maxDepth, asked.pointA);
+                    var offB:Number = reference.fromNodes(b, b.traversalDepth || pairs.treeLimits.maxDepth, asked.pointB);
+                    assertTrue("pair " + i + ": points " + offA + " and " + offB + " off", arePoints(asked, offA, offB, slack));
+                }, assertMixed);
         }
 
-        [Test]
+        [Test(async, timeout="3600000")]
         public function triangles():void
         {
             var choice:AgentShapes = new TreeShapes(sGreatLand);
@@ -121,23 +121,22 @@ package starlogo.queries
             pairs.treeLimits.exact = true;
             var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
-            for (var i:int = 0; i < Effort.choose(60, 3000); i++)
-            {
-                var a:Agent = agent(["sphere", "cube"].concat(SolidModels.NAMES));
-                var b:Agent = agent(["sphere", "cube", "cylinder", "kelp"]);
-                check(asked, a, b, "pair " + i);
-                if (!asked.areTouching)
+            FrameByFrame.repeat(this, Effort.choose(60, 3000), function(i:int):void
                 {
-                    assertNear("pair " + i, reference.ofTriangles(a, b), asked.closest.distance, a, b);
-                }
-                var offA:Number = reference.fromTriangles(a, asked.pointA);
-                var offB:Number = reference.fromTriangles(b, asked.pointB);
-                assertTrue("pair " + i + ": points " + offA + " and " + offB + " off", arePoints(asked, offA, offB, PRECISION * sizeOf(a, b)));
-            }
-            assertMixed();
+                    var a:Agent = agent(["sphere", "cube"].concat(SolidModels.NAMES));
+                    var b:Agent = agent(["sphere", "cube", "cylinder", "kelp"]);
+                    check(asked, a, b, "pair " + i);
+                    if (!asked.areTouching)
+                    {
+                        assertNear("pair " + i, reference.ofTriangles(a, b), asked.closest.distance, a, b);
+                    }
+                    var offA:Number = reference.fromTriangles(a, asked.pointA);
+                    var offB:Number = reference.fromTriangles(b, asked.pointB);
+                    assertTrue("pair " + i + ": points " + offA + " and " + offB + " off", arePoints(asked, offA, offB, PRECISION * sizeOf(a, b)));
+                }, assertMixed);
         }
 
-        [Test]
+        [Test(async, timeout="3600000")]
         public function ballsAndTreesOrTriangles():void
         {
             var choice:AgentShapes = new TreeShapes(sGreatLand, new TightestShapes(sGreatLand));
@@ -147,23 +146,22 @@ package starlogo.queries
             var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
             var fit:BoundingStructure = sGreatLand.boundingStructures.tightestFit("sphere");
-            for (var i:int = 0; i < Effort.choose(120, 6000); i++)
-            {
-                pairs.treeLimits.exact = i % 2 == 0;
-                pairs.treeLimits.maxDepth = _random.integer(1, 6);
-                var a:Agent = agent(["cube", "kelp"].concat(SolidModels.NAMES));
-                var ball:Agent = agent(["sphere"]);
-                a.hierarchical = true;
-                check(asked, a, ball, "pair " + i);
-                if (!asked.areTouching)
+            FrameByFrame.repeat(this, Effort.choose(120, 6000), function(i:int):void
                 {
-                    var placed:Sphere = Sphere(fit.place(ball.worldPlacement()));
-                    var fromCenter:Number = pairs.treeLimits.exact ? reference.fromTriangles(a, placed.center)
-                        : reference.fromNodes(a, pairs.treeLimits.maxDepth, placed.center);
-                    assertNear("pair " + i, fromCenter - placed.radius, asked.closest.distance, a, ball);
-                }
-            }
-            assertMixed();
+                    pairs.treeLimits.exact = i % 2 == 0;
+                    pairs.treeLimits.maxDepth = _random.integer(1, 6);
+                    var a:Agent = agent(["cube", "kelp"].concat(SolidModels.NAMES));
+                    var ball:Agent = agent(["sphere"]);
+                    a.hierarchical = true;
+                    check(asked, a, ball, "pair " + i);
+                    if (!asked.areTouching)
+                    {
+                        var placed:Sphere = Sphere(fit.place(ball.worldPlacement()));
+                        var fromCenter:Number = pairs.treeLimits.exact ? reference.fromTriangles(a, placed.center)
+                            : reference.fromNodes(a, pairs.treeLimits.maxDepth, placed.center);
+                        assertNear("pair " + i, fromCenter - placed.radius, asked.closest.distance, a, ball);
+                    }
+                }, assertMixed);
         }
 
         // Two orders, touching, and the points.

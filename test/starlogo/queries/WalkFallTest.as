@@ -12,6 +12,7 @@ package starlogo.queries
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
+    import support.FrameByFrame;
     import support.agentAt;
     import support.fillHeights;
     import support.landOf;
@@ -35,55 +36,65 @@ package starlogo.queries
         private var _hasRocks:Boolean = false;
 
         // No walk ends higher than steps and slopes explain, none goes farther sideways than it goes down, and none farther than its way.
-        [Test]
+        [Test(async, timeout="3600000")]
         public function noWalkGoesWhereNoSlopeLeads():void
         {
-            for each (var name:String in EachCollider.ALL_NAMES)
-            {
-                for (var world:int = 0; world < Effort.choose(12, 300, 2); world++)
+            var worlds:int = Effort.choose(12, 300, 2);
+            FrameByFrame.repeat(this, worlds * EachCollider.ALL_NAMES.length, function(i:int):void
                 {
-                    makeWorld(name, world);
-                    for (var i:int = 0; i < 25; i++)
-                    {
-                        if (Math.abs(_walker.x) > 10 || Math.abs(_walker.y) > 10)
-                        {
-                            land(-0.8 * _walker.x, -0.8 * _walker.y);
-                        }
-                        walkOnce(name + " " + world);
-                    }
+                    walkThrough(EachCollider.ALL_NAMES[int(i / worlds)], i % worlds);
+                }, function():void
+                {
+                    _wrong.assertNone();
+                    assertTrue(String(_falls), _falls > Effort.choose(50, 50, 30));
+                });
+        }
+
+        private function walkThrough(name:String, world:int):void
+        {
+            makeWorld(name, world);
+            for (var i:int = 0; i < 25; i++)
+            {
+                if (Math.abs(_walker.x) > 10 || Math.abs(_walker.y) > 10)
+                {
+                    land(-0.8 * _walker.x, -0.8 * _walker.y);
                 }
+                walkOnce(name + " " + world);
             }
-            _wrong.assertNone();
-            assertTrue(String(_falls), _falls > Effort.choose(50, 50, 30));
         }
 
         // Where an agent cannot go down any more it stays, to the bit, whether it stands or not.
-        [Test]
+        [Test(async, timeout="3600000")]
         public function whatCannotFallRests():void
         {
             var wedged:int = 0;
-            for each (var name:String in EachCollider.ALL_NAMES)
-            {
-                for (var world:int = 0; world < Effort.choose(10, 100, 2); world++)
+            var worlds:int = Effort.choose(10, 100, 2);
+            FrameByFrame.repeat(this, worlds * EachCollider.ALL_NAMES.length, function(i:int):void
                 {
-                    makeWorld(name, 3);
-                    fillHeights(_terrain, grooveOf(_random.between(1.2, 3), _random.between(1.2, 3), world % 2 == 0 ? 0 : _random.between(-1, 1)));
-                    _terrain.isBlocky = false;
-                    _options.slopeDegrees = 45;
-                    _options.fall = 0.5;
-                    land(_random.between(-3, 3), _random.between(-3, 3));
-                    for (var i:int = 0; i < Effort.choose(60, 90); i++)
-                    {
-                        _queries.walk(_walker, 0, 0, _options, _footing);
-                    }
-                    var at:String = [_walker.x, _walker.y, _walker.z].join();
-                    _queries.walk(_walker, 0, 0, _options, _footing);
-                    _wrong.addIf([_walker.x, _walker.y, _walker.z].join() != at, name + ": trembles", at + " to " + [_walker.x, _walker.y, _walker.z]);
+                    rest(EachCollider.ALL_NAMES[int(i / worlds)], i % 2 == 0);
                     wedged += _footing.stands ? 0 : 1;
-                }
+                }, function():void
+                {
+                    _wrong.assertNone();
+                    assertTrue(String(wedged), wedged > 5);
+                });
+        }
+
+        private function rest(name:String, isStraight:Boolean):void
+        {
+            makeWorld(name, 3);
+            fillHeights(_terrain, grooveOf(_random.between(1.2, 3), _random.between(1.2, 3), isStraight ? 0 : _random.between(-1, 1)));
+            _terrain.isBlocky = false;
+            _options.slopeDegrees = 45;
+            _options.fall = 0.5;
+            land(_random.between(-3, 3), _random.between(-3, 3));
+            for (var i:int = 0; i < Effort.choose(60, 90); i++)
+            {
+                _queries.walk(_walker, 0, 0, _options, _footing);
             }
-            _wrong.assertNone();
-            assertTrue(String(wedged), wedged > 5);
+            var at:String = [_walker.x, _walker.y, _walker.z].join();
+            _queries.walk(_walker, 0, 0, _options, _footing);
+            _wrong.addIf([_walker.x, _walker.y, _walker.z].join() != at, name + ": trembles", at + " to " + [_walker.x, _walker.y, _walker.z]);
         }
 
         [Test]
@@ -252,35 +263,43 @@ package starlogo.queries
         }
 
         // On the edge of a low column the ground's normal is tilted. The plane of such a place would lead a long walk over any wall.
-        [Test]
+        [Test(async, timeout="3600000")]
         public function aLongWalkGoesOverNoWall():void
         {
-            _options.fall = Infinity;
             var far:int = 0;
-            for each (var name:String in EachCollider.NAMES)
-            {
-                for (var world:int = 0; world < Effort.choose(4, 40, 1); world++)
+            var worlds:int = Effort.choose(4, 40, 1);
+            _options.fall = Infinity;
+            FrameByFrame.repeat(this, worlds * EachCollider.NAMES.length, function(i:int):void
                 {
-                    _terrain = new Terrain(21, 21, 1, -10, -10);
-                    _terrain.isBlocky = world % 2 == 0;
-                    fillHeights(_terrain, function(column:int, row:int):Number
-                        {
-                            return Math.max(Math.abs(column - 10), Math.abs(row - 10)) == 8 ? 4 : _random.between(-0.1, 0.1);
-                        });
-                    _walker = agentAt(_random.pick(["sphere", "cube", "cylinder"]), 0, 0, 0.2);
-                    ask(name);
-                    for (var k:int = 0; k < Effort.choose(20, 20, 2); k++)
-                    {
-                        var angle:Number = _random.between(0, 2 * Math.PI);
-                        var way:Number = _random.between(1, 40);
-                        _queries.walk(_walker, way * Math.cos(angle), way * Math.sin(angle), _options, _footing);
-                        var message:String = name + " " + world + ", walk " + k + " of " + way + ": " + [_walker.x, _walker.y, _walker.z];
-                        assertTrue(message, Math.abs(_walker.x) < 8 && Math.abs(_walker.y) < 8 && _walker.z < 3.5);
-                        far += Math.max(Math.abs(_walker.x), Math.abs(_walker.y)) > 5 ? 1 : 0;
-                    }
-                }
+                    far += walkAgainstWalls(EachCollider.NAMES[int(i / worlds)], i % worlds);
+                }, function():void
+                {
+                    assertTrue("at the wall: " + far, far > 2);
+                });
+        }
+
+        // Returns how many walks end at a wall.
+        private function walkAgainstWalls(name:String, world:int):int
+        {
+            var far:int = 0;
+            _terrain = new Terrain(21, 21, 1, -10, -10);
+            _terrain.isBlocky = world % 2 == 0;
+            fillHeights(_terrain, function(column:int, row:int):Number
+                {
+                    return Math.max(Math.abs(column - 10), Math.abs(row - 10)) == 8 ? 4 : _random.between(-0.1, 0.1);
+                });
+            _walker = agentAt(_random.pick(["sphere", "cube", "cylinder"]), 0, 0, 0.2);
+            ask(name);
+            for (var k:int = 0; k < Effort.choose(20, 20, 2); k++)
+            {
+                var angle:Number = _random.between(0, 2 * Math.PI);
+                var way:Number = _random.between(1, 40);
+                _queries.walk(_walker, way * Math.cos(angle), way * Math.sin(angle), _options, _footing);
+                var message:String = name + " " + world + ", walk " + k + " of " + way + ": " + [_walker.x, _walker.y, _walker.z];
+                assertTrue(message, Math.abs(_walker.x) < 8 && Math.abs(_walker.y) < 8 && _walker.z < 3.5);
+                far += Math.max(Math.abs(_walker.x), Math.abs(_walker.y)) > 5 ? 1 : 0;
             }
-            assertTrue("at the wall: " + far, far > 2);
+            return far;
         }
 
         [Test]

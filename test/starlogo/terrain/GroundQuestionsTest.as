@@ -24,6 +24,7 @@ package starlogo.terrain
     import support.AgentPieces;
     import support.EachCollider;
     import support.Effort;
+    import support.FrameByFrame;
     import support.GroundReference;
     import support.PlainDistance;
     import support.RandomGround;
@@ -51,30 +52,32 @@ package starlogo.terrain
             _random = new SeededRandom(39);
         }
 
-        [Test]
+        [Test(async, timeout="3600000")]
         public function raysAreLikeEveryTriangle():void
         {
             var hits:int = 0;
             var count:int = Effort.choose(2000, 100000, 320);
             var queries:AgentQueries = new AgentQueries(new BinCollider());
-            for (var i:int = 0; i < count; i++)
-            {
-                if (i % 20 == 0)
+            FrameByFrame.repeat(this, count, function(i:int):void
                 {
-                    makeGround(i / 20);
-                    queries.terrain = _terrain;
-                    queries.update(new <Agent>[]);
-                }
-                var origin:Vector3D = placeAbout(1);
-                var direction:Vector3D = placeAbout(0.5).subtract(origin);
-                if (_random.chance(0.2))
+                    if (i % 20 == 0)
+                    {
+                        makeGround(i / 20);
+                        queries.terrain = _terrain;
+                        queries.update(new <Agent>[]);
+                    }
+                    var origin:Vector3D = placeAbout(1);
+                    var direction:Vector3D = placeAbout(0.5).subtract(origin);
+                    if (_random.chance(0.2))
+                    {
+                        direction[_random.pick(["x", "y", "z"])] = 0;
+                    }
+                    direction.normalize();
+                    hits += checkRay(queries, origin, direction, _kind + " " + i);
+                }, function():void
                 {
-                    direction[_random.pick(["x", "y", "z"])] = 0;
-                }
-                direction.normalize();
-                hits += checkRay(queries, origin, direction, _kind + " " + i);
-            }
-            assertTrue("hits: " + hits, hits > 0.3 * count && hits < 0.95 * count);
+                    assertTrue("hits: " + hits, hits > 0.3 * count && hits < 0.95 * count);
+                });
         }
 
         // Rounding far from the origin must not leave out the cells beyond a corner.
@@ -104,22 +107,24 @@ package starlogo.terrain
             }
         }
 
-        [Test]
+        [Test(async, timeout="3600000")]
         public function distancesAreLikeEveryTriangle():void
         {
             var touching:int = 0;
             var count:int = Effort.choose(40, 10000, 8);
-            for (var i:int = 0; i < count; i++)
-            {
-                makeGround(i);
-                for each (var name:String in EachCollider.NAMES)
+            FrameByFrame.repeat(this, count, function(i:int):void
                 {
-                    var agent:Agent = agentAbout();
-                    agent.z += i % 5 == 4 ? 40 * _terrain.cellWidth : -(i % 3) * agent.size;
-                    touching += checkDistance(name, agent, _kind + " " + i + ", " + name + ": ");
-                }
-            }
-            assertTrue("touching: " + touching, touching > count / 4 && touching < 4 * count);
+                    makeGround(i);
+                    for each (var name:String in EachCollider.NAMES)
+                    {
+                        var agent:Agent = agentAbout();
+                        agent.z += i % 5 == 4 ? 40 * _terrain.cellWidth : -(i % 3) * agent.size;
+                        touching += checkDistance(name, agent, _kind + " " + i + ", " + name + ": ");
+                    }
+                }, function():void
+                {
+                    assertTrue("touching: " + touching, touching > count / 4 && touching < 4 * count);
+                });
         }
 
         // Returns 1 if the agent touches the ground.
@@ -164,20 +169,22 @@ package starlogo.terrain
             }
         }
 
-        [Test]
+        [Test(async, timeout="3600000")]
         public function motionsEndInTheFirstTouch():void
         {
             var stopped:int = 0;
             var count:int = Effort.choose(16, 10000, 8);
-            for (var i:int = 0; i < count; i++)
-            {
-                makeGround(i);
-                for each (var name:String in EachCollider.NAMES)
+            FrameByFrame.repeat(this, count, function(i:int):void
                 {
-                    stopped += checkMotion(name, agentAbout(), _kind + " " + i + ", " + name + ": ");
-                }
-            }
-            assertTrue(stopped + " stopped", stopped > count);
+                    makeGround(i);
+                    for each (var name:String in EachCollider.NAMES)
+                    {
+                        stopped += checkMotion(name, agentAbout(), _kind + " " + i + ", " + name + ": ");
+                    }
+                }, function():void
+                {
+                    assertTrue(stopped + " stopped", stopped > count);
+                });
         }
 
         // Returns 1 if the ground stops the agent.

@@ -90,13 +90,14 @@ package starlogo.convex
         private function tryEdges(cores:CorePair, out:ContactPoint):void
         {
             var a:ConvexShape = cores.a;
+            var areBare:Boolean = a.areEdgesBare && cores.b.areEdgesBare;
             var end:int = readEdges(cores.b);
             for (var i:int = 0; i < a.edges.length; i += 4)
             {
                 readEdge(a, i, _edge, 0);
                 for (var k:int = 0; k < end; k += PER_EDGE)
                 {
-                    if (isOutOfBoth(k))
+                    if (areBare || isOutOfBoth(k))
                     {
                         tryAcross(k, cores, out);
                     }

@@ -12,7 +12,6 @@ package starlogo.collision
     import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.pairs.SpherePairTests;
 
     use namespace engine;
 
@@ -63,13 +62,17 @@ package starlogo.collision
         /**
          * Creates a collider.
          *
-         * @param choice chooses the shapes that represent agents
+         * @param choice chooses the shapes that represent agents: a ShapeChoice
+         * @throws ArgumentError if it is another AgentShapes, without tests of its shapes
          */
         public function Collider(choice:AgentShapes)
         {
             super();
             narrowPhase = new NarrowPhase(choice);
-            SpherePairTests.addTo(narrowPhase);
+            if (narrowPhase.sphereTests == null)
+            {
+                throw new ArgumentError("a Collider needs a ShapeChoice, not " + choice + ", which gives no tests of its shapes");
+            }
             search = new CollisionSearch(narrowPhase);
             _contactSearch = search;
         }

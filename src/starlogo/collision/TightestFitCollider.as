@@ -1,11 +1,7 @@
 package starlogo.collision
 {
     import starlogo.GreatLand;
-    import starlogo.engine;
-    import starlogo.search.pairs.StructurePairTests;
     import starlogo.search.TightestShapes;
-
-    use namespace engine;
 
     /**
      * Finds collisions by the tightest sphere, box or capsule around each agent's model (thesis §3), or by the structure that the agent's
@@ -26,7 +22,6 @@ package starlogo.collision
         public function TightestFitCollider(greatLand:GreatLand)
         {
             super(new TightestShapes(greatLand));
-            StructurePairTests.addTo(narrowPhase);
         }
     }
 }

@@ -2,8 +2,6 @@ package starlogo.collision
 {
     import starlogo.engine;
     import starlogo.search.AgentShapes;
-    import starlogo.search.pairs.StructurePairTests;
-    import starlogo.search.pairs.TreePairTests;
 
     use namespace engine;
 
@@ -18,8 +16,6 @@ package starlogo.collision
         public function TreeCollider(choice:AgentShapes)
         {
             super(choice);
-            StructurePairTests.addTo(narrowPhase);
-            TreePairTests.addTo(narrowPhase);
         }
 
         /**

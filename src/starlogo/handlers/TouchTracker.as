@@ -37,9 +37,6 @@ package starlogo.handlers
         // The indices of the objects for later touches.
         private var _free:NumberList = new NumberList();
 
-        // The memory for the touches of pairs (FoundPairs.touches).
-        private var _ofPairs:Vector.<int> = new Vector.<int>();
-
         // The number of touches that ever began.
         private var _begun:Number = 0;
 
@@ -68,7 +65,7 @@ package starlogo.handlers
             forgetEnded();
             if (compared == null)
             {
-                clearTouches(pairs);
+                pairs.clearTouches();
             }
             var end:int = compared == null ? pairs.count : compared.count;
             for (var i:int = 0; i < end; i++)
@@ -124,7 +121,7 @@ package starlogo.handlers
             var first:Agent = pairs.firstOf(pair);
             var second:Agent = pairs.secondOf(pair);
             var touch:Touch = touchOrStart(first, second, first.breedNumber, second.breedNumber);
-            pairs.touches[pair] = touch.index;
+            pairs.setTouch(pair, touch.index);
             return touch;
         }
 
@@ -185,16 +182,6 @@ package starlogo.handlers
             return touch;
         }
 
-        // No pair has a touch yet.
-        private function clearTouches(pairs:FoundPairs):void
-        {
-            var touches:Vector.<int> = pairs.touches = _ofPairs;
-            for (var i:int = 0; i < pairs.count; i++)
-            {
-                touches[i] = FoundPairs.NONE;
-            }
-        }
-
         // Lets the touch of two agents go on, if there is one. It does not if the breeds have changed, or if handlers were called for the first
         // agent only.
         private function renew(pairs:FoundPairs, pair:int):void
@@ -208,7 +195,7 @@ package starlogo.handlers
             if (touch.isBothWays && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber)
             {
                 touch.seenIn = frame;
-                pairs.touches[pair] = index;
+                pairs.setTouch(pair, index);
             }
         }
 

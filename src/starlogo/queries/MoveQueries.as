@@ -8,6 +8,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.queries.motion.MotionPlanner;
     import starlogo.queries.motion.MotionResult;
+    import starlogo.queries.motion.MotionSetup;
     import starlogo.queries.motion.Mover;
     import starlogo.queries.motion.PlannedMotion;
     import starlogo.queries.motion.SlideLimits;
@@ -34,8 +35,9 @@ package starlogo.queries
         private var _found:Collector;
         private var _hits:Hits;
 
-        // The motion of the question, how such motions end, and where the row that is met first stops the body.
+        // The motion of the question, the setup of the last motion, how motions end, and where the row that is met first stops the body.
         private var _planned:PlannedMotion = new PlannedMotion();
+        private var _setup:MotionSetup = new MotionSetup();
         private var _result:MotionResult = new MotionResult();
         private var _slide:SlideResult = new SlideResult();
         private var _end:Vector3D = new Vector3D();
@@ -127,8 +129,8 @@ package starlogo.queries
             // the agent may go anywhere within the length of its way
             _planner.planWithin(agent, dx, dy, dz, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, filter, _planned);
             _mover.begin(_planned.body, _planned.rows);
-            _mover.slide(_planned.from, _planned.motion, SlideLimits.NONE, _slide);
-            _mover.restoreClearance(_slide.place, _slide.clearRow);
+            _mover.slide(_planned.from, _planned.motion, SlideLimits.NONE, _setup, _slide);
+            _mover.restoreClearance(_slide.place, _setup, _slide.clearRow);
             if (dx != 0 || dy != 0 || dz != 0)
             {
                 _planner.moveAgent(agent, _slide.place);
@@ -189,7 +191,7 @@ package starlogo.queries
             {
                 // a floor may be many rows: what is lifted out of one of them does not run into the next
                 _mover.begin(_planned.body, _planned.rows);
-                if (_mover.findLift(_planned.from, _planned.motion, _lift))
+                if (_mover.findLift(_planned.from, _planned.motion, _setup, _lift))
                 {
                     collectLifted(wanted, end);
                 }
@@ -213,14 +215,14 @@ package starlogo.queries
             {
                 var row:int = rows.numbers[i];
                 _mover.beginAgainst(_planned.body, row);
-                _mover.findTouch(_planned.from, _planned.motion, _lift, _result);
+                _mover.findTouch(_planned.from, _planned.motion, _lift, _setup, _result);
                 mayLift ||= _result.isLifted || (_result.fraction == 0 && !_result.isDeep);
                 if (_result.row >= 0 && _found.add(row, _result.fraction))
                 {
                     _hits.add(row, _result.fraction, -1).copyFrom(_result.contact);
                     if (end != null)
                     {
-                        _mover.goIntoTouch(_result);
+                        _mover.goIntoTouch(_setup, _result);
                         end.copyFrom(_result.place);
                     }
                 }

@@ -2,6 +2,7 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.queries.motion.MotionSetup;
     import starlogo.queries.motion.PlannedMotion;
 
     /**
@@ -19,6 +20,9 @@ package starlogo.queries
 
         /** Its body, and the rows near the walk. */
         public var planned:PlannedMotion = new PlannedMotion();
+
+        /** The setup of its last motion. */
+        public var setup:MotionSetup = new MotionSetup();
 
         /** The number of pieces. A walk that is longer than the agent goes in pieces, because the ground may be even only so far. */
         public var pieces:int = 1;

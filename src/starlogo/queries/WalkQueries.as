@@ -175,10 +175,10 @@ package starlogo.queries
         private function carryWith(platform:int, walk:Walk):void
         {
             _mover.begin(walk.planned.body, walk.planned.rows, platform);
-            _mover.slide(walk.start, walk.carry, SlideLimits.NONE, _slide);
+            _mover.slide(walk.start, walk.carry, SlideLimits.NONE, walk.setup, _slide);
             if (_slide.fraction < 1 && leadsIntoPlatform(platform, walk, _slide.place))
             {
-                _mover.goBeforeTouch(walk.start, walk.carry, _straight);
+                _mover.goBeforeTouch(walk.start, walk.carry, walk.setup, _straight);
                 if (!leadsIntoPlatform(platform, walk, _straight.place))
                 {
                     _slide.place.copyFrom(_straight.place);
@@ -194,7 +194,7 @@ package starlogo.queries
             _origin.incrementBy(walk.carry);
             _vector.copyFrom(place);
             _vector.decrementBy(_origin);
-            return _mover.meets(platform, _origin, _vector);
+            return _mover.meets(platform, _origin, _vector, walk.setup);
         }
 
         // Finds the rows near the walk, and in some distance from these.
@@ -236,14 +236,14 @@ package starlogo.queries
             footing.pushed = pushed;
             footing.part = walk.pieceLength > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / (walk.pieces * walk.pieceLength)) : 1;
             stands ||= walk.planned.body.shape != null && fall(walk);
-            _mover.restoreClearance(walk.place, -1);
+            _mover.restoreClearance(walk.place, walk.setup, -1);
             return stands;
         }
 
         // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else. Returns how far.
         private function pushOut(walk:Walk):Number
         {
-            var left:Number = _mover.findDeepest(walk.start, _overlap);
+            var left:Number = _mover.findDeepest(walk.start, walk.setup, _overlap);
             if (left == 0)
             {
                 return 0;
@@ -251,13 +251,13 @@ package starlogo.queries
             findNear(walk, left);
             _mover.begin(walk.planned.body, walk.planned.rows);
             _slide.place.copyFrom(walk.start);
-            for (var i:int = 0; i < MOST_PUSHES && left > 0 && _mover.findDeepest(_slide.place, _overlap) > 0; i++)
+            for (var i:int = 0; i < MOST_PUSHES && left > 0 && _mover.findDeepest(_slide.place, walk.setup, _overlap) > 0; i++)
             {
                 var length:Number = Math.min(left, _overlap.depth);
                 left -= length;
                 _vector.setTo(0, 0, 0);
                 _overlap.push(_vector, length);
-                _mover.slide(_slide.place, _vector, SlideLimits.NONE, _slide);
+                _mover.slide(_slide.place, _vector, SlideLimits.NONE, walk.setup, _slide);
             }
             _vector.copyFrom(_slide.place);
             _vector.decrementBy(walk.start);
@@ -296,21 +296,21 @@ package starlogo.queries
         {
             _limits.setTo(walkableZ, walk.pieceLength, -1);
             _vector.setTo(walk.piece.x, walk.piece.y, rise);
-            _mover.slide(from, _vector, _limits, out);
+            _mover.slide(from, _vector, _limits, walk.setup, out);
         }
 
         // Goes straight up, or down if dz is less than 0, until something is in the way.
-        private function goUpright(from:Vector3D, dz:Number, out:MotionResult):void
+        private function goUpright(walk:Walk, from:Vector3D, dz:Number, out:MotionResult):void
         {
             _vector.setTo(0, 0, dz);
-            _mover.goBeforeTouch(from, _vector, out);
+            _mover.goBeforeTouch(from, _vector, walk.setup, out);
         }
 
         // Tries the same way a step higher, and goes down again. If the agent comes farther than without the step, and stands, the walk is there.
         // Returns whether it does.
         private function climb(walk:Walk, plain:Vector3D):Boolean
         {
-            goUpright(walk.start, walk.options.stepHeight, _straight);
+            goUpright(walk, walk.start, walk.options.stepHeight, _straight);
             var height:Number = _straight.place.z - walk.start.z;
             if (height <= walk.closeDepth)
             {
@@ -326,7 +326,7 @@ package starlogo.queries
         private function goDown(walk:Walk, from:Vector3D, depth:Number):Boolean
         {
             walk.place.copyFrom(from);
-            goUpright(walk.place, -depth, _down);
+            goUpright(walk, walk.place, -depth, _down);
             if (_down.row < 0 || !(standOn(walk, _down.contact, _down.row, _down.place) || standOnOther(walk, _down.place)))
             {
                 return false;
@@ -346,7 +346,7 @@ package starlogo.queries
         {
             _limits.setTo(-2, maxHorizontal, Math.sqrt(1 - walk.cosine * walk.cosine) / walk.cosine);
             _vector.setTo(0, 0, -depth);
-            _mover.slide(from, _vector, _limits, out);
+            _mover.slide(from, _vector, _limits, walk.setup, out);
         }
 
         // Falls until something stops the agent, and slides down what is too steep. It falls in pieces that get longer, because rounding
@@ -362,7 +362,7 @@ package starlogo.queries
                 {
                     return false;
                 }
-                goUpright(_down.place, -Math.min(left, piece), _down);
+                goUpright(walk, _down.place, -Math.min(left, piece), _down);
                 left -= _down.fraction * Math.min(left, piece);
             }
             if (_down.row < 0)

@@ -48,8 +48,8 @@ package starlogo.search
         }
 
         /**
-         * @private Gives a narrow phase the tests of pairs that the shapes need, besides those of spheres and those that the collider gives it. A
-         * game loads only the code of these tests.
+         * @private Gives a narrow phase the tests of pairs of the shapes. A game loads only the code of these tests. Shapes that only questions see
+         * give none: each kind of questions brings its own (SeenAgents.needTests).
          */
         engine function addTests(narrowPhase:NarrowPhase):void
         {

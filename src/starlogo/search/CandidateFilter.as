@@ -21,6 +21,7 @@ package starlogo.search
         private var _narrowPhase:NarrowPhase;
         private var _motions:RowMotions;
         private var _order:PairOrder = new PairOrder();
+
         // The conditions of the search under way.
         private var _conditions:SearchConditions = null;
 
@@ -29,6 +30,9 @@ package starlogo.search
 
         // The motion of a pair that is tested.
         private var _motion:RelativeMotion = new RelativeMotion();
+
+        // The times of a row's pairs, if an agent sweeps.
+        private var _times:Vector.<Number> = new Vector.<Number>();
 
         // The rows that are tested with the ground or the edges of the world.
         private var _atWorldAgent:Vector.<int> = new Vector.<int>();
@@ -71,20 +75,12 @@ package starlogo.search
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
             candidatePairs += count;
-            if (_conditions.anySweeps)
-            {
-                count = keepTouchingMotions(row, others, count, level);
-            }
-            else if (_conditions.areSpheres)
+            if (_conditions.areSpheres && !_conditions.anySweeps)
             {
                 _narrowPhase.sphereTests.writeTouching(_table, level.slack, row, others, count, _out);
                 return;
             }
-            else
-            {
-                count = _narrowPhase.keepTouching(_table, level.slack, row, others, count);
-            }
-            _out.addPairs(row, others, count);
+            addTouching(row, others, count, level);
         }
 
         /**
@@ -112,22 +108,23 @@ package starlogo.search
                 }
             }
             count = _conditions.interests.keepOfInterest(_table.breeds, worldRow, others, count);
-            if (_conditions.anySweeps)
-            {
-                count = keepTouchingMotions(worldRow, others, count, null);
-            }
-            else
-            {
-                count = _narrowPhase.keepTouching(_table, 0, worldRow, others, count);
-            }
-            _out.addPairs(worldRow, others, count);
+            addTouching(worldRow, others, count, null);
         }
 
-        // Keeps the rows that touch a row on their motions, and writes the times behind the pairs that there are. So _out.addPairs() has to add
-        // just these rows next. There is no level for the ground and the edges, whose extents say nothing.
-        private function keepTouchingMotions(row:int, others:Vector.<int>, count:int, level:BinLevel):int
+        // Adds the pairs of a row with those candidates that touch it. There is no level for the ground and the edges, whose extents say nothing.
+        private function addTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
-            var at:int = _out.count;
+            if (_conditions.anySweeps)
+            {
+                _out.addPairs(row, others, keepTouchingMotions(row, others, count, level, _times), _times);
+                return;
+            }
+            _out.addPairs(row, others, _narrowPhase.keepTouching(_table, level == null ? 0 : level.slack, row, others, count));
+        }
+
+        // Keeps the rows that touch a row on their motions. The last argument receives the times.
+        private function keepTouchingMotions(row:int, others:Vector.<int>, count:int, level:BinLevel, times:Vector.<Number>):int
+        {
             var ranks:Vector.<int> = _table.list.ranks;
             var rank:int = ranks[row];
             var kept:int = 0;
@@ -140,7 +137,7 @@ package starlogo.search
                 if (_motion.time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;
-                    _out.times[int(at + kept)] = _motion.time;
+                    times[kept] = _motion.time;
                     kept++;
                 }
             }

@@ -57,7 +57,7 @@ package starlogo.search
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
             _narrowPhase = narrowPhase;
-            _shapes = new ModelShapes(narrowPhase.choice, narrowPhase);
+            _shapes = new ModelShapes(narrowPhase.choice);
             table = new AgentTable(_shapes, _bins.levels);
             _motions = new RowMotions(narrowPhase, _bins.levels);
             _candidates = new CandidateFilter(table, narrowPhase, _motions);

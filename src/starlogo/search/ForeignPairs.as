@@ -37,9 +37,7 @@ package starlogo.search
                 var b:int = _rowsById.valueOf(pairs[i + 1].id, 0);
                 if (a >= 0 && b >= 0)
                 {
-                    out.rows[2 * out.count] = a;
-                    out.rows[2 * out.count + 1] = b;
-                    out.count++;
+                    out.add(a, b);
                 }
             }
         }

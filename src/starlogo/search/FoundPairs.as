@@ -10,8 +10,9 @@ package starlogo.search
      * The pairs of a frame: two rows of agents each. After a search they are in the order of the list, by the first agent's index and then by the
      * second's. The ground and the edges of the world come after all agents. If an agent sweeps, pairs that touch earlier come first.
      *
-     * <p>CandidateFilter adds pairs, SpherePairTests those of spheres. PairOrder sorts them. KeptPairs makes the pairs of a frame from those of the last one. ForeignPairs reads pairs of a collision
-     * system that is not the engine's. They come in its own order.</p>
+     * <p>CandidateFilter has pairs added, and PairOrder sorts them. KeptPairs makes the pairs of a frame from those of the last one. ForeignPairs
+     * adds the pairs of a collision system that is not the engine's, which come in its own order. Only SpherePairTests and PairOrder write to the
+     * columns themselves.</p>
      *
      * @private
      */
@@ -53,6 +54,9 @@ package starlogo.search
          */
         public var touches:Vector.<int> = null;
 
+        // The memory for touches.
+        private var _touches:Vector.<int> = new Vector.<int>();
+
         /** The touches that dropped pairs had. */
         public var dropped:NumberList = new NumberList();
 
@@ -74,12 +78,25 @@ package starlogo.search
             basis = NONE;
         }
 
-        /**
-         * Adds the pairs of a row. In each of them the agent that is first in the list comes first. If an agent sweeps, the caller has written their
-         * times before, from the index <code>count</code> on (CandidateFilter).
-         */
-        internal function addPairs(row:int, others:Vector.<int>, othersCount:int):void
+        /** Adds a pair of two rows. */
+        internal function add(a:int, b:int):void
         {
+            rows[2 * count] = a;
+            rows[2 * count + 1] = b;
+            count++;
+        }
+
+        /**
+         * Adds the pairs of a row. In each of them the agent that is first in the list comes first.
+         *
+         * @param ofPairs the times of the pairs; null if no agent sweeps
+         */
+        internal function addPairs(row:int, others:Vector.<int>, othersCount:int, ofPairs:Vector.<Number> = null):void
+        {
+            for (var k:int = 0; ofPairs != null && k < othersCount; k++)
+            {
+                times[int(count + k)] = ofPairs[k];
+            }
             var to:int = 2 * count;
             var rank:int = ranks[row];
             for (var i:int = 0; i < othersCount; i++)
@@ -174,6 +191,22 @@ package starlogo.search
                     touches[to] = NONE;
                 }
             }
+        }
+
+        /** Begins to track touches: no pair has one yet. */
+        public function clearTouches():void
+        {
+            touches = _touches;
+            for (var i:int = 0; i < count; i++)
+            {
+                touches[i] = NONE;
+            }
+        }
+
+        /** Gives a pair its touch. */
+        public function setTouch(pair:int, touch:int):void
+        {
+            touches[pair] = touch;
         }
 
         /** The first agent of a pair. */

@@ -21,7 +21,6 @@ package starlogo.search
         public var areSpheres:Boolean = true;
 
         private var _choice:AgentShapes;
-        private var _narrowPhase:NarrowPhase;
         private var _revision:int = -1;
 
         // A text stands before each key, because a model may be called "hasOwnProperty".
@@ -38,20 +37,17 @@ package starlogo.search
 
         /**
          * @param choice chooses the shapes
-         * @param narrowPhase tests pairs of the shapes, and must have the tests that they need; null if the tests come with questions
          */
-        public function ModelShapes(choice:AgentShapes, narrowPhase:NarrowPhase = null)
+        public function ModelShapes(choice:AgentShapes)
         {
             _choice = choice;
-            _narrowPhase = narrowPhase;
         }
 
         /**
          * The shape of an agent's model.
          *
          * @return null while the model is loading
-         * @throws ArgumentError if the model is unknown or lacks data that is needed, if the choice gives it no shape, or if the collider lacks
-         *     the tests of the shape
+         * @throws ArgumentError if the model is unknown or lacks data that is needed, or if the choice gives it no shape
          * @throws RangeError if its structure is not in the world
          */
         public function shapeOf(agent:Agent):ModelShape
@@ -98,10 +94,6 @@ package starlogo.search
                 throw new ArgumentError(agent + ": its model has no shape, because bind() of the shape choice has not called setStructure()");
             }
             requireExtents(shape, agent);
-            if (_narrowPhase != null)
-            {
-                _narrowPhase.requireTests(shape.form);
-            }
             areSpheres = areSpheres && shape.form == BoundingStructure.SPHERE;
             shape.next = _ofModels[PREFIX + shape.modelName];
             _ofModels[PREFIX + shape.modelName] = shape;

@@ -20,6 +20,9 @@ package starlogo.search
      * Tests two bodies by their forms: whether they touch, when they touch, and how. Each collider and each LevelShapes has one such object,
      * with its settings.
      *
+     * <p>The tests of each kind of pairs add themselves (<code>addTo()</code>), so a game loads only what it needs: the choice of shapes adds those of
+     * its shapes, the ground and the edges of the world those of pairs with them, and questions those that the collider lacks.</p>
+     *
      * @private
      */
     public final class NarrowPhase
@@ -56,20 +59,6 @@ package starlogo.search
         {
             this.choice = choice;
             choice.addTests(this);
-        }
-
-        /**
-         * Requires the tests of pairs with a form.
-         *
-         * @throws ArgumentError if the collider does not have them
-         */
-        public function requireTests(form:int):void
-        {
-            if (form != BoundingStructure.SPHERE && structureTests == null || form == ModelShape.TREE && treeTests == null)
-            {
-                throw new ArgumentError("a Collider of " + choice + " has no tests of these shapes: use a TightestFitCollider, "
-                        + "HierarchicalCollider or CombinationCollider, or extend ShapeChoice");
-            }
         }
 
         /** Keeps the candidates that touch a row: see PairTests.keepTouching. The row's form chooses the tests; the others may have any shape. */
@@ -194,28 +183,21 @@ package starlogo.search
             return last == BoundingStructure.SPHERE ? sphereTests : structureTests;
         }
 
-        /** The tests with the ground. Its agent gives them. */
+        /** The tests with the ground. */
         public function groundTestsOf(ground:Body):GroundPairTests
         {
-            if (groundTests == null)
-            {
-                ground.shape.worldAgent.addTests(this);
-            }
-            return groundTests;
+            return GroundPairTests(testsOfWorldAgent(ground));
         }
 
-        // The tests with the ground or the edges of the world.
+        // The tests with the ground or the edges of the world. Its agent adds them.
         private function testsOfWorldAgent(body:Body):PairTests
         {
-            if (body.form == ModelShape.GROUND)
-            {
-                return groundTestsOf(body);
-            }
-            if (edgeTests == null)
+            var isGround:Boolean = body.form == ModelShape.GROUND;
+            if (isGround ? groundTests == null : edgeTests == null)
             {
                 body.shape.worldAgent.addTests(this);
             }
-            return edgeTests;
+            return isGround ? groundTests : edgeTests;
         }
     }
 }

@@ -5,6 +5,7 @@ package starlogo.search
     import starlogo.agents.Agent;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
+    import starlogo.search.pairs.SpherePairTests;
 
     use namespace engine;
 
@@ -25,6 +26,12 @@ package starlogo.search
         override engine function get system():int
         {
             return BIN;
+        }
+
+        /** @private */
+        override engine function addTests(narrowPhase:NarrowPhase):void
+        {
+            SpherePairTests.addTo(narrowPhase);
         }
 
         /** @inheritDoc */

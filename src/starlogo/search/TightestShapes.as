@@ -5,6 +5,7 @@ package starlogo.search
     import starlogo.engine;
     import starlogo.geometry.requireGiven;
     import starlogo.libraries.BoundingStructuresLibrary;
+    import starlogo.search.pairs.StructurePairTests;
 
     use namespace engine;
 
@@ -27,6 +28,12 @@ package starlogo.search
         override engine function get system():int
         {
             return TIGHTEST_FIT;
+        }
+
+        /** @private */
+        override engine function addTests(narrowPhase:NarrowPhase):void
+        {
+            StructurePairTests.addTo(narrowPhase);
         }
 
         /** @inheritDoc */

@@ -5,6 +5,8 @@ package starlogo.search
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.requireGiven;
+    import starlogo.search.pairs.StructurePairTests;
+    import starlogo.search.pairs.TreePairTests;
 
     use namespace engine;
 
@@ -39,6 +41,13 @@ package starlogo.search
         override engine function get system():int
         {
             return _fits == null ? HIERARCHICAL : COMBINATION;
+        }
+
+        /** @private The structures are those of fits, or of questions. */
+        override engine function addTests(narrowPhase:NarrowPhase):void
+        {
+            StructurePairTests.addTo(narrowPhase);
+            TreePairTests.addTo(narrowPhase);
         }
 
         /** @inheritDoc */

@@ -15,7 +15,6 @@ package starlogo.queries
     import starlogo.search.AgentShapes;
     import starlogo.search.NarrowPhase;
     import starlogo.search.pairs.StructurePairTests;
-    import starlogo.search.pairs.TreePairTests;
     import starlogo.search.SphereShapes;
     import starlogo.search.TightestShapes;
     import starlogo.search.TreeShapes;
@@ -84,8 +83,6 @@ package starlogo.queries
         {
             var choice:AgentShapes = new TreeShapes(sGreatLand);
             var pairs:NarrowPhase = new NarrowPhase(choice);
-            StructurePairTests.addTo(pairs);
-            TreePairTests.addTo(pairs);
             var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
             FrameByFrame.repeat(this, Effort.choose(180, 9000), function(i:int):void
@@ -116,8 +113,6 @@ package starlogo.queries
         {
             var choice:AgentShapes = new TreeShapes(sGreatLand);
             var pairs:NarrowPhase = new NarrowPhase(choice);
-            StructurePairTests.addTo(pairs);
-            TreePairTests.addTo(pairs);
             pairs.treeLimits.exact = true;
             var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
@@ -141,8 +136,6 @@ package starlogo.queries
         {
             var choice:AgentShapes = new TreeShapes(sGreatLand, new TightestShapes(sGreatLand));
             var pairs:NarrowPhase = new NarrowPhase(choice);
-            StructurePairTests.addTo(pairs);
-            TreePairTests.addTo(pairs);
             var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
             var fit:BoundingStructure = sGreatLand.boundingStructures.tightestFit("sphere");

@@ -6,8 +6,11 @@ package starlogo.search
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Cylinder;
     import starlogo.bounding.Sphere;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.agents.Agent;
     import starlogo.collision.Collider;
     import starlogo.models.BuiltInModel;
+    import starlogo.queries.LevelChoice;
     import support.assertThrows;
     import support.landOf;
 
@@ -39,13 +42,24 @@ package starlogo.search
         }
 
         [Test]
-        public function aColliderWithoutTheTestsOfItsShapesIsRefused():void
+        public function aColliderOfShapesWithoutTestsIsRefused():void
+        {
+            assertThrows(ArgumentError, /a Collider needs a ShapeChoice, not/, colliderOf, new LevelChoice());
+        }
+
+        [Test]
+        public function eachChoiceOfTheEngineBringsTheTestsOfItsShapes():void
         {
             var land:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
-            for each (var choice:AgentShapes in [new TightestShapes(land), new TreeShapes(land), new TreeShapes(land, new TightestShapes(land))])
+            for each (var choice:AgentShapes in [new SphereShapes(land), new TightestShapes(land), new TreeShapes(land), new TreeShapes(land, new TightestShapes(land))])
             {
-                assertRefused(choice, /has no tests of these shapes: use a TightestFitCollider/);
+                assertTrue(colliderOf(choice).areColliding(new Agent("sphere"), new Agent("cube")));
             }
+        }
+
+        private static function colliderOf(choice:AgentShapes):Collider
+        {
+            return new Collider(choice);
         }
 
         private static function assertRefused(choice:AgentShapes, message:RegExp):void

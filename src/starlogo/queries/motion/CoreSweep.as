@@ -98,10 +98,10 @@ package starlogo.queries.motion
             var whole:Body = _body.wholeAt(_end);
             var contact:ContactPoint = impact.contact;
             var left:Number = 1 - impact.time;
-            var inset:Number = _body.shrink * (contact.normalX * (whole.x - left * motion.x - contact.x)
+            var recess:Number = _body.setup.shrink * (contact.normalX * (whole.x - left * motion.x - contact.x)
                     + contact.normalY * (whole.y - left * motion.y - contact.y)
                     + contact.normalZ * (whole.z - left * motion.z - contact.z));
-            var early:Number = Math.max(0, Math.min(1, impact.time + inset / impact.along));
+            var early:Number = Math.max(0, Math.min(1, impact.time + recess / impact.along));
             if (isNaN(impact.touchTime))
             {
                 _seen.narrowPhase.testsOf(whole, _seen.table.bodyOf(impact.row)).findImpact(whole, _seen.table.bodyOf(impact.row), _motion, null);
@@ -157,7 +157,7 @@ package starlogo.queries.motion
         private function sweepCoreOnwards(other:Body, from:Vector3D):void
         {
             _motion.earliest = _motion.time;
-            _motion.latest = Math.min(1, _motion.time + SOON * _body.slop / _length);
+            _motion.latest = Math.min(1, _motion.time + SOON * _body.setup.slop / _length);
             sweepCore(other, from);
             _motion.latest = 1;
             if (_motion.time == RelativeMotion.NEVER)
@@ -184,7 +184,7 @@ package starlogo.queries.motion
         private function sweep(body:Body, other:Body, contact:ContactPoint):void
         {
             _motion.time = RelativeMotion.NEVER;
-            if (MovingBody.isNear(body, other, _motion, _body.slop))
+            if (MovingBody.isNear(body, other, _motion, _body.setup.slop))
             {
                 _seen.narrowPhase.testsOf(body, other).findImpact(body, other, _motion, contact);
             }

@@ -39,9 +39,8 @@ package starlogo.queries.motion
         private var _sweep:CoreSweep;
         private var _recovery:OverlapRecovery;
 
-        // The rows that may be in the way, and those of them that no plane replaces.
+        // The rows that may be in the way.
         private var _rows:NumberList = new NumberList();
-        private var _obstacles:NumberList = new NumberList();
 
         // Where the motion begins.
         private var _from:Vector3D = new Vector3D();
@@ -69,7 +68,7 @@ package starlogo.queries.motion
         }
 
         /**
-         * Takes the body and the rows for the next motions. The next motion sets the slop and the core.
+         * Takes the body and the rows for the next motions.
          *
          * @param body the body that moves. It stays where it is
          * @param rows the rows that may be in its way
@@ -99,12 +98,13 @@ package starlogo.queries.motion
         /**
          * Computes how the beginning of a motion lifts the body out of its rows, all together.
          *
+         * @param setup receives the setup of the motion
          * @param out receives the lift: 0 if the body overlaps nothing, or does not get free
          * @return whether there is a lift
          */
-        public function findLift(from:Vector3D, motion:Vector3D, out:StartLift):Boolean
+        public function findLift(from:Vector3D, motion:Vector3D, setup:MotionSetup, out:StartLift):Boolean
         {
-            start(from, motion, null, SlideLimits.NONE, _start);
+            start(from, motion, null, SlideLimits.NONE, setup, _start);
             out.copyFrom(_lift);
             out.displacement.copyFrom(_start);
             out.displacement.decrementBy(_from);
@@ -117,11 +117,12 @@ package starlogo.queries.motion
          * @param from where it begins
          * @param motion the whole motion
          * @param lift the lift of <code>findLift()</code>; null for none
+         * @param setup receives the setup of the motion
          * @param out receives the answer. Rounding may hide the touch at its place: see <code>goIntoTouch()</code>
          */
-        public function findTouch(from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
+        public function findTouch(from:Vector3D, motion:Vector3D, lift:StartLift, setup:MotionSetup, out:MotionResult):void
         {
-            var isMotion:Boolean = start(from, motion, lift, SlideLimits.NONE, _start);
+            var isMotion:Boolean = start(from, motion, lift, SlideLimits.NONE, setup, _start);
             var crossed:int = isMotion ? _rest.findCrossed() : -1;
             out.row = -1;
             out.fraction = 1;
@@ -134,7 +135,7 @@ package starlogo.queries.motion
                 out.row = _rest.rows[crossed];
                 out.fraction = 0;
             }
-            else if (isMotion && findObstacle(_start, _impact))
+            else if (isMotion && findObstacle(setup.obstacles, _start, _impact))
             {
                 takeImpact(motion, out);
             }
@@ -146,14 +147,16 @@ package starlogo.queries.motion
          * touch, and it could not come back. It tries several places. The first is half a tolerance before the contact. The tolerance is the
          * distance across which the two still touch. On a long way rounding may hide the touch. Then the body ends where its core touches the row.
          *
+         * @param setup the setup of the motion
          * @param result the answer of <code>findTouch()</code>, whose place changes
          */
-        public function goIntoTouch(result:MotionResult):void
+        public function goIntoTouch(setup:MotionSetup, result:MotionResult):void
         {
             if (result.row < 0 || result.fraction == 0)
             {
                 return;
             }
+            _body.resume(setup);
             var half:Number = _body.halfToleranceAt(result.row, result.place);
             result.contact.push(result.place, half);
             for (var i:int = 0; i < STEPS_INTO_TOUCH; i++)
@@ -172,15 +175,16 @@ package starlogo.queries.motion
          *
          * @param from where it begins
          * @param motion the whole motion
+         * @param setup receives the setup of the motion
          * @param out receives the answer of <code>findTouch()</code> without a lift, but its place is the clearance before the touch. Its fraction
          *     is that of the touch
          */
-        public function goBeforeTouch(from:Vector3D, motion:Vector3D, out:MotionResult):void
+        public function goBeforeTouch(from:Vector3D, motion:Vector3D, setup:MotionSetup, out:MotionResult):void
         {
-            findTouch(from, motion, null, out);
+            findTouch(from, motion, null, setup, out);
             if (out.row >= 0 && out.fraction > 0)
             {
-                goAlong(motion, Math.max(0, out.fraction + _body.clearance / out.along), out.place);
+                goAlong(motion, Math.max(0, out.fraction + setup.clearance / out.along), out.place);
             }
         }
 
@@ -190,24 +194,26 @@ package starlogo.queries.motion
          * @param from where it begins
          * @param motion the whole motion
          * @param limits how it may go
+         * @param setup receives the setup of the motion
          * @param out receives the answer
          */
-        public function slide(from:Vector3D, motion:Vector3D, limits:SlideLimits, out:SlideResult):void
+        public function slide(from:Vector3D, motion:Vector3D, limits:SlideLimits, setup:MotionSetup, out:SlideResult):void
         {
             var place:Vector3D = out.place;
             out.fraction = 1;
             out.metWall = false;
             out.floor.setNormal(0, 0, -1);
             out.floorRow = out.clearRow = -1;
-            if (!start(from, motion, null, limits, place))
+            if (!start(from, motion, null, limits, setup, place))
             {
                 place.incrementBy(motion);
                 return;
             }
             var whole:Number = _rest.length;
-            for (var iterations:int = 0; iterations < MOST_ITERATIONS && _rest.project(); iterations++)
+            _rest.project();
+            for (var iterations:int = 0; iterations < MOST_ITERATIONS && _rest.length > 0; iterations++)
             {
-                var isMet:Boolean = findObstacle(place, _impact);
+                var isMet:Boolean = findObstacle(setup.obstacles, place, _impact);
                 out.clearRow = _impact.clearRow;
                 if (!isMet)
                 {
@@ -219,7 +225,7 @@ package starlogo.queries.motion
                     _rest.beginCorner();
                 }
                 _sweep.findTouchTime(place, _rest.motion, _impact);
-                _rest.advance(place, Math.max(_impact.touchTime + _body.clearance / _impact.along, 0));
+                _rest.advance(place, Math.max(_impact.touchTime + setup.clearance / _impact.along, 0));
                 if (!_impact.isNormalFallback && (out.floorRow < 0 || _impact.contact.normalZ > out.floor.normalZ))
                 {
                     out.floor.copyFrom(_impact.contact);
@@ -231,51 +237,54 @@ package starlogo.queries.motion
                     standUp(_impact.contact);
                 }
                 _rest.add(_impact.contact, _impact.row);
-                dropNeedless(place);
+                dropNeedless(setup.obstacles, place);
+                _rest.project();
             }
             out.fraction = _rest.gone < whole ? _rest.gone / whole : 1;
         }
 
-        /** Whether the body would go into a row on a straight way from a place. */
-        public function meets(row:int, from:Vector3D, motion:Vector3D):Boolean
+        /** Whether the body would go into a row on a straight way from a place. The setup receives the slop and the core of this motion. */
+        public function meets(row:int, from:Vector3D, motion:Vector3D, setup:MotionSetup):Boolean
         {
-            _body.setMotion(from, motion);
+            _body.begin(from, motion, setup);
             return _sweep.meets(row, from, motion);
         }
 
         /**
-         * Finds the contact of the deepest overlap of the body at a place. Call it after a motion: the slop and the core are that motion's,
-         * also if <code>begin()</code> was called since.
+         * Finds the contact of the deepest overlap of the body at a place.
          *
+         * @param setup of a motion before, perhaps among other rows
          * @param out receives the contact
          * @return the sum of the depths of all overlaps
          */
-        public function findDeepest(place:Vector3D, out:ContactPoint):Number
+        public function findDeepest(place:Vector3D, setup:MotionSetup, out:ContactPoint):Number
         {
+            _body.resume(setup);
             return _recovery.findDeepest(_rows, place, out);
         }
 
         /**
-         * Lifts the body off what it only touches, if there is room. Call it after a motion, not after <code>meets()</code>: the slop, the core and
-         * the rows that count are that motion's. A row that a plane has taken the place of does not count, nor a one-way row that the body passed.
+         * Lifts the body off what it only touches, if there is room.
          *
+         * @param setup of the motion that ends here. Only its obstacles count
          * @param place the place of the body, which changes
          * @param clearRow a row that it is known not to touch there, or -1
          */
-        public function restoreClearance(place:Vector3D, clearRow:int):void
+        public function restoreClearance(place:Vector3D, setup:MotionSetup, clearRow:int):void
         {
-            _recovery.restoreClearance(_obstacles, place, clearRow);
+            _body.resume(setup);
+            _recovery.restoreClearance(setup.obstacles, place, clearRow);
         }
 
         // Begins a motion. The place receives where the body begins: lifted out of what it overlaps. Returns whether there is any motion.
-        private function start(from:Vector3D, motion:Vector3D, lift:StartLift, limits:SlideLimits, place:Vector3D):Boolean
+        private function start(from:Vector3D, motion:Vector3D, lift:StartLift, limits:SlideLimits, setup:MotionSetup, place:Vector3D):Boolean
         {
             _from.copyFrom(from);
             place.copyFrom(from);
             _rest.begin(motion, limits);
             _lift.clear();
-            _obstacles.copyFrom(_rows);
-            _body.setMotion(from, motion);
+            setup.obstacles.copyFrom(_rows);
+            _body.begin(from, motion, setup);
             if (!(_rest.length * _rest.length > Tolerances.VANISHING))
             {
                 return false;
@@ -285,17 +294,17 @@ package starlogo.queries.motion
                 _lift.copyFrom(lift);
                 place.incrementBy(lift.displacement);
             }
-            _lift.mostDepth = SLOPS_TO_LEAVE * _body.slop;
-            if (replaceDeep(place, false) && !_recovery.liftOut(_obstacles, place, _lift))
+            _lift.mostDepth = SLOPS_TO_LEAVE * setup.slop;
+            if (replaceDeep(setup.obstacles, place, false) && !_recovery.liftOut(setup.obstacles, place, _lift))
             {
                 place.copyFrom(_from);
                 _lift.clear();
-                replaceDeep(place, true);
+                replaceDeep(setup.obstacles, place, true);
             }
-            if (_body.isFlat && _rest.count == 0)
+            if (setup.isFlat && _rest.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                _recovery.restoreClearance(_obstacles, place, -1);
+                _recovery.restoreClearance(setup.obstacles, place, -1);
             }
             _rest.beginCorner();
             return true;
@@ -304,13 +313,13 @@ package starlogo.queries.motion
         // Lets planes take the places of rows that the core overlaps: of those whose overlap is not shallow, or of all. If the core does not
         // touch a row when it is narrower, the row stays, and the motion has that core. One-way rows that the body is within do not count any
         // more. Returns whether rows are left that the core overlapped.
-        private function replaceDeep(place:Vector3D, isOfAll:Boolean):Boolean
+        private function replaceDeep(obstacles:NumberList, place:Vector3D, isOfAll:Boolean):Boolean
         {
             var isLeft:Boolean = false;
             var kept:int = 0;
-            for (var i:int = 0; i < _obstacles.count; i++)
+            for (var i:int = 0; i < obstacles.count; i++)
             {
-                var row:int = _obstacles.numbers[i];
+                var row:int = obstacles.numbers[i];
                 var touches:Boolean = _body.coreTouches(row, place);
                 if (touches && _body.isWithinOneWay(row, place))
                 {
@@ -323,11 +332,11 @@ package starlogo.queries.motion
                 else
                 {
                     isLeft ||= touches;
-                    _obstacles.numbers[kept] = row;
+                    obstacles.numbers[kept] = row;
                     kept++;
                 }
             }
-            _obstacles.count = kept;
+            obstacles.count = kept;
             return isLeft;
         }
 
@@ -358,7 +367,7 @@ package starlogo.queries.motion
                 + out.contact.normalZ * (_start.z - _from.z);
             var time:Number = _impact.touchTime + lifted / out.along;
             out.fraction = time > 0 ? (time < 1 ? time : 1) : 0;
-            if (-out.fraction * out.along < _body.slop && _body.touches(out.row, _from))
+            if (-out.fraction * out.along < _body.setup.slop && _body.touches(out.row, _from))
             {
                 out.fraction = 0;
             }
@@ -384,13 +393,13 @@ package starlogo.queries.motion
         }
 
         // Removes planes that are not needed. At the edges of tiles, a contact's plane may belong to a side that the next tile hides. A plane is
-        // removed if the motion meets nothing in this corner without it.
-        private function dropNeedless(place:Vector3D):void
+        // removed if the motion meets nothing in this corner without it. The rest of the motion has to be projected again afterwards.
+        private function dropNeedless(obstacles:NumberList, place:Vector3D):void
         {
             for (var i:int = _rest.count - 2; i >= _rest.corner; i--)
             {
-                // slide() projects again
-                if (_rest.project(i) && !(_sweep.findFirst(_obstacles, place, _rest.motion, _tried) && isSameCorner(_tried)))
+                _rest.project(i);
+                if (_rest.length > 0 && !(_sweep.findFirst(obstacles, place, _rest.motion, _tried) && isSameCorner(_tried)))
                 {
                     _rest.remove(i);
                 }
@@ -400,19 +409,19 @@ package starlogo.queries.motion
         // Whether what is met first is met in the same corner.
         private function isSameCorner(impact:Impact):Boolean
         {
-            return impact.time * _rest.length < SAME_CORNER * _body.slop;
+            return impact.time * _rest.length < SAME_CORNER * _body.setup.slop;
         }
 
         // Finds what the rest of the motion meets first. One-way rows that it passes do not count from then on.
-        private function findObstacle(place:Vector3D, out:Impact):Boolean
+        private function findObstacle(obstacles:NumberList, place:Vector3D, out:Impact):Boolean
         {
-            while (_sweep.findFirst(_obstacles, place, _rest.motion, out))
+            while (_sweep.findFirst(obstacles, place, _rest.motion, out))
             {
                 if (!_body.passes(out.row, out.contact))
                 {
                     return true;
                 }
-                _obstacles.remove(out.row);
+                obstacles.remove(out.row);
             }
             return false;
         }

@@ -47,21 +47,6 @@ package starlogo.queries.motion
         // A one-way row stops the body with surfaces whose normal has at least this z: no steeper than 45 degrees, and a little for rounding.
         private static const UPWARDS:Number = Math.SQRT1_2 - 1e-9;
 
-        /**
-         * The slop of the motion, in patches. The core's nearest faces are that far behind the body's own, or less far if the body is slim, or
-         * its least half-extent is less than two slops. <code>narrow()</code> makes the core smaller still, but not the slop larger.
-         */
-        public var slop:Number = 0;
-
-        /** How far before a touch a slide ends, in patches. It is less than the slop, so the body can enter a place as wide as itself. */
-        public var clearance:Number = 0;
-
-        /** Whether the body is too flat for its core to be narrower. */
-        public var isFlat:Boolean = false;
-
-        /** The part of its size that the core loses. */
-        public var shrink:Number = 0;
-
         private var _seen:SeenAgents;
 
         // The body where it begins.
@@ -82,9 +67,8 @@ package starlogo.queries.motion
         private var _largest:Number = 0;
         private var _cell:Number = 0;
 
-        // How much of its least half-extent the core should lose, in patches: a slop, or more after <code>narrow()</code>. A slim or small body
-        // loses less.
-        private var _inset:Number = 0;
+        // The setup of the motion.
+        private var _setup:MotionSetup = null;
 
         /** @param seen has the rows, and decides which of them touch */
         public function MovingBody(seen:SeenAgents)
@@ -122,15 +106,29 @@ package starlogo.queries.motion
             }
         }
 
-        /** Computes the slop and the core of a motion. */
-        public function setMotion(from:Vector3D, motion:Vector3D):void
+        /** Begins a motion. The setup receives its slop and its core. */
+        public function begin(from:Vector3D, motion:Vector3D, setup:MotionSetup):void
         {
-            slop = OF_EXTENT * 2 * largestHalf + OF_OTHERS * _largest
+            _setup = setup;
+            setup.slop = OF_EXTENT * 2 * largestHalf + OF_OTHERS * _largest
                 + OF_PLACES * (Math.abs(from.x) + Math.abs(from.y) + Math.abs(from.z) + _cell)
                 + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            clearance = slop / 4;
-            setInset(slop);
-            isFlat = shrink * _source.leastHalf < FLAT * slop;
+            setup.clearance = setup.slop / 4;
+            setInset(setup.slop);
+            setup.isFlat = setup.shrink * _source.leastHalf < FLAT * setup.slop;
+        }
+
+        /** Goes on with the setup of an earlier motion. */
+        public function resume(setup:MotionSetup):void
+        {
+            _setup = setup;
+            _coreAt.x = NaN;
+        }
+
+        /** The setup of the motion. Others only read it. */
+        public function get setup():MotionSetup
+        {
+            return _setup;
         }
 
         /** Half of the largest extent of the body. */
@@ -151,7 +149,7 @@ package starlogo.queries.motion
         {
             if (place.x != _coreAt.x || place.y != _coreAt.y || place.z != _coreAt.z)
             {
-                _core.readShrunk(_source, place, shrink);
+                _core.readShrunk(_source, place, _setup.shrink);
                 _coreAt.copyFrom(place);
             }
             return _core;
@@ -180,9 +178,9 @@ package starlogo.queries.motion
             var whole:Body = wholeAt(place);
             if (other.form == ModelShape.GROUND)
             {
-                return _seen.narrowPhase.groundTestsOf(other).isDeeper(whole, other, slop);
+                return _seen.narrowPhase.groundTestsOf(other).isDeeper(whole, other, _setup.slop);
             }
-            _smaller.readShrunk(other, null, shrinkOf(other.largestHalf, other.leastHalf, slop));
+            _smaller.readShrunk(other, null, shrinkOf(other.largestHalf, other.leastHalf, _setup.slop));
             return areTouching(whole, _smaller);
         }
 
@@ -244,8 +242,8 @@ package starlogo.queries.motion
          */
         public function narrow(row:int, place:Vector3D):Boolean
         {
-            var inset:Number = _inset;
-            var most:Number = slop + SHALLOW * _largest;
+            var inset:Number = _setup.inset;
+            var most:Number = _setup.slop + SHALLOW * _largest;
             setInset(most);
             if (coreTouches(row, place))
             {
@@ -284,7 +282,7 @@ package starlogo.queries.motion
 
         private function areTouching(whole:Body, other:Body):Boolean
         {
-            return isNear(whole, other, RelativeMotion.NONE, slop) && _seen.narrowPhase.areTouching(whole, other);
+            return isNear(whole, other, RelativeMotion.NONE, _setup.slop) && _seen.narrowPhase.areTouching(whole, other);
         }
 
         // The larger extent of the body and another. The ground's extents are those of a cell, and do not count.
@@ -296,9 +294,9 @@ package starlogo.queries.motion
 
         private function setInset(width:Number):void
         {
-            _inset = width;
+            _setup.inset = width;
             _coreAt.x = NaN;
-            shrink = shrinkOf(largestHalf, _source.leastHalf, width);
+            _setup.shrink = shrinkOf(largestHalf, _source.leastHalf, width);
         }
 
         private static function shrinkOf(largestHalf:Number, leastHalf:Number, width:Number):Number

@@ -86,7 +86,7 @@ package starlogo.queries.motion
                 {
                     continue;
                 }
-                _contact.depth += _body.clearance;
+                _contact.depth += _body.setup.clearance;
                 if (_body.isExitShort(row, _contact))
                 {
                     sum += _contact.depth;
@@ -152,7 +152,7 @@ package starlogo.queries.motion
             var depth:Number = _contact.depth;
             if (lift == null)
             {
-                depth = Math.min(depth, SLOPS_OF_TOUCH * _body.slop);
+                depth = Math.min(depth, SLOPS_OF_TOUCH * _body.setup.slop);
             }
             else
             {
@@ -160,7 +160,7 @@ package starlogo.queries.motion
             }
             _beside.copyFrom(place);
             _beside.decrementBy(_touching);
-            _contact.push(place, depth + _body.clearance - _contact.along(_beside));
+            _contact.push(place, depth + _body.setup.clearance - _contact.along(_beside));
             _last.copyFrom(_contact);
             return true;
         }
@@ -185,7 +185,7 @@ package starlogo.queries.motion
             {
                 return true;
             }
-            for (var side:Number = -_body.clearance / 2; _body.isFlat && side <= _body.clearance / 2; side += _body.clearance)
+            for (var side:Number = -_body.setup.clearance / 2; _body.setup.isFlat && side <= _body.setup.clearance / 2; side += _body.setup.clearance)
             {
                 if (touchesAt(row, place, 0, 0, side, touching) || touchesAt(row, place, 0, side, 0, touching) || touchesAt(row, place, side, 0, 0, touching))
                 {

@@ -153,12 +153,11 @@ package starlogo.queries.motion
 
         /**
          * Projects the motion on the planes that it crosses. It takes the motion as it was when the corner began, and finds the nearest motion
-         * that crosses no plane.
+         * that crosses no plane. If there is hardly any, or a fall is not steep enough, the length becomes 0.
          *
          * @param without the index of a plane that does not count; -1 for none
-         * @return whether any motion is left
          */
-        public function project(without:int = -1):Boolean
+        public function project(without:int = -1):void
         {
             _halfSpaces.begin();
             for (var i:int = 0; i < count; i++)
@@ -180,10 +179,14 @@ package starlogo.queries.motion
             }
             if (!isSteepEnough())
             {
-                return false;
+                length = 0;
+                return;
             }
             shortenHorizontally();
-            return length > STUCK * whole;
+            if (length <= STUCK * whole)
+            {
+                length = 0;
+            }
         }
 
         private static function isSame(a:ContactPoint, b:ContactPoint):Boolean

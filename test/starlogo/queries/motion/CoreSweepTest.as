@@ -28,6 +28,7 @@ package starlogo.queries.motion
             var body:MovingBody = new MovingBody(seen);
             var sweep:CoreSweep = new CoreSweep(seen, body);
             var planned:PlannedMotion = new PlannedMotion();
+            var setup:MotionSetup = new MotionSetup();
             var row:NumberList = new NumberList();
             var ofBuilding:int = 0;
             var ofThing:int = 0;
@@ -47,7 +48,7 @@ package starlogo.queries.motion
                 planner.readBody(agents[0], 0, planned.body);
                 planner.plan(agents[0], random.between(-9, 9), random.between(-9, 9), random.between(-9, 9), null, planned);
                 body.read(planned.body, planned.rows);
-                body.setMotion(planned.from, planned.motion);
+                body.begin(planned.from, planned.motion, setup);
                 var expected:Impact = new Impact();
                 for (k = 0; k < planned.rows.count; k++)
                 {

@@ -25,13 +25,14 @@ package starlogo.queries.motion
             var agent:Agent = agentAt("cube", 0, 0, 1.5);
             seen.update(new <Agent>[agent, agentAt("cube", 0.2, 0, 0)]);
             var planned:PlannedMotion = new PlannedMotion();
+            var setup:MotionSetup = new MotionSetup();
             var result:SlideResult = new SlideResult();
             planner.readBody(agent, 0, planned.body);
             planner.planWithin(agent, 0, 0, -1, 1, 0, 0, null, planned);
             mover.begin(planned.body, planned.rows);
-            mover.slide(planned.from, planned.motion, SlideLimits.NONE, result);
+            mover.slide(planned.from, planned.motion, SlideLimits.NONE, setup, result);
             assertTrue("it met the cube below: " + result.floor.normalZ, Math.abs(result.floor.normalZ - 1) < 1e-9);
-            mover.slide(planned.from, new Vector3D(), SlideLimits.NONE, result);
+            mover.slide(planned.from, new Vector3D(), SlideLimits.NONE, setup, result);
             assertEquals(-1, result.floorRow);
             assertEquals(false, result.metWall);
         }

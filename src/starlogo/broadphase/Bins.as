@@ -232,18 +232,10 @@ package starlogo.broadphase
             }
         }
 
-        // The pairs of members of one level. This and the next function are the inner loops of every frame. So all
-        // numbers are in locals, each if compares once, and only the sink is called.
+        // The pairs of members of one level.
         private function collideLevel(level:BinLevel, sink:PairSink):void
         {
-            var rows:Vector.<int> = _rows;
-            var xs:Vector.<Number> = _xs;
-            var ys:Vector.<Number> = _ys;
-            var radii:Vector.<Number> = _radii;
             var ends:Vector.<int> = _ends;
-            var candidates:Vector.<int> = _candidates;
-            var slack:Number = level.slack;
-            var farthest:Number = level.width + slack;
             var base:int = level.base;
             var mask:int = level.mask;
             var toNextLine:int = level.stride - 1 - base;
@@ -264,38 +256,11 @@ package starlogo.broadphase
                 var nextLineEnd:int = ends[below + 3];
                 for (; slot < end; slot++)
                 {
-                    var middleX:Number = xs[slot];
-                    var middleY:Number = ys[slot];
-                    var ownRadius:Number = radii[slot] + slack;
-                    var candidateCount:int = 0;
-                    for (var other:int = slot + 1; other < runEnd; other++)
+                    var found:int = collect(slot, slot + 1, runEnd, level.slack, 0);
+                    found = collect(slot, nextLine, nextLineEnd, level.slack, found);
+                    if (found > 0)
                     {
-                        var distanceX:Number = xs[other] - middleX;
-                        if (distanceX <= farthest)
-                        {
-                            var distanceY:Number = ys[other] - middleY;
-                            var touchingDistance:Number = ownRadius + radii[other];
-                            if (distanceX * distanceX + distanceY * distanceY <= touchingDistance * touchingDistance)
-                            {
-                                candidates[candidateCount] = rows[other];
-                                candidateCount++;
-                            }
-                        }
-                    }
-                    for (other = nextLine; other < nextLineEnd; other++)
-                    {
-                        distanceX = xs[other] - middleX;
-                        distanceY = ys[other] - middleY;
-                        touchingDistance = ownRadius + radii[other];
-                        if (distanceX * distanceX + distanceY * distanceY <= touchingDistance * touchingDistance)
-                        {
-                            candidates[candidateCount] = rows[other];
-                            candidateCount++;
-                        }
-                    }
-                    if (candidateCount > 0)
-                    {
-                        sink.onCandidates(rows[slot], candidates, candidateCount, level);
+                        sink.onCandidates(_rows[slot], _candidates, found, level);
                     }
                 }
             }
@@ -304,50 +269,50 @@ package starlogo.broadphase
         // The pairs of members of one level with members of a coarser level. A member meets at most three cells in each of three lines of cells.
         private function collideLevels(level:BinLevel, coarser:BinLevel, sink:PairSink):void
         {
+            var wide:Number = level.width / 2 + coarser.width / 2 + coarser.slack;
+            var last:int = _ends[level.base + level.mask + 1];
+            for (var slot:int = _ends[level.base]; slot < last; slot++)
+            {
+                var column:int = coarser.columnOf(_xs[slot] - wide);
+                var columns:int = coarser.columnOf(_xs[slot] + wide) - column + 1;
+                var lastLine:int = coarser.columnOf(_ys[slot] + wide);
+                var found:int = 0;
+                for (var line:int = coarser.columnOf(_ys[slot] - wide); line <= lastLine; line++)
+                {
+                    var cell:int = coarser.base + coarser.cellIn(column, line);
+                    found = collect(slot, _ends[cell], _ends[cell + columns], coarser.slack, found);
+                }
+                if (found > 0)
+                {
+                    sink.onCandidates(_rows[slot], _candidates, found, coarser);
+                }
+            }
+        }
+
+        // Adds the members in a run of slots whose circles overlap a member's circle to its candidates. Returns how many candidates there are. This
+        // is the inner loop of every frame, so all that it reads is in locals.
+        private function collect(slot:int, from:int, end:int, slack:Number, found:int):int
+        {
             var rows:Vector.<int> = _rows;
             var xs:Vector.<Number> = _xs;
             var ys:Vector.<Number> = _ys;
             var radii:Vector.<Number> = _radii;
-            var ends:Vector.<int> = _ends;
             var candidates:Vector.<int> = _candidates;
-            var slack:Number = coarser.slack;
-            var wide:Number = level.width / 2 + coarser.width / 2 + slack;
-            var cellsPerPatch:Number = coarser.cellsPerPatch;
-            var mask:int = coarser.mask;
-            var stride:int = coarser.stride;
-            var base:int = coarser.base;
-            var last:int = ends[level.base + level.mask + 1];
-            for (var slot:int = ends[level.base]; slot < last; slot++)
+            var x:Number = xs[slot];
+            var y:Number = ys[slot];
+            var radius:Number = radii[slot] + slack;
+            for (var other:int = from; other < end; other++)
             {
-                var middleX:Number = xs[slot];
-                var middleY:Number = ys[slot];
-                var ownRadius:Number = radii[slot] + slack;
-                var column:int = (middleX - wide) * cellsPerPatch + BIAS;
-                var columns:int = int((middleX + wide) * cellsPerPatch + BIAS) - column + 1;
-                var line:int = (middleY - wide) * cellsPerPatch + BIAS;
-                var lastLine:int = (middleY + wide) * cellsPerPatch + BIAS;
-                var candidateCount:int = 0;
-                for (; line <= lastLine; line++)
+                var toX:Number = xs[other] - x;
+                var toY:Number = ys[other] - y;
+                var touching:Number = radius + radii[other];
+                if (toX * toX + toY * toY <= touching * touching)
                 {
-                    var cell:int = (((line & mask) * stride + column) & mask) + base;
-                    var end:int = ends[cell + columns];
-                    for (var other:int = ends[cell]; other < end; other++)
-                    {
-                        var distanceX:Number = xs[other] - middleX;
-                        var distanceY:Number = ys[other] - middleY;
-                        var touchingDistance:Number = ownRadius + radii[other];
-                        if (distanceX * distanceX + distanceY * distanceY <= touchingDistance * touchingDistance)
-                        {
-                            candidates[candidateCount] = rows[other];
-                            candidateCount++;
-                        }
-                    }
-                }
-                if (candidateCount > 0)
-                {
-                    sink.onCandidates(rows[slot], candidates, candidateCount, coarser);
+                    candidates[found] = rows[other];
+                    found++;
                 }
             }
+            return found;
         }
     }
 }

@@ -1,6 +1,7 @@
 package starlogo.collision
 {
     import flash.errors.IllegalOperationError;
+    import flash.utils.getTimer;
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
@@ -130,10 +131,12 @@ package starlogo.collision
          * @private Finds the pairs of a Collision's frame. A game's own system may return its own vector, and need not count its tests.
          *
          * @param out takes the pairs
+         * @param counts takes the counts and the time
          * @throws IllegalOperationError if there is ground or there are edges, but this is not one of the engine's systems
          */
-        engine function findPairs(input:FrameInput, out:FoundPairs):void
+        engine function findPairs(input:FrameInput, out:FoundPairs, counts:CollisionStatistics):void
         {
+            var start:Number = getTimer();
             var hasGround:Boolean = input.world[ListedAgents.GROUND] != null;
             if (hasGround || input.world[ListedAgents.EDGES] != null)
             {
@@ -143,6 +146,11 @@ package starlogo.collision
             var listed:Vector.<Agent> = input.takePart == null ? input.agents : chosen(input.agents, input.takePart);
             _foreign ||= new ForeignPairs();
             _foreign.read(findCollisionsAmong(listed, input.interests, _foundAgents), input.agents, out);
+            counts.copyFrom(statistics);
+            // the system may not count these
+            counts.agents = input.agents.length;
+            counts.collisions = out.count;
+            counts.findMs = getTimer() - start;
         }
 
         /** @private Called when a Collision's frame is over, handlers included, with the Collision's statistics. */

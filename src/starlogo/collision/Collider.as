@@ -148,11 +148,9 @@ package starlogo.collision
             var motion:RelativeMotion = _motion;
             var point:ContactPoint = _point;
             by.findContact(collider, collidee, motion, point);
+            contact.read(point);
             contact.time = motion.time;
-            contact.depth = point.depth;
             contact.approachSpeed = Math.max(0, -(motion.x * point.normalX + motion.y * point.normalY + motion.z * point.normalZ));
-            contact.normal.setTo(point.normalX, point.normalY, point.normalZ);
-            contact.point.setTo(point.x, point.y, point.z);
             return contact;
         }
 
@@ -214,9 +212,10 @@ package starlogo.collision
         }
 
         /** @private */
-        override engine function findPairs(input:FrameInput, out:FoundPairs):void
+        override engine function findPairs(input:FrameInput, out:FoundPairs, counts:CollisionStatistics):void
         {
             find(search, input, out, true);
+            counts.copyFrom(_statistics);
         }
 
         private function find(by:CollisionSearch, input:FrameInput, out:FoundPairs, mayKeep:Boolean):void

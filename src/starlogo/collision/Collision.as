@@ -278,7 +278,8 @@ package starlogo.collision
                 {
                     collider.beginFrame();
                 }
-                findPairs(system);
+                system.findPairs(_input, _calls.pairs, _statistics);
+                _input.agents = null;
                 lastFrame.keep(listed, system.equivalentCollider);
                 if (collider != null)
                 {
@@ -408,19 +409,6 @@ package starlogo.collision
             _world[ListedAgents.GROUND] = terrain == null ? null : terrain.worldAgent;
             _world[ListedAgents.EDGES] = bounds == null ? null : bounds.worldAgent;
             return _world;
-        }
-
-        private function findPairs(system:BaseCollider):void
-        {
-            var start:Number = getTimer();
-            var agentCount:int = _input.agents.length;
-            system.findPairs(_input, _calls.pairs);
-            _input.agents = null;
-            _statistics.copyFrom(system.statistics);
-            // a game's own system may not count these
-            _statistics.agents = agentCount;
-            _statistics.collisions = _calls.pairs.count;
-            _statistics.findMs = getTimer() - start;
         }
     }
 }

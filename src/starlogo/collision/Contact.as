@@ -2,6 +2,7 @@ package starlogo.collision
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.convex.ContactPoint;
     import starlogo.engine;
 
     use namespace engine;
@@ -51,6 +52,14 @@ package starlogo.collision
          * far the motion goes against the normal.
          */
         public var approachSpeed:Number = 0;
+
+        /** @private Takes the point, the normal and the depth of a contact. */
+        engine function read(from:ContactPoint):void
+        {
+            point.setTo(from.x, from.y, from.z);
+            normal.setTo(from.normalX, from.normalY, from.normalZ);
+            depth = from.depth;
+        }
 
         /** @private Sets a contact half way between two agents, along the line from one to the other. */
         engine function setBetween(collider:Agent, collidee:Agent):void

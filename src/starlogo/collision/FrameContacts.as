@@ -5,6 +5,9 @@ package starlogo.collision
     /** The contacts of a frame's pairs, for the pairs whose handlers take contacts. */
     internal final class FrameContacts
     {
+        /** Whether the collision system is computing a contact. It is still true when the system has thrown an error. */
+        public var isComputing:Boolean = false;
+
         private var _system:BaseCollider = null;
 
         // By pair: the contact, and the frame in which it was computed.
@@ -19,6 +22,7 @@ package starlogo.collision
         public function begin(system:BaseCollider):void
         {
             _system = system;
+            isComputing = false;
             _frame++;
         }
 
@@ -36,7 +40,9 @@ package starlogo.collision
                 _contacts.push(new Contact());
                 _frames.push(0);
             }
+            isComputing = true;
             _system.contactOf(first, second, _contacts[pair]);
+            isComputing = false;
             _frames[pair] = _frame;
         }
 
@@ -48,13 +54,12 @@ package starlogo.collision
          * @param first the first agent of the pair
          * @param second the second agent
          * @param isBack whether the second agent is the collider
-         * @throws LateContactError if the collision system throws
          */
         public function contactFor(pair:int, first:Agent, second:Agent, isBack:Boolean):Contact
         {
             if (pair >= _frames.length || _frames[pair] != _frame)
             {
-                findLate(pair, first, second);
+                find(pair, first, second);
             }
             var known:Contact = _contacts[pair];
             _given.time = known.time;
@@ -67,18 +72,6 @@ package starlogo.collision
                 _given.normal.negate();
             }
             return _given;
-        }
-
-        private function findLate(pair:int, first:Agent, second:Agent):void
-        {
-            try
-            {
-                find(pair, first, second);
-            }
-            catch (error:*)
-            {
-                throw new LateContactError(error);
-            }
         }
     }
 }

@@ -108,12 +108,7 @@ package starlogo.collision
                 }
                 catch (error:*)
                 {
-                    var late:LateContactError = error as LateContactError;
-                    if (late != null)
-                    {
-                        throw late.cause;
-                    }
-                    if (count == calls)
+                    if (_contacts.isComputing || count == calls)
                     {
                         // the error does not come from a handler, so going on would throw it again
                         throw error;

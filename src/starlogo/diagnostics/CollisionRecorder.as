@@ -103,11 +103,10 @@ package starlogo.diagnostics
         }
 
         /** @private */
-        override engine function findPairs(input:FrameInput, out:FoundPairs):void
+        override engine function findPairs(input:FrameInput, out:FoundPairs, counts:CollisionStatistics):void
         {
-            var start:Number = getTimer();
-            _system.findPairs(input, out);
-            _findTimes.add(getTimer() - start);
+            _system.findPairs(input, out, counts);
+            _findTimes.add(counts.findMs);
             for (var i:int = 0; i < out.count; i++)
             {
                 countPair(out.firstOf(i), out.secondOf(i));

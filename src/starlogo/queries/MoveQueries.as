@@ -110,9 +110,7 @@ package starlogo.queries
                 if (isMet)
                 {
                     var from:ContactPoint = _hits.contactOf(0);
-                    contact.point.setTo(from.x, from.y, from.z);
-                    contact.normal.setTo(from.normalX, from.normalY, from.normalZ);
-                    contact.depth = from.depth;
+                    contact.read(from);
                     contact.approachSpeed = Math.max(0, -from.along(_planned.motion));
                 }
             }

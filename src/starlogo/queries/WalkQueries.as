@@ -66,10 +66,7 @@ package starlogo.queries
         // How a slide ends that is tried in its place, or that leads down a slope.
         private var _tried:SlideResult = new SlideResult();
 
-        // How the last way down ends.
-        private var _down:MotionResult = new MotionResult();
-
-        // How another straight way ends.
+        // How the last straight way ends.
         private var _straight:MotionResult = new MotionResult();
 
         // The vector of a motion, and the beginning of a motion or of a ray.
@@ -213,7 +210,7 @@ package starlogo.queries
         {
             var stands:Boolean = goDown(walk, walk.start, walk.closeDepth);
             var pushed:Number = 0;
-            if (_down.isDeep)
+            if (_straight.isDeep)
             {
                 pushed = pushOut(walk);
                 stands = goDown(walk, walk.start, walk.closeDepth);
@@ -322,16 +319,16 @@ package starlogo.queries
         }
 
         // Goes down to the ground if it is no deeper than this depth, and not too steep. If there is such ground, the walk is there. Otherwise it
-        // is at the beginning. Returns whether there is. _down has how the way down ends.
+        // is at the beginning. Returns whether there is. _straight has how the way down ends.
         private function goDown(walk:Walk, from:Vector3D, depth:Number):Boolean
         {
             walk.place.copyFrom(from);
-            goUpright(walk, walk.place, -depth, _down);
-            if (_down.row < 0 || !(standOn(walk, _down.contact, _down.row, _down.place) || standOnOther(walk, _down.place)))
+            goUpright(walk, walk.place, -depth, _straight);
+            if (_straight.row < 0 || !(standOn(walk, _straight.contact, _straight.row, _straight.place) || standOnOther(walk, _straight.place)))
             {
                 return false;
             }
-            walk.place.copyFrom(_down.place);
+            walk.place.copyFrom(_straight.place);
             return true;
         }
 
@@ -354,29 +351,29 @@ package starlogo.queries
         private function fall(walk:Walk):Boolean
         {
             var left:Number = walk.options.fall;
-            _down.place.copyFrom(walk.place);
-            _down.row = -1;
-            for (var piece:Number = 1; left > 0 && _down.row < 0; piece *= 2)
+            _straight.place.copyFrom(walk.place);
+            _straight.row = -1;
+            for (var piece:Number = 1; left > 0 && _straight.row < 0; piece *= 2)
             {
-                if (_down.place.z - Math.min(left, piece) < -Agent.LARGEST_COORDINATE)
+                if (_straight.place.z - Math.min(left, piece) < -Agent.LARGEST_COORDINATE)
                 {
                     return false;
                 }
-                goUpright(walk, _down.place, -Math.min(left, piece), _down);
-                left -= _down.fraction * Math.min(left, piece);
+                goUpright(walk, _straight.place, -Math.min(left, piece), _straight);
+                left -= _straight.fraction * Math.min(left, piece);
             }
-            if (_down.row < 0)
+            if (_straight.row < 0)
             {
                 // a fall can also end where the ground begins, without being stopped
-                return goDown(walk, _down.place, walk.closeDepth);
+                return goDown(walk, _straight.place, walk.closeDepth);
             }
-            if (standOn(walk, _down.contact, _down.row, _down.place))
+            if (standOn(walk, _straight.contact, _straight.row, _straight.place))
             {
-                walk.place.copyFrom(_down.place);
+                walk.place.copyFrom(_straight.place);
                 return true;
             }
             var longest:Number = Math.min(walk.options.fall, walk.planned.body.placement.size);
-            slideDown(walk, _down.place, Math.min(left, longest), longest / 2, _tried);
+            slideDown(walk, _straight.place, Math.min(left, longest), longest / 2, _tried);
             return goDown(walk, walk.place.z - _tried.place.z < REST * walk.extent ? walk.place : _tried.place, walk.closeDepth);
         }
 

@@ -61,19 +61,35 @@ package starlogo.search
             choice.addTests(this);
         }
 
-        /** Keeps the candidates that touch a row: see PairTests.keepTouching. The row's form chooses the tests; the others may have any shape. */
+        /**
+         * Keeps the candidates that touch a row, and moves them to the beginning of the list.
+         *
+         * @param slack how far apart the extents of touching rows may be
+         * @param row may be the ground or the edges of the world, whose extents say nothing
+         * @param others the candidates. If the row is an agent, their circles on the ground overlap the row's circle
+         * @param count the number of candidates
+         * @return the number of candidates that it keeps
+         */
         public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
         {
-            var form:int = table.forms[row];
-            if (form >= ModelShape.GROUND)
+            var body:Body = table.bodyOf(row);
+            if (body.form == ModelShape.GROUND)
             {
-                return testsOfWorldAgent(table.bodyOf(row)).keepTouching(table, slack, row, others, count);
+                return groundTestsOf(body).keepTouching(table, body, others, count);
             }
-            if (form == ModelShape.TREE)
+            var extents:Extents = table.extents;
+            var isNearAll:Boolean = body.isOfWorld;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
             {
-                return treeTests.keepTouching(table, slack, row, others, count);
+                var other:int = others[i];
+                if ((isNearAll || areNear(extents, slack, row, other)) && areTouching(body, table.bodyOf(other)))
+                {
+                    others[kept] = other;
+                    kept++;
+                }
             }
-            return structureTests.keepTouching(table, slack, row, others, count);
+            return kept;
         }
 
         /** Whether two bodies touch. They may come in either order, the ground and the edges of the world too. */

@@ -89,10 +89,9 @@ package starlogo.search.pairs
             return queryOf(a, b).isDeeper(depth);
         }
 
-        /** @inheritDoc */
-        override public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
+        /** Keeps those of some rows that touch the ground, and moves them to the beginning of the list. Returns how many they are. */
+        public function keepTouching(table:AgentTable, ground:Body, others:Vector.<int>, count:int):int
         {
-            var ground:Body = table.bodyOf(row);
             var earlyOut:GroundEarlyOut = earlyOutOf(ground);
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)

@@ -8,7 +8,6 @@ package starlogo.search.pairs
     import starlogo.search.Body;
     import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.OverlapMiddle;
-    import starlogo.search.table.AgentTable;
 
     use namespace engine;
 
@@ -26,31 +25,6 @@ package starlogo.search.pairs
         public function areTouching(a:Body, b:Body):Boolean
         {
             throw new IllegalOperationError(this + " does not implement areTouching");
-        }
-
-        /**
-         * Keeps the candidates that touch a row, and moves them to the beginning of the list.
-         *
-         * @param slack how far apart the extents of touching rows may be
-         * @param row may be the ground or the edges of the world, whose extents say nothing
-         * @param others the candidates. If the row is an agent, their circles on the ground overlap the row's circle
-         * @param count the number of candidates
-         * @return the number of candidates that it keeps
-         */
-        public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
-        {
-            var body:Body = table.bodyOf(row);
-            var kept:int = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                var other:int = others[i];
-                if ((body.isOfWorld || NarrowPhase.areNear(table.extents, slack, row, other)) && areTouching(table.bodyOf(other), body))
-                {
-                    others[kept] = other;
-                    kept++;
-                }
-            }
-            return kept;
         }
 
         /**

@@ -68,7 +68,6 @@ package starlogo.search.pairs
             testCount += count;
             for (var i:int = 0; i < count; i++)
             {
-                // areRowsTouching() as a loop
                 var other:int = others[i];
                 var x:Number = xs[other] - atX;
                 var y:Number = ys[other] - atY;
@@ -77,6 +76,7 @@ package starlogo.search.pairs
                 var squared:Number = x * x + y * y + z * z;
                 if (squared > across * across)
                 {
+                    // if the gap is not larger than rounding errors, the exact test decides
                     across += slack;
                     if (squared > across * across || !areTouching(table.bodyOf(row), table.bodyOf(other)))
                     {
@@ -90,25 +90,6 @@ package starlogo.search.pairs
                 to += 2;
             }
             out.count = to >> 1;
-        }
-
-        /** Whether two rows touch, which must be spheres. It reads the columns of the table. The slack is that of writeTouching(). */
-        public function areRowsTouching(table:AgentTable, slack:Number, a:int, b:int):Boolean
-        {
-            var extents:Extents = table.extents;
-            var x:Number = extents.x[b] - extents.x[a];
-            var y:Number = extents.y[b] - extents.y[a];
-            var z:Number = extents.z[b] - extents.z[a];
-            var across:Number = extents.radius[a] + extents.radius[b];
-            var squared:Number = x * x + y * y + z * z;
-            testCount++;
-            if (squared <= across * across)
-            {
-                return true;
-            }
-            // if the gap is not larger than rounding errors, the exact test decides
-            across += slack;
-            return squared <= across * across && areTouching(table.bodyOf(a), table.bodyOf(b));
         }
 
         /** @inheritDoc */

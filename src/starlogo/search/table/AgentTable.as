@@ -1,8 +1,6 @@
 package starlogo.search.table
 {
     import starlogo.agents.Agent;
-    import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
     import starlogo.broadphase.BinLevels;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
@@ -55,13 +53,6 @@ package starlogo.search.table
 
         // By row: the agent's shapeRevision at which its shape was read.
         private var _shapeRevisions:Vector.<int> = new Vector.<int>();
-
-        // By row: the structure of the body if it is a box that is tested alone, and else null. This column is typed, so the most frequent slow
-        // test needs no casts.
-        engine var boxes:Vector.<Box> = new Vector.<Box>();
-
-        // By row: the revision at which its box was placed.
-        engine var placedRevisions:Vector.<int> = new Vector.<int>();
 
         // The number of rows read last whose models are still loading.
         engine var loadingCount:int = 0;
@@ -202,13 +193,6 @@ package starlogo.search.table
             return body;
         }
 
-        /** Puts the box of a row to its place. A test does this only when it needs the box, because few of thousands of agents have others near. */
-        engine function placeBox(row:int):void
-        {
-            bodyOf(row).worldStructure();
-            placedRevisions[row] = places.last.revisions[row];
-        }
-
         /**
          * Reads the places of agents that have changed since the last search.
          *
@@ -289,8 +273,8 @@ package starlogo.search.table
         private function grow(length:int):void
         {
             var row:int = shapes.length;
-            shapes.length = boxes.length = _bodies.length = length;
-            forms.length = breeds.length = _bodyRevisions.length = _shapeRevisions.length = placedRevisions.length = length;
+            shapes.length = _bodies.length = length;
+            forms.length = breeds.length = _bodyRevisions.length = _shapeRevisions.length = length;
             places.grow(length);
             _rowExtents.grow(length);
             for (; row < length; row++)
@@ -403,7 +387,6 @@ package starlogo.search.table
                 places.last.revisions[row] = RowPlaces.NOT_SEEN;
             }
             shapes[row] = shape;
-            boxes[row] = null;
             _shapeRevisions[row] = list.agents[row].shapeRevision;
             if (shape == null)
             {
@@ -427,10 +410,6 @@ package starlogo.search.table
             body.readShape(agent, shape);
             body.rank = list.ranks[row];
             _rowExtents.setLengths(row, body);
-            if (shape.form == BoundingStructure.BOX && boxes[row] == null)
-            {
-                boxes[row] = Box(body.worldStructure());
-            }
             _bodyRevisions[row] = agent.bodyRevision;
             unplace(row);
         }
@@ -438,7 +417,6 @@ package starlogo.search.table
         // Lets a row's body be placed again.
         private function unplace(row:int):void
         {
-            placedRevisions[row] = STALE;
             if (_bodies[row] != null)
             {
                 _bodies[row].revision = STALE;

@@ -124,8 +124,7 @@ package starlogo.queries
         private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
             _planner.readBody(agent, 0, _planned.body);
-            // the agent may go anywhere within the length of its way
-            _planner.planWithin(agent, dx, dy, dz, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, filter, _planned);
+            _planner.planSlide(agent, dx, dy, dz, filter, _planned);
             _mover.begin(_planned.body, _planned.rows);
             _mover.slide(_planned.from, _planned.motion, SlideLimits.NONE, _setup, _slide);
             _mover.restoreClearance(_slide.place, _setup, _slide.clearRow);

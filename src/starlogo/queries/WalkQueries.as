@@ -200,8 +200,8 @@ package starlogo.queries
             var options:WalkOptions = walk.options;
             _planner.readBody(walk.agent, walk.turn, walk.planned.body);
             // the range has the way in it, whatever its direction
-            _planner.planWithin(walk.agent, 0, 0, 0, walk.range + distance, walk.pieces * options.stepHeight,
-                    walk.pieces * options.snap + options.fall, options.filter, walk.planned);
+            _planner.planWithin(walk.agent, walk.range + distance, walk.pieces * options.stepHeight, walk.pieces * options.snap + options.fall,
+                    options.filter, walk.planned);
         }
 
         // Pushes the agent out of what it overlaps, goes all pieces, and falls if the agent does not stand. Returns whether it stands at the end.

@@ -58,12 +58,12 @@ package starlogo.search
             _out = out;
         }
 
-        /** Ends the search: puts the pairs into order. Returns how many of them touch before the end of their motions: see PairOrder. */
-        public function end():int
+        /** Ends the search: puts the pairs into order. */
+        public function end():void
         {
             var found:FoundPairs = _out;
             _out = null;
-            return _order.sort(found, _conditions.anySweeps);
+            _order.sort(found, _conditions.anySweeps);
         }
 
         /** @inheritDoc */

@@ -100,6 +100,7 @@ package starlogo.search
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
             counts.candidatePairs = _candidates.candidatePairs;
+            counts.sweptPairs = _hasMotions ? _motions.sweptPairs : 0;
             counts.collisions = out.count;
         }
 
@@ -178,13 +179,8 @@ package starlogo.search
                 _motions.findContact(table, rowA, rowB, motion, out);
                 return;
             }
-            if (areSeen)
-            {
-                _narrowPhase.findContact(table.bodyOf(rowA), table.bodyOf(rowB), motion, out);
-                return;
-            }
-            var bodyA:Body = table.currentBodyOf(a, _bodyA);
-            var bodyB:Body = table.currentBodyOf(b, _bodyB);
+            var bodyA:Body = areSeen ? table.bodyOf(rowA) : table.currentBodyOf(a, _bodyA);
+            var bodyB:Body = areSeen ? table.bodyOf(rowB) : table.currentBodyOf(b, _bodyB);
             if (bodyA.shape == null || bodyB.shape == null)
             {
                 var loading:Agent = bodyA.shape == null ? a : b;

@@ -147,22 +147,15 @@ package starlogo.search
         /**
          * Puts found pairs, which are in order, between the others.
          *
-         * @param early how many of the found pairs come before all others, because they touch earlier
+         * @param haveTimes whether an agent sweeps. The others touch at the end of their motions, so found pairs that touch earlier come before them
          */
-        internal function merge(found:FoundPairs, early:int):void
+        internal function merge(found:FoundPairs, haveTimes:Boolean):void
         {
+            var early:int = haveTimes ? found.countEarly() : 0;
             var from:int = count;
             count += found.count;
             var to:int = count;
-            // grows by an eighth, because a vector that grows a little in each frame is copied each time
-            if (rows.length < 2 * to)
-            {
-                rows.length = 2 * (to + (to >> 3));
-            }
-            if (touches != null && touches.length < to)
-            {
-                touches.length = to + (to >> 3);
-            }
+            makeRoom(to);
             added.count = found.count;
             if (added.numbers.length < found.count)
             {
@@ -190,6 +183,30 @@ package starlogo.search
                 {
                     touches[to] = NONE;
                 }
+            }
+        }
+
+        // How many pairs touch before the end of their motions. They come first.
+        private function countEarly():int
+        {
+            var early:int = 0;
+            while (early < count && times[early] < 1)
+            {
+                early++;
+            }
+            return early;
+        }
+
+        // Grows by an eighth, because a vector that grows a little in each frame is copied each time.
+        private function makeRoom(pairCount:int):void
+        {
+            if (rows.length < 2 * pairCount)
+            {
+                rows.length = 2 * (pairCount + (pairCount >> 3));
+            }
+            if (touches != null && touches.length < pairCount)
+            {
+                touches.length = pairCount + (pairCount >> 3);
             }
         }
 

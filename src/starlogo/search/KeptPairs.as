@@ -120,18 +120,9 @@ package starlogo.search
             {
                 return false;
             }
-            _candidates.begin(conditions, _found);
-            for (var i:int = 0; i < _changed.count; i++)
-            {
-                if (_cells.has(_changed.numbers[i]))
-                {
-                    _cells.findNear(_changed.numbers[i], _changedIn, _searchNumber, _candidates);
-                }
-            }
-            findPairsOfWorldAgent(ListedAgents.GROUND);
-            findPairsOfWorldAgent(ListedAgents.EDGES);
+            findPairsOfChanged(conditions);
             pairs.drop(_table.list, _changedIn, _searchNumber);
-            pairs.merge(_found, _candidates.end());
+            pairs.merge(_found, conditions.anySweeps);
             rememberPairs(pairs);
             return true;
         }
@@ -230,6 +221,22 @@ package starlogo.search
                 }
             }
             return true;
+        }
+
+        // Finds the pairs of the changed rows.
+        private function findPairsOfChanged(conditions:SearchConditions):void
+        {
+            _candidates.begin(conditions, _found);
+            for (var i:int = 0; i < _changed.count; i++)
+            {
+                if (_cells.has(_changed.numbers[i]))
+                {
+                    _cells.findNear(_changed.numbers[i], _changedIn, _searchNumber, _candidates);
+                }
+            }
+            findPairsOfWorldAgent(ListedAgents.GROUND);
+            findPairsOfWorldAgent(ListedAgents.EDGES);
+            _candidates.end();
         }
 
         // The pairs of changed rows with the ground or the edges; of all rows, if the ground or the edges have changed themselves.

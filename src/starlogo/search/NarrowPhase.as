@@ -27,9 +27,6 @@ package starlogo.search
      */
     public final class NarrowPhase
     {
-        /** The number of pairs that were tested along their motions since <code>takeCounts()</code>. */
-        public var sweptPairs:int = 0;
-
         /** Tests pairs of structures that are not both spheres; null if the choice of shapes has only spheres, and no question needs them. */
         public var structureTests:StructurePairTests = null;
 
@@ -99,12 +96,7 @@ package starlogo.search
             {
                 return b.form < ModelShape.GROUND && areTouching(b, a);
             }
-            var pairTests:PairTests = testsOf(a, b);
-            if (pairTests === sphereTests)
-            {
-                sphereTests.testCount++;
-            }
-            return pairTests.areTouching(a, b);
+            return testsOf(a, b).areTouching(a, b);
         }
 
         /**
@@ -127,9 +119,7 @@ package starlogo.search
         /** Writes the numbers of tests, and sets them to 0. */
         public function takeCounts(out:SearchCounts):void
         {
-            out.sweptPairs = sweptPairs;
-            out.sphereSphereTests = sphereTests.testCount;
-            sweptPairs = sphereTests.testCount = 0;
+            sphereTests.takeCounts(out);
             if (structureTests != null)
             {
                 structureTests.takeCounts(out);

@@ -31,13 +31,12 @@ package starlogo.search
          * Puts pairs into order.
          *
          * @param haveTimes whether an agent sweeps
-         * @return how many pairs touch before the end of their motions. They come first
          */
-        public function sort(pairs:FoundPairs, haveTimes:Boolean):int
+        public function sort(pairs:FoundPairs, haveTimes:Boolean):void
         {
             if (!haveTimes && areSorted(pairs))
             {
-                return 0;
+                return;
             }
             if (FEW * pairs.count < pairs.agentCount)
             {
@@ -49,7 +48,10 @@ package starlogo.search
                 scatter(pairs, 1, _seconds, haveTimes);
                 scatter(pairs, 0, _firsts, haveTimes);
             }
-            return haveTimes ? sortByTimes(pairs) : 0;
+            if (haveTimes)
+            {
+                sortByTimes(pairs);
+            }
         }
 
         // Whether the pairs are in order already, as those of agents in one cell are.
@@ -155,8 +157,8 @@ package starlogo.search
             }
         }
 
-        // Sorts by the times. Equal times keep their order. Returns how many come before the end.
-        private function sortByTimes(pairs:FoundPairs):int
+        // Sorts by the times. Equal times keep their order.
+        private function sortByTimes(pairs:FoundPairs):void
         {
             _order.count = 0;
             for (var i:int = 0; i < pairs.count; i++)
@@ -165,12 +167,6 @@ package starlogo.search
             }
             _order.sortFirst(pairs.count);
             arrange(pairs, true);
-            var early:int = 0;
-            while (early < pairs.count && _order.keys[early] < 1)
-            {
-                early++;
-            }
-            return early;
         }
 
         // Puts the pairs, and the times that they have, into the order that was found.

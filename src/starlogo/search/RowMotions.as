@@ -21,11 +21,16 @@ package starlogo.search
      */
     internal final class RowMotions
     {
-        // By row: the motion, which is 0 if there is none; whether the agent sweeps and has a motion; and the extents of the whole motion. The
-        // ground and the edges of the world do not move.
+        /** By row: the extents of the whole motion. */
+        internal var extents:Extents = new Extents();
+
+        /** The number of pairs that were tested along their motions since <code>findMotions()</code>. */
+        internal var sweptPairs:int = 0;
+
+        // By row: the motion, which is 0 if there is none; and whether the agent sweeps and has a motion. The ground and the edges of the world do
+        // not move.
         private var _motions:Points = new Points();
         private var _sweeps:Vector.<Boolean> = new Vector.<Boolean>();
-        internal var extents:Extents = new Extents();
 
         private var _narrowPhase:NarrowPhase;
         private var _levels:BinLevels;
@@ -70,6 +75,7 @@ package starlogo.search
                 _motions.grow(_sweeps.length);
                 extents.grow(_sweeps.length);
             }
+            sweptPairs = 0;
             var standing:Extents = table.extents;
             var swept:Extents = extents;
             for (var i:int = 0; i < rows.count; i++)
@@ -189,12 +195,12 @@ package starlogo.search
 
         private function sweep(table:AgentTable, level:BinLevel, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            var areSpheres:Boolean = table.forms[a] == BoundingStructure.SPHERE && table.forms[b] == BoundingStructure.SPHERE;
+            var areSpheres:Boolean = table.shapes[a].form == BoundingStructure.SPHERE && table.shapes[b].form == BoundingStructure.SPHERE;
             if (level != null && !areSpheres && !overlapOnMotions(table.extents, level.slack, a, b))
             {
                 return;
             }
-            _narrowPhase.sweptPairs++;
+            sweptPairs++;
             if (areSpheres && out == null)
             {
                 _narrowPhase.sphereTests.findTimeOfRows(table, a, b, motion);

@@ -60,26 +60,33 @@ package starlogo.queries.motion
          */
         public function plan(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:PlannedMotion):void
         {
-            if (begin(dx, dy, dz, out))
+            setMotion(dx, dy, dz, out);
+            if (begin(out))
             {
                 _search.moveAlong(dx, dy, dz, 1);
                 collectRows(asker, filter, out.rows);
             }
         }
 
+        /** Plans a motion that may turn and go as far as its length in any direction: finds the rows near it. See <code>plan()</code>. */
+        public function planSlide(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:PlannedMotion):void
+        {
+            setMotion(dx, dy, dz, out);
+            planWithin(asker, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, filter, out);
+        }
+
         /**
-         * Plans a motion that may turn: finds the rows near it.
+         * Plans motions that are not known yet: finds the rows near a body.
          *
          * @param asker the agent that moves
          * @param range how far the body may go in any direction
          * @param up how much farther it may go upwards
          * @param down how much farther it may go downwards
-         * @param out has the body, and receives the rest
+         * @param out has the body, and receives its place and the rows
          */
-        public function planWithin(asker:Agent, dx:Number, dy:Number, dz:Number, range:Number, up:Number, down:Number, filter:AgentFilter,
-                out:PlannedMotion):void
+        public function planWithin(asker:Agent, range:Number, up:Number, down:Number, filter:AgentFilter, out:PlannedMotion):void
         {
-            if (begin(dx, dy, dz, out))
+            if (begin(out))
             {
                 _search.widen(range, up, down);
                 collectRows(asker, filter, out.rows);
@@ -111,11 +118,15 @@ package starlogo.queries.motion
             }
         }
 
-        // Begins without rows. Returns false if the model of the body is loading.
-        private function begin(dx:Number, dy:Number, dz:Number, out:PlannedMotion):Boolean
+        private static function setMotion(dx:Number, dy:Number, dz:Number, out:PlannedMotion):void
         {
             requireInWorld("a motion", dx, dy, dz);
             out.motion.setTo(dx, dy, dz);
+        }
+
+        // Begins without rows. Returns false if the model of the body is loading.
+        private function begin(out:PlannedMotion):Boolean
+        {
             out.from.setTo(out.body.placement.x, out.body.placement.y, out.body.placement.z);
             out.rows.count = 0;
             if (out.body.shape == null)

@@ -230,7 +230,7 @@ package starlogo.queries.motion
          */
         public function isExitShort(row:int, contact:ContactPoint):Boolean
         {
-            return _seen.table.forms[row] != ModelShape.TREE || contact.depth <= Math.abs(contact.normalX) * _source.halfX
+            return _seen.table.shapes[row].form != ModelShape.TREE || contact.depth <= Math.abs(contact.normalX) * _source.halfX
                 + Math.abs(contact.normalY) * _source.halfY + Math.abs(contact.normalZ) * _source.halfZ;
         }
 

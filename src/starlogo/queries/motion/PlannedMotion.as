@@ -20,7 +20,7 @@ package starlogo.queries.motion
         /** Where its place is then. */
         public var from:Vector3D = new Vector3D();
 
-        /** The whole motion. */
+        /** The whole motion, if it is known. */
         public var motion:Vector3D = new Vector3D();
 
         /** The rows that count and are near it, in the order of the list. */

@@ -97,7 +97,7 @@ package starlogo.search.pairs
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                var found:int = earlyOut.decide(table.extents, table.forms[other], other);
+                var found:int = earlyOut.decide(table.extents, table.shapes[other].form, other);
                 if (found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && queryOf(table.bodyOf(other), ground).overlapsAt(RelativeMotion.NONE, 0))
                 {
                     others[kept] = other;

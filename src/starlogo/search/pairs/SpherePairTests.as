@@ -14,6 +14,7 @@ package starlogo.search.pairs
     import starlogo.search.Body;
     import starlogo.search.FoundPairs;
     import starlogo.search.NarrowPhase;
+    import starlogo.search.SearchCounts;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.RowPlaces;
 
@@ -26,8 +27,8 @@ package starlogo.search.pairs
      */
     public final class SpherePairTests extends PairTests
     {
-        /** The number of tests. */
-        public var testCount:int = 0;
+        // The number of tests since takeCounts().
+        private var _testCount:int = 0;
 
         private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
         private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
@@ -65,7 +66,7 @@ package starlogo.search.pairs
             var ranks:Vector.<int> = out.ranks;
             var rank:int = ranks[row];
             var to:int = 2 * out.count;
-            testCount += count;
+            _testCount += count;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
@@ -78,7 +79,7 @@ package starlogo.search.pairs
                 {
                     // if the gap is not larger than rounding errors, the exact test decides
                     across += slack;
-                    if (squared > across * across || !areTouching(table.bodyOf(row), table.bodyOf(other)))
+                    if (squared > across * across || !areOverlapping(table.bodyOf(row), table.bodyOf(other)))
                     {
                         continue;
                     }
@@ -95,8 +96,8 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            setTo(a, b);
-            return areOverlapping();
+            _testCount++;
+            return areOverlapping(a, b);
         }
 
         /** @inheritDoc */
@@ -119,6 +120,19 @@ package starlogo.search.pairs
             readSphere(a, _sphereA);
             readSphere(b, _sphereB);
             _kernel.findContact(_sphereA, _sphereB, motion, out);
+        }
+
+        /** Writes the number of tests, and sets it to 0. */
+        public function takeCounts(out:SearchCounts):void
+        {
+            out.sphereSphereTests = _testCount;
+            _testCount = 0;
+        }
+
+        private function areOverlapping(a:Body, b:Body):Boolean
+        {
+            setTo(a, b);
+            return isOverlap();
         }
 
         private function setTo(a:Body, b:Body):void
@@ -146,15 +160,15 @@ package starlogo.search.pairs
             _gap.radiusA = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (marginA + marginB);
         }
 
-        private function areOverlapping():Boolean
+        private function isOverlap():Boolean
         {
             return _gap.x * _gap.x + _gap.y * _gap.y + _gap.z * _gap.z <= _gap.radiusA * _gap.radiusA;
         }
 
         private function sweep(motion:RelativeMotion):void
         {
-            var areTouchingAtEnd:Boolean = areOverlapping();
-            testCount++;
+            var areTouchingAtEnd:Boolean = isOverlap();
+            _testCount++;
             _gap.x += motion.startX;
             _gap.y += motion.startY;
             _gap.z += motion.startZ;

@@ -36,9 +36,8 @@ package starlogo.search.table
         /** By row: the number of the agent's breed. */
         engine var breeds:Vector.<int> = new Vector.<int>();
 
-        // By row: the shape of the agent's model, which is null while the model is loading; and the shape's form.
+        /** By row: the shape of the agent's model, which is null while the model is loading. */
         engine var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
-        engine var forms:Vector.<int> = new Vector.<int>();
 
         // By row: the body, which is as old as its revision.
         private var _bodies:Vector.<Body> = new Vector.<Body>();
@@ -274,7 +273,7 @@ package starlogo.search.table
         {
             var row:int = shapes.length;
             shapes.length = _bodies.length = length;
-            forms.length = breeds.length = _bodyRevisions.length = _shapeRevisions.length = length;
+            breeds.length = _bodyRevisions.length = _shapeRevisions.length = length;
             places.grow(length);
             _rowExtents.grow(length);
             for (; row < length; row++)
@@ -392,9 +391,7 @@ package starlogo.search.table
             {
                 // it is read again in the next search
                 _bodyRevisions[row] = STALE;
-                return;
             }
-            forms[row] = shape.form;
         }
 
         // Reads the body of a row, whose shape is known, and the extents of the body.

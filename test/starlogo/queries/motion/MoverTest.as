@@ -28,7 +28,7 @@ package starlogo.queries.motion
             var setup:MotionSetup = new MotionSetup();
             var result:SlideResult = new SlideResult();
             planner.readBody(agent, 0, planned.body);
-            planner.planWithin(agent, 0, 0, -1, 1, 0, 0, null, planned);
+            planner.planSlide(agent, 0, 0, -1, null, planned);
             mover.begin(planned.body, planned.rows);
             mover.slide(planned.from, planned.motion, SlideLimits.NONE, setup, result);
             assertTrue("it met the cube below: " + result.floor.normalZ, Math.abs(result.floor.normalZ - 1) < 1e-9);

@@ -86,10 +86,10 @@ package starlogo.broadphase
                 {
                     if (levels.byWidth[coarser].count > 0)
                     {
-                        collideLevels(level, levels.byWidth[coarser], sink);
+                        findPairsBetween(level, levels.byWidth[coarser], sink);
                     }
                 }
-                collideLevel(level, sink);
+                findPairsWithin(level, sink);
             }
         }
 
@@ -233,7 +233,7 @@ package starlogo.broadphase
         }
 
         // The pairs of members of one level.
-        private function collideLevel(level:BinLevel, sink:PairSink):void
+        private function findPairsWithin(level:BinLevel, sink:PairSink):void
         {
             var ends:Vector.<int> = _ends;
             var base:int = level.base;
@@ -267,7 +267,7 @@ package starlogo.broadphase
         }
 
         // The pairs of members of one level with members of a coarser level. A member meets at most three cells in each of three lines of cells.
-        private function collideLevels(level:BinLevel, coarser:BinLevel, sink:PairSink):void
+        private function findPairsBetween(level:BinLevel, coarser:BinLevel, sink:PairSink):void
         {
             var wide:Number = level.width / 2 + coarser.width / 2 + coarser.slack;
             var last:int = _ends[level.base + level.mask + 1];

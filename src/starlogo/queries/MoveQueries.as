@@ -42,6 +42,9 @@ package starlogo.queries
         private var _slide:SlideResult = new SlideResult();
         private var _end:Vector3D = new Vector3D();
 
+        // One of the rows near the way.
+        private var _one:NumberList = new NumberList();
+
         // The lift out of all rows near the way, with which the body begins.
         private var _lift:StartLift = new StartLift();
 
@@ -211,7 +214,9 @@ package starlogo.queries
             for (var i:int = 0; i < rows.count && _found.limit > 0; i++)
             {
                 var row:int = rows.numbers[i];
-                _mover.beginAgainst(_planned.body, row);
+                _one.count = 0;
+                _one.add(row);
+                _mover.begin(_planned.body, _one);
                 _mover.findTouch(_planned.from, _planned.motion, _lift, _setup, _result);
                 mayLift ||= _result.isLifted || (_result.fraction == 0 && !_result.isDeep);
                 if (_result.row >= 0 && _found.add(row, _result.fraction))

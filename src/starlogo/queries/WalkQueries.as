@@ -16,6 +16,7 @@ package starlogo.queries
     import starlogo.queries.motion.SlideResult;
     import starlogo.queries.rays.RowRays;
     import starlogo.search.Body;
+    import starlogo.search.NumberList;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.ListedAgents;
 
@@ -68,6 +69,9 @@ package starlogo.queries
 
         // How the last straight way ends.
         private var _straight:MotionResult = new MotionResult();
+
+        // The rows near the walk without the platform.
+        private var _others:NumberList = new NumberList();
 
         // The vector of a motion, and the beginning of a motion or of a ray.
         private var _vector:Vector3D = new Vector3D();
@@ -171,7 +175,8 @@ package starlogo.queries
         // already, so only the rest of its way, which the agent misses, can lead into it.
         private function carryWith(platform:int, walk:Walk):void
         {
-            _mover.begin(walk.planned.body, walk.planned.rows, platform);
+            _others.copyFrom(walk.planned.rows, platform);
+            _mover.begin(walk.planned.body, _others);
             _mover.slide(walk.start, walk.carry, SlideLimits.NONE, walk.setup, _slide);
             if (_slide.fraction < 1 && leadsIntoPlatform(platform, walk, _slide.place))
             {

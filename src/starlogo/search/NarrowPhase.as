@@ -92,9 +92,9 @@ package starlogo.search
         /** Whether two bodies touch. They may come in either order, the ground and the edges of the world too. */
         public function areTouching(a:Body, b:Body):Boolean
         {
-            if (a.form >= ModelShape.GROUND)
+            if (a.isOfWorld)
             {
-                return b.form < ModelShape.GROUND && areTouching(b, a);
+                return !b.isOfWorld && areTouching(b, a);
             }
             return testsOf(a, b).areTouching(a, b);
         }

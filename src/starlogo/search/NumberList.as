@@ -13,13 +13,16 @@ package starlogo.search
         /** How many they are. */
         public var count:int = 0;
 
-        /** Takes the numbers of another list. */
-        public function copyFrom(other:NumberList):void
+        /** Takes the numbers of another list, except for one; -1 takes all. */
+        public function copyFrom(other:NumberList, except:int = -1):void
         {
-            count = other.count;
-            for (var i:int = 0; i < count; i++)
+            count = 0;
+            for (var i:int = 0; i < other.count; i++)
             {
-                numbers[i] = other.numbers[i];
+                if (other.numbers[i] != except)
+                {
+                    add(other.numbers[i]);
+                }
             }
         }
 

@@ -40,7 +40,7 @@ package starlogo.queries.motion
         private var _recovery:OverlapRecovery;
 
         // The rows that may be in the way.
-        private var _rows:NumberList = new NumberList();
+        private var _rows:NumberList = null;
 
         // Where the motion begins.
         private var _from:Vector3D = new Vector3D();
@@ -71,28 +71,12 @@ package starlogo.queries.motion
          * Takes the body and the rows for the next motions.
          *
          * @param body the body that moves. It stays where it is
-         * @param rows the rows that may be in its way
-         * @param except a row that does not count, or -1
+         * @param rows the rows that may be in its way. The list must not change before the next call
          */
-        public function begin(body:Body, rows:NumberList, except:int = -1):void
+        public function begin(body:Body, rows:NumberList):void
         {
-            _rows.count = 0;
-            for (var i:int = 0; i < rows.count; i++)
-            {
-                if (rows.numbers[i] != except)
-                {
-                    _rows.add(rows.numbers[i]);
-                }
-            }
-            _body.read(body, _rows);
-        }
-
-        /** Takes the body and a single row for the next motions. See <code>begin()</code>. */
-        public function beginAgainst(body:Body, row:int):void
-        {
-            _rows.count = 0;
-            _rows.add(row);
-            _body.read(body, _rows);
+            _rows = rows;
+            _body.read(body, rows);
         }
 
         /**

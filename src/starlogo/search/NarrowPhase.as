@@ -27,6 +27,9 @@ package starlogo.search
      */
     public final class NarrowPhase
     {
+        // In place of a form: none.
+        private static const NONE:int = -1;
+
         /** Tests pairs of structures that are not both spheres; null if the choice of shapes has only spheres, and no question needs them. */
         public var structureTests:StructurePairTests = null;
 
@@ -75,12 +78,15 @@ package starlogo.search
                 return groundTestsOf(body).keepTouching(table, body, others, count);
             }
             var extents:Extents = table.extents;
-            var isNearAll:Boolean = body.isOfWorld;
+            // two spheres or two boxes need no test of their extents, except for the heights
+            var quickForm:int = body.form == BoundingStructure.SPHERE || body.form == BoundingStructure.BOX ? body.form : NONE;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                if ((isNearAll || areNear(extents, slack, row, other)) && areTouching(body, table.bodyOf(other)))
+                var isNear:Boolean = body.isOfWorld
+                    || (table.shapes[other].form == quickForm ? areHeightsNear(extents, slack, row, other) : areNear(extents, slack, row, other));
+                if (isNear && areTouching(body, table.bodyOf(other)))
                 {
                     others[kept] = other;
                     kept++;
@@ -157,20 +163,25 @@ package starlogo.search
          */
         public static function areNear(extents:Extents, slack:Number, a:int, b:int):Boolean
         {
-            var distance:Number = extents.z[a] - extents.z[b];
-            var maxDistance:Number = extents.halfZ[a] + extents.halfZ[b] + slack;
-            if (distance > maxDistance || distance < -maxDistance)
+            if (!areHeightsNear(extents, slack, a, b))
             {
                 return false;
             }
-            distance = extents.x[a] - extents.x[b];
-            maxDistance = extents.halfX[a] + extents.halfX[b] + slack;
+            var distance:Number = extents.x[a] - extents.x[b];
+            var maxDistance:Number = extents.halfX[a] + extents.halfX[b] + slack;
             if (distance > maxDistance || distance < -maxDistance)
             {
                 return false;
             }
             distance = extents.y[a] - extents.y[b];
             maxDistance = extents.halfY[a] + extents.halfY[b] + slack;
+            return distance <= maxDistance && distance >= -maxDistance;
+        }
+
+        private static function areHeightsNear(extents:Extents, slack:Number, a:int, b:int):Boolean
+        {
+            var distance:Number = extents.z[a] - extents.z[b];
+            var maxDistance:Number = extents.halfZ[a] + extents.halfZ[b] + slack;
             return distance <= maxDistance && distance >= -maxDistance;
         }
 

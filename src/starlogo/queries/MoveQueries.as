@@ -107,6 +107,11 @@ package starlogo.queries
             collect(1, _end);
             var isMet:Boolean = _hits.endWithFirsts() > 0;
             var fraction:Number = isMet ? _hits.keyOf(0) : 1;
+            // before the contact is written, because an agent that would leave the world throws an error
+            if (dx != 0 || dy != 0 || dz != 0)
+            {
+                _planner.moveAgent(agent, _end);
+            }
             if (contact != null)
             {
                 contact.time = fraction;
@@ -116,10 +121,6 @@ package starlogo.queries
                     contact.read(from);
                     contact.approachSpeed = Math.max(0, -from.along(_planned.motion));
                 }
-            }
-            if (dx != 0 || dy != 0 || dz != 0)
-            {
-                _planner.moveAgent(agent, _end);
             }
             return fraction;
         }

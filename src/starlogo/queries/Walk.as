@@ -53,6 +53,10 @@ package starlogo.queries
         /** Where the agent is now. */
         public var place:Vector3D = new Vector3D();
 
+        /** How far the agent was pushed out of what it overlapped, and then the part of the motion that it has made. See Footing. */
+        public var pushed:Number = 0;
+        public var part:Number = 1;
+
         /** The row that the agent stood on last, and the normal of its surface. */
         public var floorRow:int = -1;
         public var floorNormal:Vector3D = new Vector3D();

@@ -67,7 +67,10 @@ package starlogo.queries
         // How a slide ends that is tried in its place, or that leads down a slope.
         private var _tried:SlideResult = new SlideResult();
 
-        // How the last straight way ends.
+        // How the last way down ends.
+        private var _down:MotionResult = new MotionResult();
+
+        // How another straight way ends.
         private var _straight:MotionResult = new MotionResult();
 
         // The rows near the walk without the platform.
@@ -106,9 +109,13 @@ package starlogo.queries
         {
             var walk:Walk = _walk;
             var link:PlatformLink = begin(agent, dx, dy, options, walk);
-            footing.stands = goPieces(walk, footing);
+            var stands:Boolean = goPieces(walk);
+            // before the footing is written, because an agent that would leave the world throws an error
             _planner.moveAgent(agent, walk.place, walk.turn);
-            if (!footing.stands)
+            footing.stands = stands;
+            footing.part = walk.part;
+            footing.pushed = walk.pushed;
+            if (!stands)
             {
                 walk.floorRow = -1;
                 walk.floorNormal.setTo(0, 0, 1);
@@ -125,7 +132,7 @@ package starlogo.queries
         }
 
         // Begins a walk: finds what the options mean for the agent and the rows near the walk, and lets a platform carry the agent. Returns the
-        // agent's link, which has what the agent stood on, or null.
+        // agent's link, never null; its platform is null if the agent stood on no other agent.
         private function begin(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Walk):PlatformLink
         {
             var size:Number = _seen.placeOf(agent).size;
@@ -210,33 +217,32 @@ package starlogo.queries
         }
 
         // Pushes the agent out of what it overlaps, goes all pieces, and falls if the agent does not stand. Returns whether it stands at the end.
-        // The footing receives how far it was pushed, and which part of the way it has come.
-        private function goPieces(walk:Walk, footing:Footing):Boolean
+        // The walk receives how far the agent was pushed, and which part of the motion it has made.
+        private function goPieces(walk:Walk):Boolean
         {
-            var stands:Boolean = goDown(walk, walk.start, walk.closeDepth);
-            var pushed:Number = 0;
-            if (_straight.isDeep)
+            var stands:Boolean = goDown(walk, walk.start, walk.closeDepth, _down);
+            walk.pushed = 0;
+            if (_down.isDeep)
             {
-                pushed = pushOut(walk);
-                stands = goDown(walk, walk.start, walk.closeDepth);
+                walk.pushed = pushOut(walk);
+                stands = goDown(walk, walk.start, walk.closeDepth, _down);
             }
             // a walk that begins in the air stays there
             var isInAir:Boolean = !stands;
-            var x:Number = walk.start.x;
-            var y:Number = walk.start.y;
+            var startX:Number = walk.start.x;
+            var startY:Number = walk.start.y;
             for (var i:int = 0; i < walk.pieces; i++)
             {
                 if (i > 0)
                 {
                     walk.start.copyFrom(walk.place);
-                    stands = !isInAir && goDown(walk, walk.start, walk.closeDepth);
+                    stands = !isInAir && goDown(walk, walk.start, walk.closeDepth, _down);
                 }
                 stands = goPiece(walk, stands);
             }
-            x = walk.place.x - x;
-            y = walk.place.y - y;
-            footing.pushed = pushed;
-            footing.part = walk.pieceLength > 0 ? Math.min(1, Math.sqrt(x * x + y * y) / (walk.pieces * walk.pieceLength)) : 1;
+            var dx:Number = walk.place.x - startX;
+            var dy:Number = walk.place.y - startY;
+            walk.part = walk.pieceLength > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / (walk.pieces * walk.pieceLength)) : 1;
             stands ||= walk.planned.body.shape != null && fall(walk);
             _mover.restoreClearance(walk.place, walk.setup, -1);
             return stands;
@@ -290,7 +296,7 @@ package starlogo.queries
                 return true;
             }
             walk.place.copyFrom(_slide.place);
-            return goDown(walk, walk.place, walk.options.snap + walk.closeDepth);
+            return goDown(walk, walk.place, walk.options.snap + walk.closeDepth, _down);
         }
 
         // Slides along the way of a piece, and up or down.
@@ -320,20 +326,20 @@ package starlogo.queries
             }
             slide(walk, _straight.place, 0, walk.cosine, _tried);
             var farther:Number = (_tried.place.x - plain.x) * walk.piece.x + (_tried.place.y - plain.y) * walk.piece.y;
-            return farther > walk.closeDepth * walk.pieceLength && goDown(walk, _tried.place, height + walk.options.snap + walk.closeDepth);
+            return farther > walk.closeDepth * walk.pieceLength && goDown(walk, _tried.place, height + walk.options.snap + walk.closeDepth, _down);
         }
 
         // Goes down to the ground if it is no deeper than this depth, and not too steep. If there is such ground, the walk is there. Otherwise it
-        // is at the beginning. Returns whether there is. _straight has how the way down ends.
-        private function goDown(walk:Walk, from:Vector3D, depth:Number):Boolean
+        // is at the beginning. Returns whether there is. The last argument receives how the motion down ends.
+        private function goDown(walk:Walk, from:Vector3D, depth:Number, out:MotionResult):Boolean
         {
             walk.place.copyFrom(from);
-            goUpright(walk, walk.place, -depth, _straight);
-            if (_straight.row < 0 || !(standOn(walk, _straight.contact, _straight.row, _straight.place) || standOnOther(walk, _straight.place)))
+            goUpright(walk, walk.place, -depth, out);
+            if (out.row < 0 || !(standOn(walk, out.contact, out.row, out.place) || standOnOther(walk, out.place)))
             {
                 return false;
             }
-            walk.place.copyFrom(_straight.place);
+            walk.place.copyFrom(out.place);
             return true;
         }
 
@@ -356,30 +362,30 @@ package starlogo.queries
         private function fall(walk:Walk):Boolean
         {
             var left:Number = walk.options.fall;
-            _straight.place.copyFrom(walk.place);
-            _straight.row = -1;
-            for (var piece:Number = 1; left > 0 && _straight.row < 0; piece *= 2)
+            _down.place.copyFrom(walk.place);
+            _down.row = -1;
+            for (var piece:Number = 1; left > 0 && _down.row < 0; piece *= 2)
             {
-                if (_straight.place.z - Math.min(left, piece) < -Agent.LARGEST_COORDINATE)
+                if (_down.place.z - Math.min(left, piece) < -Agent.LARGEST_COORDINATE)
                 {
                     return false;
                 }
-                goUpright(walk, _straight.place, -Math.min(left, piece), _straight);
-                left -= _straight.fraction * Math.min(left, piece);
+                goUpright(walk, _down.place, -Math.min(left, piece), _down);
+                left -= _down.fraction * Math.min(left, piece);
             }
-            if (_straight.row < 0)
+            if (_down.row < 0)
             {
                 // a fall can also end where the ground begins, without being stopped
-                return goDown(walk, _straight.place, walk.closeDepth);
+                return goDown(walk, _down.place, walk.closeDepth, _down);
             }
-            if (standOn(walk, _straight.contact, _straight.row, _straight.place))
+            if (standOn(walk, _down.contact, _down.row, _down.place))
             {
-                walk.place.copyFrom(_straight.place);
+                walk.place.copyFrom(_down.place);
                 return true;
             }
             var longest:Number = Math.min(walk.options.fall, walk.planned.body.placement.size);
-            slideDown(walk, _straight.place, Math.min(left, longest), longest / 2, _tried);
-            return goDown(walk, walk.place.z - _tried.place.z < REST * walk.extent ? walk.place : _tried.place, walk.closeDepth);
+            slideDown(walk, _down.place, Math.min(left, longest), longest / 2, _tried);
+            return goDown(walk, walk.place.z - _tried.place.z < REST * walk.extent ? walk.place : _tried.place, walk.closeDepth, _down);
         }
 
         // Lets the agent stand on the surface at a contact below it, if the surface is not too steep. At an edge, for example of a step, the face

@@ -9,6 +9,7 @@ package starlogo.queries
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.collision.Contact;
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
     import starlogo.terrain.Terrain;
@@ -176,6 +177,23 @@ package starlogo.queries
             assertEquals(null, _queries.castShape(new Sphere(far, 1e9 - 10), 1e9, -1e9, 1e9));
             assertEquals(3, _queries.overlapping(wideBox(9e8, 9e8, 9e8)).length);
             assertEquals("as far as agents may be", 1e9, Agent.LARGEST_COORDINATE);
+        }
+
+        [Test]
+        public function whatWouldLeaveTheWorldWritesNoAnswer():void
+        {
+            var place:Number = Agent.LARGEST_COORDINATE - 1;
+            _bear.moveTo(place, 1, 2);
+            _queries.moved(_bear);
+            var footing:Footing = new Footing();
+            var contact:Contact = new Contact();
+            footing.part = footing.pushed = contact.time = -7;
+            footing.stands = true;
+            assertThrows(RangeError, /between/, _queries.walk, _bear, 5, 0, null, footing);
+            assertEquals("-7,-7,true", [footing.part, footing.pushed, footing.stands].join());
+            assertThrows(RangeError, /between/, _queries.moveUntilTouch, _bear, 5, 0, 0, null, contact);
+            assertEquals(-7, contact.time);
+            assertEquals(place, _bear.x);
         }
 
         [Test]

@@ -309,7 +309,7 @@ package starlogo.queries.motion
                 {
                     continue;
                 }
-                if (touches && findDeep(row, place, isOfAll, _contact))
+                if (touches && narrowOrFindDeep(row, place, isOfAll, _contact))
                 {
                     _rest.add(_contact, row);
                 }
@@ -324,9 +324,9 @@ package starlogo.queries.motion
             return isLeft;
         }
 
-        // Finds the contact with a row that the core overlaps. It may narrow the core for this motion. Returns whether the contact's plane has to
-        // take the place of the row.
-        private function findDeep(row:int, place:Vector3D, isOfAll:Boolean, out:ContactPoint):Boolean
+        // Narrows the core for this motion, so that it does not touch a row, or finds their contact. Returns whether the contact's plane has to
+        // take the place of the row: if the overlap is not shallow, or all count, and no narrower core is free of the row.
+        private function narrowOrFindDeep(row:int, place:Vector3D, isOfAll:Boolean, out:ContactPoint):Boolean
         {
             var isShallow:Boolean = _body.findContact(row, place, isOfAll, out);
             if (isShallow && !isOfAll)

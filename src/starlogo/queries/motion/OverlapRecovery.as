@@ -121,7 +121,7 @@ package starlogo.queries.motion
                         continue;
                     }
                     isFree = false;
-                    if (!push(row, round, place, lift))
+                    if (!push(row, round, place, _touching, lift))
                     {
                         place.copyFrom(_before);
                         return false;
@@ -136,14 +136,14 @@ package starlogo.queries.motion
             return false;
         }
 
-        // Pushes the place out of a row, which the body touches at _touching. Returns false if the body is between this row and the last one, or
+        // Pushes the place out of a row, which the body touches at another place. Returns false if the body is between this row and the last one, or
         // too deep for a lift.
-        private function push(row:int, round:int, place:Vector3D, lift:StartLift):Boolean
+        private function push(row:int, round:int, place:Vector3D, touching:Vector3D, lift:StartLift):Boolean
         {
-            var isShallow:Boolean = _body.findContact(row, _touching, round >= SURE_ROUND, _contact);
+            var isShallow:Boolean = _body.findContact(row, touching, round >= SURE_ROUND, _contact);
             if (round < SURE_ROUND && isOpposite())
             {
-                isShallow = _body.findContact(row, _touching, true, _contact);
+                isShallow = _body.findContact(row, touching, true, _contact);
             }
             if (isOpposite() || (lift != null && !isShallow))
             {
@@ -159,7 +159,7 @@ package starlogo.queries.motion
                 lift.add(_contact);
             }
             _beside.copyFrom(place);
-            _beside.decrementBy(_touching);
+            _beside.decrementBy(touching);
             _contact.push(place, depth + _body.setup.clearance - _contact.along(_beside));
             _last.copyFrom(_contact);
             return true;

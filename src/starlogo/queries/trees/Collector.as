@@ -39,9 +39,11 @@ package starlogo.queries.trees
         // The rows that were found, unsorted, and their keys. If accepts decides, the rows that it has admitted come first.
         private var _rows:KeyedList = new KeyedList();
 
-        // When this number of rows is found, the rows that are not wanted are dropped. If 1 row is wanted and accepts decides nothing, it is 1: a
-        // row that is found replaces the last one if it comes before it.
+        // When this number of rows is found, the rows that are not wanted are dropped.
         private var _dropAt:int = ALL;
+
+        // Whether one row is wanted and accepts decides nothing: a row that is found replaces the last one if it comes before it.
+        private var _keepsOne:Boolean = false;
 
         // The number of rows that accepts has admitted, in order.
         private var _admitted:int = 0;
@@ -61,18 +63,15 @@ package starlogo.queries.trees
          * @param wanted how many of the rows with the smallest keys are wanted, or ALL
          * @param limit the largest key
          * @param asker the agent that asks, which does not count; or null
-         * @param agents the agents that count; null for all
+         * @param agentFilter the agents that count; null for all
          */
-        public function begin(wanted:int, limit:Number, asker:Agent, agents:AgentFilter):void
+        public function begin(wanted:int, limit:Number, asker:Agent, agentFilter:AgentFilter):void
         {
-            filter.begin(asker, agents);
+            filter.begin(asker, agentFilter);
             this.wanted = wanted;
             this.limit = wanted == 0 ? -1 : limit;
-            _dropAt = wanted == 1 ? 1 : 2 * wanted;
-            if (filter.accepts != null || wanted > ALL / 2)
-            {
-                _dropAt = ALL;
-            }
+            _keepsOne = wanted == 1 && filter.accepts == null;
+            _dropAt = filter.accepts != null || wanted > ALL / 2 ? ALL : 2 * wanted;
             _rows.count = _admitted = 0;
         }
 
@@ -85,13 +84,13 @@ package starlogo.queries.trees
         /** Whether the search can end, because one row is wanted, which may be any, and is found. */
         public function get canEnd():Boolean
         {
-            return _dropAt == 1 && _rows.count > 0;
+            return _keepsOne && _rows.count > 0;
         }
 
         /** Asks a filter about one row, as a search of its own. Returns whether the row counts. */
-        public function askFilter(row:int, asker:Agent, agents:AgentFilter):Boolean
+        public function askFilter(row:int, asker:Agent, agentFilter:AgentFilter):Boolean
         {
-            begin(1, 0, asker, agents);
+            begin(1, 0, asker, agentFilter);
             if (filter.admits(row))
             {
                 add(row, 0);
@@ -125,7 +124,7 @@ package starlogo.queries.trees
          */
         public function add(row:int, key:Number):Boolean
         {
-            if (_dropAt == 1)
+            if (_keepsOne)
             {
                 return replace(row, key);
             }

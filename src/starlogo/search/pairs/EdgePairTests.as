@@ -31,11 +31,10 @@ package starlogo.search.pairs
     {
         private var _limits:TreeLimits;
 
-        // By edge: the direction out of the world, and how far the body is beyond the edge (less than 0 if the body is before it). _deepest is the edge that the body of the last contact is furthest beyond.
+        // By edge: the direction out of the world, and how far the body is beyond the edge (less than 0 if the body is before it).
         private var _outwards:Vector.<Vector3D> = new <Vector3D>[new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), new Vector3D(0, -1, 0),
                 new Vector3D(0, 1, 0), new Vector3D(0, 0, -1), new Vector3D(0, 0, 1)];
         private var _penetration:Vector.<Number> = new Vector.<Number>(6, true);
-        private var _deepest:int = 0;
 
         private var _supportSearch:SupportSearch = new SupportSearch();
         private var _farthest:SupportPoint = new SupportPoint();
@@ -98,33 +97,7 @@ package starlogo.search.pairs
          */
         override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            // for trees, the points at all edges are needed
-            read(a, b, motion, Infinity);
-            var left:Number = 1 - motion.time;
-            _deepest = 0;
-            for (var edge:int = 0; edge < 6; edge++)
-            {
-                _penetration[edge] -= left * along(edge, motion.x, motion.y, motion.z);
-                _deepest = _penetration[edge] > _penetration[_deepest] ? edge : _deepest;
-            }
-            _supportSearch.findPoint(a, _limits, _outwards[_deepest], a.largestHalf, _farthest);
-            out.x = _farthest.x - left * motion.x;
-            out.y = _farthest.y - left * motion.y;
-            out.z = _farthest.z - left * motion.z;
-            _halfSpaces.begin();
-            for (edge = 0; edge < 6; edge += 2)
-            {
-                // of two opposite edges, the one with the larger value counts
-                var one:int = _penetration[edge] >= _penetration[int(edge + 1)] ? edge : edge + 1;
-                if (_penetration[one] >= -toleranceOf(a) || one == _deepest)
-                {
-                    addEdge(one, a, b, out);
-                }
-            }
-            _halfSpaces.solve(3, 0, _shortest);
-            out.setNormal(_shortest.displacement.x / _shortest.length, _shortest.displacement.y / _shortest.length, _shortest.displacement.z / _shortest.length);
-            var depth:Number = Math.max(0, _penetration[_deepest]);
-            out.depth = _halfSpaces.count > 1 && depth > 0 ? _shortest.length : depth;
+            writeContact(findDeepest(a, b, motion), a, b, motion, out);
         }
 
         /** @inheritDoc */
@@ -136,9 +109,9 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            findOuterContact(a, b, _contact);
-            // of the deepest edge, which findOuterContact has found
-            var gap:Number = -_penetration[_deepest];
+            var deepest:int = findDeepest(a, b, RelativeMotion.NONE);
+            writeContact(deepest, a, b, RelativeMotion.NONE, _contact);
+            var gap:Number = -_penetration[deepest];
             out.aX = _contact.x + gap / 2 * _contact.normalX;
             out.aY = _contact.y + gap / 2 * _contact.normalY;
             out.aZ = _contact.z + gap / 2 * _contact.normalZ;
@@ -147,6 +120,44 @@ package starlogo.search.pairs
             out.bZ = _contact.z - gap / 2 * _contact.normalZ;
             out.distance = gap;
             out.settle(areTouching);
+        }
+
+        // Finds how far the body is beyond each edge at the time of a motion. Returns the edge that it is furthest beyond.
+        private function findDeepest(a:Body, b:Body, motion:RelativeMotion):int
+        {
+            // for trees, the points at all edges are needed
+            read(a, b, motion, Infinity);
+            var deepest:int = 0;
+            for (var edge:int = 0; edge < 6; edge++)
+            {
+                _penetration[edge] -= (1 - motion.time) * along(edge, motion.x, motion.y, motion.z);
+                deepest = _penetration[edge] > _penetration[deepest] ? edge : deepest;
+            }
+            return deepest;
+        }
+
+        // Writes the contact of a body with the edges, after findDeepest.
+        private function writeContact(deepest:int, a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var left:Number = 1 - motion.time;
+            _supportSearch.findPoint(a, _limits, _outwards[deepest], a.largestHalf, _farthest);
+            out.x = _farthest.x - left * motion.x;
+            out.y = _farthest.y - left * motion.y;
+            out.z = _farthest.z - left * motion.z;
+            _halfSpaces.begin();
+            for (var edge:int = 0; edge < 6; edge += 2)
+            {
+                // of two opposite edges, the one with the larger value counts
+                var one:int = _penetration[edge] >= _penetration[int(edge + 1)] ? edge : edge + 1;
+                if (_penetration[one] >= -toleranceOf(a) || one == deepest)
+                {
+                    addEdge(one, one == deepest, a, b, out);
+                }
+            }
+            _halfSpaces.solve(3, 0, _shortest);
+            out.setNormal(_shortest.displacement.x / _shortest.length, _shortest.displacement.y / _shortest.length, _shortest.displacement.z / _shortest.length);
+            var depth:Number = Math.max(0, _penetration[deepest]);
+            out.depth = _halfSpaces.count > 1 && depth > 0 ? _shortest.length : depth;
         }
 
         // The largest gap between a body and an edge that still counts as a touch.
@@ -189,18 +200,13 @@ package starlogo.search.pairs
         // Adds the half-space before an edge, and moves the point into the middle of the overlap. For edges other than the deepest, the
         // way is longer by a tenth of the tolerance of a contact's depth, so that it leads away from each of the edges. For the deepest one it
         // is at least as long as that. A point has no extent; the patch counts in its place.
-        private function addEdge(edge:int, body:Body, edges:Body, out:ContactPoint):void
+        private function addEdge(edge:int, isDeepest:Boolean, body:Body, edges:Body, out:ContactPoint):void
         {
             var outwards:Vector3D = _outwards[edge];
-            // the extents of a tree are larger than its shape
-            var extent:Number = body.largestHalf;
-            if (extent == 0)
-            {
-                extent = 1;
-            }
-            var least:Number = Tolerances.SEPARATION / 5 * extent;
+            var half:Number = body.largestHalf == 0 ? 1 : body.largestHalf;
+            var least:Number = Tolerances.SEPARATION / 5 * half;
             var by:Number = Math.max(0, _penetration[edge]);
-            by = edge == _deepest ? Math.max(by, least) : by + least;
+            by = isDeepest ? Math.max(by, least) : by + least;
             _halfSpaces.add(-outwards.x, -outwards.y, -outwards.z, by);
             var place:Number = placeOf(edges, edge) + _penetration[edge] / 2 - along(edge, out.x, out.y, out.z);
             if (isFinite(place))

@@ -125,50 +125,61 @@ package starlogo.search.penetration
         // half as far as the shortest way.
         private function tryLift():void
         {
-            var x:Number = _pushOut.push.x;
-            var y:Number = _pushOut.push.y;
-            var length:Number = Math.sqrt(x * x + y * y);
-            var farther:Number = length > 0 ? 1 + PushOut.ROOM * _pair.extent / length : 1;
-            if (length >= _lift.distance)
+            var alongX:Number = _pushOut.push.x;
+            var alongY:Number = _pushOut.push.y;
+            var along:Number = Math.sqrt(alongX * alongX + alongY * alongY);
+            var fartherFactor:Number = along > 0 ? 1 + PushOut.ROOM * _pair.extent / along : 1;
+            if (along >= _lift.distance)
             {
-                farther = 1;
-                x *= _lift.distance / (2 * length);
-                y *= _lift.distance / (2 * length);
+                fartherFactor = 1;
+                alongX *= _lift.distance / (2 * along);
+                alongY *= _lift.distance / (2 * along);
             }
-            x *= farther;
-            y *= farther;
-            var squared:Number = _lift.distance * _lift.distance - (x * x + y * y);
-            if (!(squared > 0))
-            {
-                return;
-            }
-            var high:Number = Math.sqrt(squared);
-            _offset.setTo(x, y, high);
-            _pair.displaceBy(_offset);
-            if (_pair.areTouching())
+            var fartherX:Number = alongX * fartherFactor;
+            var fartherY:Number = alongY * fartherFactor;
+            var highSquared:Number = _lift.distance * _lift.distance - (fartherX * fartherX + fartherY * fartherY);
+            if (!(highSquared > 0))
             {
                 return;
             }
-            _offset.z = 0;
-            _pair.displaceBy(_offset);
-            _down.endAfter(0, 0, -high);
-            _pair.pairTests.findImpact(_pair.first, _pair.second, _down, null);
-            var z:Number = high * (1 - Math.min(_down.time, 1));
+            var high:Number = Math.sqrt(highSquared);
+            if (!sweepDown(fartherX, fartherY, high, _down))
+            {
+                return;
+            }
             // halfway between the place of the push and the one farther
-            x *= (1 + farther) / (2 * farther);
-            y *= (1 + farther) / (2 * farther);
-            length = Math.sqrt(x * x + y * y + z * z);
+            var endX:Number = fartherX * ((1 + fartherFactor) / (2 * fartherFactor));
+            var endY:Number = fartherY * ((1 + fartherFactor) / (2 * fartherFactor));
+            var endZ:Number = high * (1 - Math.min(_down.time, 1));
+            var length:Number = Math.sqrt(endX * endX + endY * endY + endZ * endZ);
             if (length == 0)
             {
                 return;
             }
-            _tried.setDirection(x / length, y / length, z / length);
+            _tried.setDirection(endX / length, endY / length, endZ / length);
             _tried.distance = length + _pair.tolerance;
             if (!_pair.testAt(_tried))
             {
                 _lift.setDirection(_tried.x, _tried.y, _tried.z);
                 _lift.distance = length;
             }
+        }
+
+        // Sweeps the first body down from a height, at a place moved by x and y from its own. Returns whether it is free at that height. If it is,
+        // the last argument receives the time at which it meets the ground.
+        private function sweepDown(x:Number, y:Number, high:Number, out:RelativeMotion):Boolean
+        {
+            _offset.setTo(x, y, high);
+            _pair.displaceBy(_offset);
+            if (_pair.areTouching())
+            {
+                return false;
+            }
+            _offset.z = 0;
+            _pair.displaceBy(_offset);
+            out.endAfter(0, 0, -high);
+            _pair.pairTests.findImpact(_pair.first, _pair.second, out, null);
+            return true;
         }
     }
 }

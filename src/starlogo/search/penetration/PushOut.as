@@ -130,12 +130,12 @@ package starlogo.search.penetration
             {
                 return TOO_LONG;
             }
-            if (!testPush())
+            if (!goToBlocked())
             {
                 takePush(out);
                 return FREE;
             }
-            if (!findCorner())
+            if (!findCorner(_tried.distance))
             {
                 return NONE;
             }
@@ -143,9 +143,10 @@ package starlogo.search.penetration
             return BLOCKED;
         }
 
-        // Finds the contact after a push that does not free the body. Returns whether it may be a side of a corner. It may not if it points
-        // against the push, or along it after a long one, as for agents deep in each other. In the ground it always may.
-        private function findCorner():Boolean
+        // Finds the contact at a distance along the current push, where the first body is and touches the second. Returns whether it may be a side
+        // of a corner. It may not if it points against the push, or along it after a long one, as for agents deep in each other. In the ground it
+        // always may.
+        private function findCorner(distance:Number):Boolean
         {
             var isGround:Boolean = _pair.isSecondGround;
             if (!isGround && _pushes.length > LARGEST_CORNER * _pair.extent)
@@ -155,7 +156,7 @@ package starlogo.search.penetration
             _pair.findContact(contact);
             var cosine:Number = contact.normalX * _tried.x + contact.normalY * _tried.y + contact.normalZ * _tried.z;
             // the body is a little farther than the push
-            contact.depth += (_tried.distance - _pushes.length) * cosine;
+            contact.depth += (distance - _pushes.length) * cosine;
             if (isGround)
             {
                 return true;
@@ -164,8 +165,9 @@ package starlogo.search.penetration
             return isShort ? cosine > LEAST_ACUTE_COSINE : cosine > LEAST_COSINE && cosine < MOST_COSINE;
         }
 
-        // Puts the first body behind the current push. Returns whether the two touch there.
-        private function testPush():Boolean
+        // Tries the current push: at its end, and a little farther. If the two touch at one of these places, it leaves the body there, and _tried
+        // has the distance. Returns whether they touch.
+        private function goToBlocked():Boolean
         {
             _tried.setDirection(_pushes.push.x / _pushes.length, _pushes.push.y / _pushes.length, _pushes.push.z / _pushes.length);
             var farther:Number = _pushes.length + _pair.nearby;

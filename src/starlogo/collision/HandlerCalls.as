@@ -153,7 +153,7 @@ package starlogo.collision
                 {
                     count++;
                     // a local, so that the handler is not called as a method of its CollisionHandler
-                    var toCall:Function = handler.handler;
+                    var toCall:Function = handler.callback;
                     var isBack:Boolean = _next > forwardCount;
                     var collider:Agent = isBack ? touch.second : touch.first;
                     var collidee:Agent = isBack ? touch.first : touch.second;
@@ -209,7 +209,7 @@ package starlogo.collision
                     continue;
                 }
                 _next = next;
-                var toCall:Function = handler.handler;
+                var toCall:Function = handler.callback;
                 var isBack:Boolean = next > forwardCount;
                 var collider:Agent = isBack ? second : first;
                 var collidee:Agent = isBack ? first : second;

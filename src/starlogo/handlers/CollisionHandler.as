@@ -34,7 +34,7 @@ package starlogo.handlers
         public var otherNumber:int;
 
         /** function(collider:Agent, collidee:Agent):void, or with a third argument, the contact. */
-        public var handler:Function;
+        public var callback:Function;
 
         /** Whether it takes a contact, or may read one: see mayTakeContact. */
         public var takesContact:Boolean;
@@ -45,14 +45,14 @@ package starlogo.handlers
         /** Whether it was removed, perhaps by another handler. A removed handler is not called. */
         public var isRemoved:Boolean = false;
 
-        public function CollisionHandler(kind:int, breed:String, otherBreed:String, handler:Function, order:int)
+        public function CollisionHandler(kind:int, breed:String, otherBreed:String, callback:Function, order:int)
         {
             this.kind = kind;
-            this.handler = handler;
+            this.callback = callback;
             this.order = order;
             breedNumber = BreedInterests.numberOf(breed);
             otherNumber = BreedInterests.numberOf(otherBreed);
-            takesContact = mayTakeContact(handler);
+            takesContact = mayTakeContact(callback);
         }
 
         /** Whether its calls need a contact. At the end of a touch there is none. */

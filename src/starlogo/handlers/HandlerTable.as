@@ -47,24 +47,24 @@ package starlogo.handlers
          *
          * @throws ArgumentError as Collision.onCollision does
          */
-        public function add(kind:int, breed:String, otherBreed:String, handler:Function):void
+        public function add(kind:int, breed:String, otherBreed:String, callback:Function):void
         {
-            require(breed, otherBreed, handler);
-            enter(new CollisionHandler(kind, breed, otherBreed, handler, _count));
+            require(breed, otherBreed, callback);
+            enter(new CollisionHandler(kind, breed, otherBreed, callback, _count));
             _count++;
         }
 
         /** See Collision.removeHandler. */
-        public function remove(breed:String, otherBreed:String, handler:Function, kind:String):Boolean
+        public function remove(breed:String, otherBreed:String, callback:Function, kind:String):Boolean
         {
-            require(breed, otherBreed, handler);
+            require(breed, otherBreed, callback);
             var wanted:int = CollisionHandler.KINDS.indexOf(kind);
             if (kind != null && wanted < 0)
             {
                 throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + kind + "\"");
             }
             var entry:PairHandlers = entryOf(BreedInterests.numberOf(breed), BreedInterests.numberOf(otherBreed));
-            var removed:CollisionHandler = entry.find(handler, kind == null ? PairHandlers.ANY_KIND : wanted);
+            var removed:CollisionHandler = entry.find(callback, kind == null ? PairHandlers.ANY_KIND : wanted);
             if (removed == null)
             {
                 return false;
@@ -202,13 +202,13 @@ package starlogo.handlers
             return _all[index];
         }
 
-        private static function require(breed:String, otherBreed:String, handler:Function):void
+        private static function require(breed:String, otherBreed:String, callback:Function):void
         {
             requireBreed("breed", breed);
             requireBreed("otherBreed", otherBreed);
-            if (handler == null)
+            if (callback == null)
             {
-                throw new ArgumentError("handler must be a function, not " + textOf(handler));
+                throw new ArgumentError("handler must be a function, not " + textOf(callback));
             }
         }
 

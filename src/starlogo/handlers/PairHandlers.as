@@ -51,12 +51,12 @@ package starlogo.handlers
          *
          * @param kind of handler, or ANY_KIND
          */
-        public function find(handler:Function, kind:int):CollisionHandler
+        public function find(callback:Function, kind:int):CollisionHandler
         {
             for (var i:int = _firstKept; i < added.length; i++)
             {
                 var candidate:CollisionHandler = added[i];
-                if (candidate.handler == handler && !candidate.isRemoved && (kind == ANY_KIND || candidate.kind == kind))
+                if (candidate.callback == callback && !candidate.isRemoved && (kind == ANY_KIND || candidate.kind == kind))
                 {
                     return candidate;
                 }

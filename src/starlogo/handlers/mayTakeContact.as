@@ -6,8 +6,8 @@ package starlogo.handlers
      *
      * @private
      */
-    public function mayTakeContact(handler:Function):Boolean
+    public function mayTakeContact(callback:Function):Boolean
     {
-        return handler.length >= 3;
+        return callback.length >= 3;
     }
 }

@@ -80,7 +80,7 @@ package starlogo.handlers
         {
             var matching:Array = _list.filter(function(one:CollisionHandler, index:int, all:Array):Boolean
                 {
-                    return one.handler == handler && (kind == PairHandlers.ANY_KIND || one.kind == kind);
+                    return one.callback == handler && (kind == PairHandlers.ANY_KIND || one.kind == kind);
                 });
             var first:CollisionHandler = matching.length == 0 ? null : matching[0];
             assertTrue(_pair.find(handler, kind) === first);

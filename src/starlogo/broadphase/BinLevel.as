@@ -28,7 +28,10 @@ package starlogo.broadphase
         // each Number that is returned.
         internal var maxDistanceSquared:Number;
 
-        /** Two extents may be this far apart, in patches, and still be a pair. Rounding errors are smaller than this up to there. */
+        /**
+         * Two extents may be this far apart, in patches, and still be a pair. Rounding errors are smaller, up to MAX_DISTANCE
+         * widths from the origin.
+         */
         public var slack:Number;
 
         // the number of members in the last search, and in CellLists since; and the index of the first cell's counter

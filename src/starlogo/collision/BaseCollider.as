@@ -137,8 +137,8 @@ package starlogo.collision
         engine function findPairs(input:FrameInput, out:FoundPairs, counts:CollisionStatistics):void
         {
             var start:Number = getTimer();
-            var hasGround:Boolean = input.world[ListedAgents.GROUND] != null;
-            if (hasGround || input.world[ListedAgents.EDGES] != null)
+            var hasGround:Boolean = input.world[ListedAgents.GROUND_ROW] != null;
+            if (hasGround || input.world[ListedAgents.EDGES_ROW] != null)
             {
                 var what:String = hasGround ? "a terrain needs" : "bounds need";
                 throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(_collisionSystem || this, "a Collider"));

@@ -406,8 +406,8 @@ package starlogo.collision
         // The agents of the ground and of the edges as they are now.
         private function findWorld():Vector.<WorldAgent>
         {
-            _world[ListedAgents.GROUND] = terrain == null ? null : terrain.worldAgent;
-            _world[ListedAgents.EDGES] = bounds == null ? null : bounds.worldAgent;
+            _world[ListedAgents.GROUND_ROW] = terrain == null ? null : terrain.worldAgent;
+            _world[ListedAgents.EDGES_ROW] = bounds == null ? null : bounds.worldAgent;
             return _world;
         }
     }

@@ -63,17 +63,17 @@ package starlogo.collision
         private function has(row:int):Boolean
         {
             var agent:Agent = _pairs.agents[row];
-            var place:int = _indices[row];
-            if (place >= 0 && (place >= _agents.length || _agents[place] !== agent))
+            var index:int = _indices[row];
+            if (index >= 0 && (index >= _agents.length || _agents[index] !== agent))
             {
-                place = _agents.lastIndexOf(agent, place);
-                if (place < 0)
+                index = _agents.lastIndexOf(agent, index);
+                if (index < 0)
                 {
-                    place = _agents.indexOf(agent);
+                    index = _agents.indexOf(agent);
                 }
-                _indices[row] = place;
+                _indices[row] = index;
             }
-            return place >= 0;
+            return index >= 0;
         }
     }
 }

@@ -170,7 +170,7 @@ package starlogo.queries
         // same structure meet the same, to the last bit. Returns these questions.
         private function readAgent(agent:Agent):MoveQueries
         {
-            _seen.placeOf(agent);
+            _seen.requirePlaced(agent);
             var body:Body = _seen.bodyOf(agent);
             if (body.shape == null || body.form >= ModelShape.TREE)
             {

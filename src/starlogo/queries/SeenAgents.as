@@ -101,7 +101,7 @@ package starlogo.queries
             var found:NarrowPhase = _source.findNarrowPhase();
             var next:AgentTable = found === _narrowPhase ? _table : newTable(found);
             next.read(agents);
-            next.readWorldAgent(ListedAgents.GROUND, terrain == null ? null : terrain.worldAgent);
+            next.readWorldAgent(ListedAgents.GROUND_ROW, terrain == null ? null : terrain.worldAgent);
             _table = next;
             if (found !== _narrowPhase)
             {
@@ -187,14 +187,20 @@ package starlogo.queries
             return _table.list.rowOf(agent);
         }
 
-        /** @private Where an agent is now. Throws an ArgumentError if it is null, or has no place because it is the ground's or the edges'. */
-        engine function placeOf(agent:Agent):Placement
+        /** @private Throws an ArgumentError if an agent is null, or has no place because it is the ground's or the edges'. */
+        engine function requirePlaced(agent:Agent):void
         {
             requireAgent(agent);
             if (agent.isOfWorld)
             {
                 throw new ArgumentError(agent + " has no place, and does not move: it stands for the ground or the edges of the world");
             }
+        }
+
+        /** @private Where an agent is now. Throws an error if the agent is not placed. */
+        engine function placeOf(agent:Agent):Placement
+        {
+            requirePlaced(agent);
             return agent.placement;
         }
 

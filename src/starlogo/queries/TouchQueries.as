@@ -59,7 +59,7 @@ package starlogo.queries
         public function wouldTouchAt(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter):Boolean
         {
             requireInWorld("a place", x, y, z);
-            _seen.placeOf(agent);
+            _seen.requirePlaced(agent);
             return idle.findDisplaced(agent, x, y, z, filter).end() > 0;
         }
 
@@ -118,7 +118,7 @@ package starlogo.queries
                     var toY:Number = table.places.last.y[row] - body.placement.y;
                     var toZ:Number = table.places.last.z[row] - body.placement.z;
                     // the ground has no place, so it comes last
-                    _found.add(row, row == ListedAgents.GROUND ? Infinity : toX * toX + toY * toY + toZ * toZ);
+                    _found.add(row, row == ListedAgents.GROUND_ROW ? Infinity : toX * toX + toY * toY + toZ * toZ);
                 }
             }
             return _found;

@@ -85,7 +85,7 @@ package starlogo.search
         public function find(input:FrameInput, mayKeep:Boolean, out:FoundPairs, counts:SearchCounts):void
         {
             table.read(input.agents);
-            for (var row:int = ListedAgents.GROUND; row <= ListedAgents.EDGES; row++)
+            for (var row:int = ListedAgents.GROUND_ROW; row <= ListedAgents.EDGES_ROW; row++)
             {
                 table.readWorldAgent(row, input.world[row]);
             }
@@ -118,7 +118,10 @@ package starlogo.search
                 return _keptPairs.memberCount;
             }
             var members:NumberList = findAll(out);
-            _keptPairs.keep(_conditions, out, members);
+            if (_keptPairs.isWorthKeeping)
+            {
+                _keptPairs.keep(_conditions, out, members);
+            }
             return members.count;
         }
 
@@ -134,7 +137,7 @@ package starlogo.search
             }
             _candidates.begin(_conditions, out);
             _bins.findPairs(extents, members.numbers, members.count, _candidates);
-            for (var row:int = ListedAgents.GROUND; row <= ListedAgents.EDGES; row++)
+            for (var row:int = ListedAgents.GROUND_ROW; row <= ListedAgents.EDGES_ROW; row++)
             {
                 _candidates.findPairsOfWorldAgent(row, members);
             }

@@ -21,7 +21,7 @@ package starlogo.search
         /** Keeps the ground and the edges of a table as they are now: its tests see them so. */
         public function hold(table:AgentTable):void
         {
-            for (var row:int = ListedAgents.GROUND; row <= ListedAgents.EDGES; row++)
+            for (var row:int = ListedAgents.GROUND_ROW; row <= ListedAgents.EDGES_ROW; row++)
             {
                 var worldAgent:WorldAgent = table.list.agents[row] as WorldAgent;
                 if (worldAgent == null)
@@ -43,7 +43,7 @@ package starlogo.search
         /** Lets go of them. From now on the tests see them as they are. */
         public function release(table:AgentTable):void
         {
-            for (var row:int = ListedAgents.GROUND; row <= ListedAgents.EDGES; row++)
+            for (var row:int = ListedAgents.GROUND_ROW; row <= ListedAgents.EDGES_ROW; row++)
             {
                 var worldAgent:WorldAgent = table.list.agents[row] as WorldAgent;
                 if (worldAgent == null || table.shapes[row].worldAgent === worldAgent)

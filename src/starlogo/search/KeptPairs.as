@@ -13,7 +13,7 @@ package starlogo.search
      * the pairs that these rows have now, and puts them between the others. The pairs and their order are the same as in a search of all rows.
      *
      * <p>A row has changed if its agent has (<code>Agent.revision</code>), if its shape was replaced, if it came, left or got another place among the
-     * others in the list, or if it begins or ceases to take part. After a search with sweeping agents, rows that moved in that search have changed too,
+     * others in the list, or if it becomes a member of the search or ceases to be one. After a search with sweeping agents, rows that moved in that search have changed too,
      * because their pairs belong to their motions.</p>
      *
      * <p>The test of a pair must give the same answer in either order of the two, because the row that has changed comes first here.</p>
@@ -39,7 +39,6 @@ package starlogo.search
         // The members of the last search.
         private var _cells:CellLists;
 
-        // Whether this search is like the last one, and few rows have changed.
         private var _isWorthKeeping:Boolean = false;
 
         // The number of the search. By row: the last search that found the row changed. The rows that this one has found changed.
@@ -61,10 +60,16 @@ package starlogo.search
             _cells = new CellLists(levels);
         }
 
-        /** The number of rows that take part. */
+        /** The number of members. */
         public function get memberCount():int
         {
             return _cells.count;
+        }
+
+        /** Whether the search under way is like the last one, and few rows have changed. Then the next one probably is too. */
+        public function get isWorthKeeping():Boolean
+        {
+            return _isWorthKeeping;
         }
 
         /** Lets the next search be one of all rows. */
@@ -74,17 +79,12 @@ package starlogo.search
         }
 
         /**
-         * Takes the pairs of a search of all rows, if it was like the one before. If it was not, the next one is not likely to be. Call it after
-         * <code>find()</code> of the same search has returned false: <code>find()</code> compares the two searches.
+         * Takes the pairs of a search of all rows, for the next search.
          *
-         * @param members the rows that take part
+         * @param members the members of the search
          */
         public function keep(conditions:SearchConditions, pairs:FoundPairs, members:NumberList):void
         {
-            if (!_isWorthKeeping)
-            {
-                return;
-            }
             _cells.begin(conditions.anySweeps ? _motions.extents : _table.extents, members.numbers, members.count, _table.list.agents.length);
             rememberPairs(pairs);
         }
@@ -191,7 +191,7 @@ package starlogo.search
             }
         }
 
-        // Marks the rows that begin or cease to take part. The other rows have their breeds of the last search.
+        // Marks the rows that become members, or cease to be members. The other rows have their breeds of the last search.
         private function markFiltered(conditions:SearchConditions):void
         {
             var rows:NumberList = _table.list.rows;
@@ -234,8 +234,8 @@ package starlogo.search
                     _cells.findNear(_changed.numbers[i], _changedIn, _searchNumber, _candidates);
                 }
             }
-            findPairsOfWorldAgent(ListedAgents.GROUND);
-            findPairsOfWorldAgent(ListedAgents.EDGES);
+            findPairsOfWorldAgent(ListedAgents.GROUND_ROW);
+            findPairsOfWorldAgent(ListedAgents.EDGES_ROW);
             _candidates.end();
         }
 

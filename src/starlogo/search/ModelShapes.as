@@ -111,11 +111,11 @@ package starlogo.search
 
         private function shapeOfWorldAgent(worldAgent:WorldAgent):ModelShape
         {
-            var row:int = worldAgent.breedNumber;
-            var shape:ModelShape = _ofWorldAgents[row];
+            var breed:int = worldAgent.breedNumber;
+            var shape:ModelShape = _ofWorldAgents[breed];
             if (shape == null || shape.worldAgent !== worldAgent)
             {
-                shape = _ofWorldAgents[row] = newShapeOfWorldAgent(worldAgent);
+                shape = _ofWorldAgents[breed] = newShapeOfWorldAgent(worldAgent);
             }
             return shape;
         }

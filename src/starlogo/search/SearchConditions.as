@@ -15,7 +15,7 @@ package starlogo.search
         public var interests:BreedInterests = null;
         public var interestsRevision:int = 0;
 
-        /** By index in the list: whether the agent takes part; null for all. */
+        /** By index in the list: whether the game lets the agent take part; null for all. */
         public var takePart:Vector.<Boolean> = null;
 
         /** Whether all shapes that the collider has made are spheres. */
@@ -30,7 +30,7 @@ package starlogo.search
         /** Whether the search before had these conditions too. Then the same agents have the same pairs, if the same ones take part. */
         public var areLikeLast:Boolean = false;
 
-        /** Whether the agent of a row takes part. */
+        /** Whether a row is a member of the search: it has a shape, its breed is of interest, and its agent takes part. */
         public function isMember(table:AgentTable, row:int):Boolean
         {
             return table.shapes[row] != null && (interests == null || interests.indexOfNumber(table.breeds[row]) >= 0)

@@ -4,7 +4,6 @@ package starlogo.search
     import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.ground.HeightGrid;
-    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
@@ -65,7 +64,7 @@ package starlogo.search
         /** Whether it stands for the ground. */
         public function get isGround():Boolean
         {
-            return breedNumber == ListedAgents.GROUND;
+            return Breeds.isGround(breedNumber);
         }
     }
 }

@@ -58,7 +58,7 @@ package starlogo.collision.snapshots
         }
 
         /** Gives a ground the surface that was written. */
-        public static function read(bytes:ByteArray, grid:HeightGrid):void
+        public static function restore(bytes:ByteArray, grid:HeightGrid):void
         {
             bytes.position += HEAD;
             grid.beginChange();

@@ -76,7 +76,7 @@ package starlogo.collision.snapshots
         }
 
         /** Lets agents stand as they stood when it was written. */
-        public static function read(bytes:ByteArray, agents:Vector.<Agent>):void
+        public static function restore(bytes:ByteArray, agents:Vector.<Agent>):void
         {
             for (var i:int = 0; i < agents.length; i++)
             {

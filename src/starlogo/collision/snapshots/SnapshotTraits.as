@@ -43,7 +43,7 @@ package starlogo.collision.snapshots
          *
          * @throws Error if the bytes are no traits. Some agents may then have changed
          */
-        public static function read(bytes:ByteArray, agents:Vector.<Agent>, names:SnapshotNames):void
+        public static function restore(bytes:ByteArray, agents:Vector.<Agent>, names:SnapshotNames):void
         {
             for (var i:int = 0; i < agents.length; i++)
             {

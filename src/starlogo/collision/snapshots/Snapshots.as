@@ -36,9 +36,9 @@ package starlogo.collision.snapshots
         private static const BYTES_PER_AGENT:int = 25;
 
         // What is in a snapshot, as a sum: traits; whether there was ground; the ground's heights.
-        private static const TRAITS:int = 1;
-        private static const GROUND:int = 2;
-        private static const HEIGHTS:int = 4;
+        private static const HAS_TRAITS:int = 1;
+        private static const HAS_GROUND:int = 2;
+        private static const HAS_HEIGHTS:int = 4;
 
         // The kinds of collision systems: AgentShapes.system, in the bits above these.
         private static const SYSTEM:int = 8;
@@ -71,7 +71,7 @@ package starlogo.collision.snapshots
             {
                 throw new IllegalOperationError("the collision system has searched another list since the last frame");
             }
-            var ground:WorldAgent = world[ListedAgents.GROUND];
+            var ground:WorldAgent = world[ListedAgents.GROUND_ROW];
             var hasHeights:Boolean = withGround && ground != null;
             var names:SnapshotNames = new SnapshotNames();
             var rest:ByteArray = newBytes();
@@ -88,7 +88,7 @@ package starlogo.collision.snapshots
             }
             var bytes:ByteArray = newBytes();
             bytes.writeUnsignedInt(MARK);
-            bytes.writeByte(int(withTraits) * TRAITS + int(ground != null) * GROUND + int(hasHeights) * HEIGHTS + system * SYSTEM);
+            bytes.writeByte(int(withTraits) * HAS_TRAITS + int(ground != null) * HAS_GROUND + int(hasHeights) * HAS_HEIGHTS + system * SYSTEM);
             bytes.writeInt(agents.length);
             names.write(bytes);
             bytes.writeBytes(rest);
@@ -129,11 +129,11 @@ package starlogo.collision.snapshots
             }
             restoreAgents(copy, agents, search, parts);
             copy.position = parts.platformsAt;
-            SnapshotPlatforms.read(copy, agents);
-            if ((parts.contents & HEIGHTS) != 0)
+            SnapshotPlatforms.restore(copy, agents);
+            if ((parts.contents & HAS_HEIGHTS) != 0)
             {
                 copy.position = parts.groundAt;
-                SnapshotGround.read(copy, world[ListedAgents.GROUND].grid);
+                SnapshotGround.restore(copy, world[ListedAgents.GROUND_ROW].grid);
             }
             return parts.touches;
         }
@@ -146,7 +146,7 @@ package starlogo.collision.snapshots
             var before:ByteArray = newBytes();
             try
             {
-                if ((parts.contents & TRAITS) != 0)
+                if ((parts.contents & HAS_TRAITS) != 0)
                 {
                     SnapshotTraits.write(before, agents, namesBefore);
                     readTraits(bytes, agents, parts);
@@ -160,7 +160,7 @@ package starlogo.collision.snapshots
                 if (before.length > 0)
                 {
                     before.position = 0;
-                    SnapshotTraits.read(before, agents, namesBefore);
+                    SnapshotTraits.restore(before, agents, namesBefore);
                 }
                 throw error;
             }
@@ -171,7 +171,7 @@ package starlogo.collision.snapshots
             bytes.position = parts.traitsAt;
             try
             {
-                SnapshotTraits.read(bytes, agents, parts.names);
+                SnapshotTraits.restore(bytes, agents, parts.names);
             }
             catch (error:Error)
             {
@@ -214,7 +214,7 @@ package starlogo.collision.snapshots
         {
             var contents:int = parts.contents = bytes.readUnsignedByte();
             var writtenBy:int = contents / SYSTEM;
-            check(writtenBy < SYSTEMS.length && (contents & (GROUND | HEIGHTS)) != HEIGHTS);
+            check(writtenBy < SYSTEMS.length && (contents & (HAS_GROUND | HAS_HEIGHTS)) != HAS_HEIGHTS);
             if (writtenBy != system)
             {
                 throw new ArgumentError("bytes are no snapshot of a Collision with " + SYSTEMS[system] + ": that one had " + SYSTEMS[writtenBy]);
@@ -228,25 +228,25 @@ package starlogo.collision.snapshots
             {
                 check(bytes.readUnsignedByte() <= 1 && isInWorld(bytes.readDouble(), bytes.readDouble(), bytes.readDouble()));
             }
-            var ground:WorldAgent = world[ListedAgents.GROUND];
+            var ground:WorldAgent = world[ListedAgents.GROUND_ROW];
             var partners:Vector.<Agent> = agents.concat();
-            partners.push(ground, world[ListedAgents.EDGES]);
+            partners.push(ground, world[ListedAgents.EDGES_ROW]);
             readTouches(bytes, partners.concat(_former), count, parts);
             parts.platformsAt = bytes.position;
             check(SnapshotPlatforms.passOver(bytes, count));
-            var hasGround:Boolean = (contents & GROUND) != 0;
+            var hasGround:Boolean = (contents & HAS_GROUND) != 0;
             if (hasGround != (ground != null))
             {
                 var which:String = hasGround ? "without" : "with";
                 throw new ArgumentError("bytes are no snapshot of a Collision " + which + " ground");
             }
-            if ((contents & HEIGHTS) != 0)
+            if ((contents & HAS_HEIGHTS) != 0)
             {
                 parts.groundAt = bytes.position;
                 check(SnapshotGround.passOver(bytes, ground.grid));
             }
             parts.traitsAt = bytes.position;
-            check((contents & TRAITS) != 0 || parts.traitsAt == bytes.length);
+            check((contents & HAS_TRAITS) != 0 || parts.traitsAt == bytes.length);
         }
 
         private static function readTouches(bytes:ByteArray, agents:Vector.<Agent>, count:int, parts:SnapshotParts):void

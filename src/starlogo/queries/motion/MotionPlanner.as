@@ -44,7 +44,7 @@ package starlogo.queries.motion
          */
         public function readBody(agent:Agent, turn:Number, out:Body):void
         {
-            _seen.placeOf(agent);
+            _seen.requirePlaced(agent);
             out.copyFrom(_seen.bodyOf(agent));
             if (turn != 0 && out.shape != null)
             {
@@ -106,6 +106,7 @@ package starlogo.queries.motion
          */
         public function moveAgent(agent:Agent, at:Vector3D, turn:Number = 0):void
         {
+            // throws the error
             _seen.bodyOf(agent);
             agent.moveTo(at.x, at.y, at.z);
             if (turn != 0)

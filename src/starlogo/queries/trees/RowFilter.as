@@ -9,8 +9,9 @@ package starlogo.queries.trees
     use namespace engine;
 
     /**
-     * The rows that count in a question: those of the agents that an AgentFilter admits, without the agent that asks. The filter is asked
-     * about each breed once a question, when a row of the breed is met. Its <code>accepts</code> is asked last, by the Collector.
+     * The rows that count in a question: those of the agents that an AgentFilter admits. The agent that asks does not count either; the searches
+     * leave out <code>askerRow</code> themselves. The filter is asked about each breed once a question, when a row of the breed is met. Its
+     * <code>accepts</code> is asked last, by the Collector.
      *
      * @private
      */
@@ -77,7 +78,7 @@ package starlogo.queries.trees
             except(filter.except);
         }
 
-        /** Whether a row's agent counts, if it is not the one that asks. The filter's <code>accepts</code> is not asked. */
+        /** Whether the filter admits a row's agent. It does not leave out the agent that asks, and <code>accepts</code> is not asked. */
         public function admits(row:int):Boolean
         {
             return !excludes || (_exceptMarks[row] != _question && admitsBreedOf(_seen.table.list.agents[row]));

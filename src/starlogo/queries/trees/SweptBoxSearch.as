@@ -155,7 +155,7 @@ package starlogo.queries.trees
                 _waiting--;
                 if (_nodes[_waiting] == 0)
                 {
-                    return ListedAgents.GROUND;
+                    return ListedAgents.GROUND_ROW;
                 }
                 if (!_moves || _entries[_waiting] <= limit)
                 {

@@ -20,10 +20,10 @@ package starlogo.search.table
     public final class ListedAgents
     {
         /** The row of the agent of the ground, which is in no list. It is also the number of this agent's breed. */
-        public static const GROUND:int = 0;
+        public static const GROUND_ROW:int = 0;
 
         /** The row of the agent of the edges of the world. It is also the number of this agent's breed. */
-        public static const EDGES:int = 1;
+        public static const EDGES_ROW:int = 1;
 
         /** The first row for agents of a list. */
         public static const FIRST_LISTED:int = 2;
@@ -83,7 +83,7 @@ package starlogo.search.table
         {
             if (agent.isOfWorld)
             {
-                return agents[GROUND] === agent ? GROUND : agents[EDGES] === agent ? EDGES : -1;
+                return agents[GROUND_ROW] === agent ? GROUND_ROW : agents[EDGES_ROW] === agent ? EDGES_ROW : -1;
             }
             var row:int = _rowsById.valueOf(agent.idNumber, 0);
             return row >= 0 && ranks[row] == UNLISTED ? -1 : row;
@@ -91,7 +91,7 @@ package starlogo.search.table
 
         /**
          * The rank of an agent: its index in the list. Agents that are not listed come after these, the older ones first. The ground and the
-         * edges of the world come last, though their rows have the length of the list as their rank.
+         * edges of the world come last. In <code>ranks</code> they come right after the list.
          */
         public function rankOf(agent:Agent):int
         {
@@ -184,8 +184,8 @@ package starlogo.search.table
             {
                 ranks[rows.numbers[i]] = i;
             }
-            ranks[GROUND] = rows.count;
-            ranks[EDGES] = rows.count + 1;
+            ranks[GROUND_ROW] = rows.count;
+            ranks[EDGES_ROW] = rows.count + 1;
             isAccepted = true;
             freeUnlisted();
         }

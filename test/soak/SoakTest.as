@@ -12,7 +12,7 @@ package soak
 
         // Whatever changes an answer, an order or a bit of a contact changes both hashes. Then write them anew: they are the same for each machine.
         private static const HASH:String = "32af13a8";
-        private static const HASH_OF_THE_FIRST:String = "b86a37d8";
+        private static const HASH_OF_THE_FIRST:String = "e76594b2";
         private static const FRAMES_HASHED:int = 200;
         private static const FIRST_FRAMES:int = 48;
 

@@ -92,9 +92,10 @@ package starlogo.convex
             }
         }
 
-        /** Sets both points to one. */
+        /** Sets both points to one, and the distance to 0. */
         public function setPoint(point:Vector3D):void
         {
+            distance = 0;
             aX = bX = point.x;
             aY = bY = point.y;
             aZ = bZ = point.z;

@@ -22,8 +22,8 @@ package starlogo.solid
      */
     internal final class ContainmentTest
     {
-        /** Whether the point that was found last is in the second model's space. */
-        public var isPointOfSecond:Boolean = false;
+        /** Whether the point that was found last is in the second model's space, because it is a point of the first model. */
+        public var isInSpaceOfSecond:Boolean = false;
 
         /** The point that was found last. It is in the space of the model around it. */
         public var innerPoint:Vector3D = new Vector3D();
@@ -48,16 +48,16 @@ package starlogo.solid
             var treeA:BoxTree = a.tree;
             var treeB:BoxTree = b.tree;
             var size:Number = pose.placement.size;
-            isPointOfSecond = false;
-            if (insideA.isClosed && insideB.leastPartExtent * size <= 2 * treeA.radius && findPartInside(treeA, insideA, insideB, pose.placement))
+            isInSpaceOfSecond = false;
+            if (insideA.hasClosedShell && insideB.leastPartExtent * size <= 2 * treeA.radius && findPartInside(treeA, insideA, insideB, pose.placement))
             {
                 return true;
             }
-            if (!insideB.isClosed || insideA.leastPartExtent > 2 * treeB.radius * size)
+            if (!insideB.hasClosedShell || insideA.leastPartExtent > 2 * treeB.radius * size)
             {
                 return false;
             }
-            isPointOfSecond = true;
+            isInSpaceOfSecond = true;
             setInverse(pose.placement, _inverse);
             return findPartInside(treeB, insideB, insideA, _inverse);
         }
@@ -91,7 +91,7 @@ package starlogo.solid
         public function findStructureInside(outer:ModelTree, inner:BoundingStructure, pose:RelativePose):Boolean
         {
             var structure:BoundingStructure = pose.place(inner);
-            isPointOfSecond = false;
+            isInSpaceOfSecond = false;
             if (structure.kind == BoundingStructure.SPHERE)
             {
                 var sphere:Sphere = Sphere(structure);

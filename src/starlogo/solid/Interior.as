@@ -6,8 +6,8 @@ package starlogo.solid
         /** Says whether a point is inside. */
         public var windingCounter:WindingCounter;
 
-        /** Whether a shell of the surface is closed, so that it has an inside. */
-        public var isClosed:Boolean;
+        /** Whether at least one shell of the surface is closed, so that it has an inside. */
+        public var hasClosedShell:Boolean;
 
         /**
          * For each part of the surface, the vertices with the smallest and largest x, y and z. A part is connected, or overlaps itself. So a
@@ -25,7 +25,7 @@ package starlogo.solid
         public function Interior(windingCounter:WindingCounter, extremes:PartExtremes)
         {
             this.windingCounter = windingCounter;
-            isClosed = windingCounter.surface.isClosed;
+            hasClosedShell = windingCounter.surface.hasClosedShell;
             partPoints = extremes.points;
             for (var at:int = 0; at < partPoints.length; at += PartExtremes.STRIDE)
             {

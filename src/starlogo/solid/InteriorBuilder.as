@@ -129,7 +129,7 @@ package starlogo.solid
             {
                 _joined = new DisjointSets(surface.partNumberEnd);
                 begin(newCavities);
-                addMeasuring().slices(surface.isClosed && surface.partNumberEnd > 1 ? surface.partNumberEnd : 0, PARTS_PER_STEP, joinParts);
+                addMeasuring().slices(surface.hasClosedShell && surface.partNumberEnd > 1 ? surface.partNumberEnd : 0, PARTS_PER_STEP, joinParts);
                 sliced(numberParts);
             }
             addMeasuring().call(conclude);

@@ -120,7 +120,7 @@ package starlogo.solid
             {
                 isOutside = ESCAPE.hasOpenSide(middle, tree);
             }
-            return !isOutside && prepareInterior().isClosed && interior.windingCounter.isInside(middle);
+            return !isOutside && prepareInterior().hasClosedShell && interior.windingCounter.isInside(middle);
         }
 
         /**

@@ -55,8 +55,8 @@ package starlogo.solid
             signedShells = new Vector.<int>(triangleCount, true);
         }
 
-        /** Whether a shell of the surface is closed, so that the surface has an inside. */
-        public function get isClosed():Boolean
+        /** Whether at least one shell of the surface is closed, so that the surface has an inside. */
+        public function get hasClosedShell():Boolean
         {
             for each (var state:int in shellStates)
             {

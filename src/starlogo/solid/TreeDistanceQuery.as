@@ -2,7 +2,6 @@ package starlogo.solid
 {
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxDistanceTraversal;
     import starlogo.hierarchy.NodeDistanceTest;
     import starlogo.hierarchy.RelativePose;
@@ -54,9 +53,11 @@ package starlogo.solid
             out.distance *= pair.placementA.size;
             // a point of both is known already if the measured distance is 0
             var isPointNeeded:Boolean = areTouching && out.distance > 0;
-            var placement:Placement = isPointNeeded ? _overlaps.findCommonPoint(pair, out) : pair.placementA;
-            out.settle(areTouching);
-            out.place(placement);
+            if (!isPointNeeded || !_overlaps.findCommonPoint(pair, out))
+            {
+                out.settle(areTouching);
+                out.place(pair.placementA);
+            }
         }
 
         /** The number of the triangle that is nearest to a structure, as the model counts them. The pair must have triangles. */

@@ -88,18 +88,19 @@ package starlogo.solid
         /**
          * Finds a point of two models that overlap although their measured distance is more than 0: one is inside of the other.
          *
-         * @param out receives the point twice; left as it is if no such point is known
-         * @return the placement of the model in whose space the points are
+         * @param out receives the point twice, in the world; left as it is if no such point is known
+         * @return whether it is known
          */
-        public function findCommonPoint(pair:TreePair, out:ClosestPoints):Placement
+        public function findCommonPoint(pair:TreePair, out:ClosestPoints):Boolean
         {
             _pose.relate(pair.placementA, pair.placementB);
-            if (findInside(pair))
+            var isFound:Boolean = findInside(pair);
+            if (isFound)
             {
                 out.setPoint(_containment.innerPoint);
-                return _containment.isPointOfSecond ? pair.placementB : pair.placementA;
+                out.place(_containment.isInSpaceOfSecond ? pair.placementB : pair.placementA);
             }
-            return pair.placementA;
+            return isFound;
         }
 
         private function findInside(pair:TreePair):Boolean

@@ -141,7 +141,7 @@ package starlogo.solid
         private static function checkAlongRays(hierarchy:ModelTree, model:Model, random:SeededRandom):void
         {
             var inside:int = 0;
-            assertTrue("closed", hierarchy.prepareInterior().isClosed);
+            assertTrue("closed", hierarchy.prepareInterior().hasClosedShell);
             for (var i:int = 0; i < 400; i++)
             {
                 var corner:int = random.integer(0, model.triangles.length - 1);
@@ -193,7 +193,7 @@ package starlogo.solid
         {
             var model:Model = read(address);
             var hierarchy:ModelTree = hierarchyOf(model.vertices, model.triangles);
-            assertTrue("closed", hierarchy.prepareInterior().isClosed);
+            assertTrue("closed", hierarchy.prepareInterior().hasClosedShell);
             var random:SeededRandom = new SeededRandom(seed);
             var inside:int = 0;
             for (var i:int = 0; i < 150; i++)

@@ -22,16 +22,16 @@ package starlogo.solid
             var triangles:Vector.<uint> = cube.triangles.slice();
             triangles.fixed = false;
             triangles.push(3, 3, 5, 7, 7, 7);
-            assertTrue(surfaceOf(cube.vertices, triangles).isClosed);
+            assertTrue(surfaceOf(cube.vertices, triangles).hasClosedShell);
         }
 
         [Test]
         public function aSingleTriangleIsOpen():void
         {
-            assertFalse(surfaceOf(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2]).isClosed);
+            assertFalse(surfaceOf(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2]).hasClosedShell);
             // there and back: closed around nothing
-            assertTrue(surfaceOf(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2, 0, 2, 1]).isClosed);
-            assertFalse(surfaceOf(new <Number>[0, 0, 0], new <uint>[0, 0, 0]).isClosed);
+            assertTrue(surfaceOf(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2, 0, 2, 1]).hasClosedShell);
+            assertFalse(surfaceOf(new <Number>[0, 0, 0], new <uint>[0, 0, 0]).hasClosedShell);
         }
 
         [Test]
@@ -79,7 +79,7 @@ package starlogo.solid
                 triangles.push(24 + cube.triangles[i]);
             }
             assertEquals(2, surfaceOf(vertices, triangles).partNumberEnd);
-            assertTrue(surfaceOf(vertices, triangles).isClosed);
+            assertTrue(surfaceOf(vertices, triangles).hasClosedShell);
             assertEquals(0, surfaceOf(vertices, triangles).widestSeam);
             // without a triangle of the small one
             assertEquals("-1,-3", surfaceOf(vertices, triangles.slice(0, triangles.length - 3)).shellStates.join());
@@ -102,7 +102,7 @@ package starlogo.solid
             }
             var surface:SurfaceTopology = surfaceOf(vertices, triangles);
             assertEquals(1, surface.partNumberEnd);
-            assertFalse(surface.isClosed);
+            assertFalse(surface.hasClosedShell);
             // in a plane across the direction along which an earlier engine sorted vertices
             for (i = 0; i < vertices.length; i += 3)
             {
@@ -123,7 +123,7 @@ package starlogo.solid
             // the projective plane: six vertices, each pair of them an edge of two triangles
             var triangles:Vector.<uint> = new <uint>[0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5, 0, 5, 1, 1, 2, 4, 2, 3, 5, 3, 4, 1, 4, 5, 2, 5, 1, 3];
             var surface:SurfaceTopology = surfaceOf(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0, 1, 0, 1], triangles);
-            assertTrue(surface.isClosed);
+            assertTrue(surface.hasClosedShell);
             assertEquals("-2", surface.shellStates.join());
         }
 
@@ -152,7 +152,7 @@ package starlogo.solid
             }
             // all are alike now
             assertEquals(-1, isTurned.indexOf(!isTurned[0]));
-            assertFalse(surfaceOf(vertices, triangles.slice(0, triangles.length - 3)).isClosed);
+            assertFalse(surfaceOf(vertices, triangles.slice(0, triangles.length - 3)).hasClosedShell);
             // a wall from one vertex to the next: three triangles at its edges
             surface = surfaceOf(vertices, triangles.concat(new <uint>[0, 1, 60 * 45, 1, 0, 60 * 45]));
             assertEquals("-1,-1", surface.shellStates.join());

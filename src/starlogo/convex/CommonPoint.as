@@ -8,13 +8,13 @@ package starlogo.convex
      */
     internal final class CommonPoint
     {
-        // The feature of each core that faces the other, relative to b's origin.
+        // The feature of each core that faces the other, relative to the second one's origin.
         private var _a:ContactFeature = new ContactFeature();
         private var _b:ContactFeature = new ContactFeature();
 
         private var _clip:PolygonClip = new PolygonClip();
 
-        /** Writes the point halfway between the two surfaces, relative to b's origin. */
+        /** Writes the point halfway between the two surfaces, relative to the second shape's origin. */
         public function find(cores:CorePair, out:ContactPoint):void
         {
             findFeatures(cores, out);
@@ -23,17 +23,17 @@ package starlogo.convex
             if (_a.end == 3)
             {
                 writeMean(_a.points, 3, out);
-                by = out.depth / 2 - cores.a.radius;
+                by = out.depth / 2 - cores.first.radius;
             }
             else if (_b.end == 3)
             {
                 writeMean(_b.points, 3, out);
-                by = cores.b.radius - out.depth / 2;
+                by = cores.second.radius - out.depth / 2;
             }
             else
             {
                 findShared(out);
-                var surface:Number = out.normalX * cores.x + out.normalY * cores.y + out.normalZ * cores.z - _a.farthest - cores.a.radius;
+                var surface:Number = out.normalX * cores.x + out.normalY * cores.y + out.normalZ * cores.z - _a.farthest - cores.first.radius;
                 by = surface + out.depth / 2 - (out.normalX * out.x + out.normalY * out.y + out.normalZ * out.z);
             }
             out.x += by * out.normalX;
@@ -47,18 +47,18 @@ package starlogo.convex
         {
             _a.clear();
             _b.clear();
-            if (cores.b.end < cores.a.end)
+            if (cores.second.end < cores.first.end)
             {
-                _b.find(cores.b, 1, contact);
+                _b.find(cores.second, 1, contact);
             }
             if (_b.end != 3)
             {
-                _a.find(cores.a, -1, contact);
+                _a.find(cores.first, -1, contact);
                 _a.move(cores.x, cores.y, cores.z);
             }
             if (_a.end > 3 && _b.end == 0)
             {
-                _b.find(cores.b, 1, contact);
+                _b.find(cores.second, 1, contact);
             }
             if (_a.end > 3 && _b.end > 3)
             {

@@ -123,12 +123,12 @@ package starlogo.convex
         // Adds the radii to the depth of the cores, and finds the point.
         private function finishContact(motion:RelativeMotion, out:ContactPoint):void
         {
-            var depth:Number = out.depth + (_cores.a.radius + _cores.b.radius);
+            var depth:Number = out.depth + (_cores.first.radius + _cores.second.radius);
             out.depth = depth > 0 ? depth : 0;
             _common.find(_cores, out);
-            out.x += _cores.b.x;
-            out.y += _cores.b.y;
-            out.z += _cores.b.z;
+            out.x += _cores.second.x;
+            out.y += _cores.second.y;
+            out.z += _cores.second.z;
             if (_cores.isSwapped)
             {
                 out.swap(motion);
@@ -138,17 +138,17 @@ package starlogo.convex
         // Writes the distance and the points of the surfaces.
         private function writePoints(out:ClosestPoints):void
         {
-            var a:ConvexShape = _cores.a;
+            var first:ConvexShape = _cores.first;
             var gap:CoreGap = _witness.gap;
             if (!(_witness.distance > 0))
             {
                 gap.x = gap.y = gap.z = 0;
             }
-            gap.pointX += a.x;
-            gap.pointY += a.y;
-            gap.pointZ += a.z;
-            gap.radiusA = a.radius;
-            gap.radiusB = _cores.b.radius;
+            gap.pointX += first.x;
+            gap.pointY += first.y;
+            gap.pointZ += first.z;
+            gap.radiusA = first.radius;
+            gap.radiusB = _cores.second.radius;
             out.setFromGap(gap);
             if (_cores.isSwapped)
             {

@@ -68,7 +68,7 @@ package starlogo.convex
             balls.x = side * cores.x;
             balls.y = side * cores.y;
             balls.z = side * cores.z;
-            balls.radiusA = Tolerances.OUTER * (cores.touchingDistance + cores.a.extent + cores.b.extent);
+            balls.radiusA = Tolerances.OUTER * (cores.touchingDistance + cores.first.extent + cores.second.extent);
             balls.radiusB = 0;
             findSphereEntry(balls, motion);
         }
@@ -77,7 +77,7 @@ package starlogo.convex
         private function advance(cores:CorePair, motion:RelativeMotion):Boolean
         {
             var witness:CoreWitness = _witness;
-            var radii:Number = cores.a.radius + cores.b.radius;
+            var radii:Number = cores.first.radius + cores.second.radius;
             // areTouching() stops at the first direction along which the gap is too wide. The distance may be less than that gap by rounding, so the
             // gap counts here too.
             var areTouching:Boolean = witness.distance <= cores.touchingDistance && !(witness.separation > cores.touchingDistance);

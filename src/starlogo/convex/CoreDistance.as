@@ -4,7 +4,7 @@ package starlogo.convex
 
     /**
      * Finds the closest points of two cores (Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between complex objects in
-     * three-dimensional space", 1988). All differences of a point of a and a point of b form a convex set, and the cores' distance is the set's
+     * three-dimensional space", 1988). All differences of a point of the first core and a point of the second form a convex set, and the cores' distance is the set's
      * distance from the origin. Each step adds the corner of the set that is farthest towards the origin to a simplex. Then it drops the
      * corners that the simplex does not need for its point nearest to the origin.
      *
@@ -30,12 +30,12 @@ package starlogo.convex
         {
             begin(out);
             _simplex.begin(cores);
-            if (cores.a.end + cores.b.end == POINT_AND_TRIANGLE && cores.a.end != cores.b.end)
+            if (cores.first.end + cores.second.end == POINT_AND_TRIANGLE && cores.first.end != cores.second.end)
             {
                 // the whole set is one triangle
                 for (var i:int = 0; i < 9; i += 3)
                 {
-                    var ofA:int = cores.a.end > 3 ? i : 0;
+                    var ofA:int = cores.first.end > 3 ? i : 0;
                     _simplex.add(cores, ofA, i - ofA);
                 }
                 _simplex.move(cores);
@@ -50,7 +50,7 @@ package starlogo.convex
             search(cores, out);
         }
 
-        /** Finds the closest points after a has moved. The last call must have been about the same two cores. It goes on from their simplex. */
+        /** Finds the closest points after the first core has moved. The last call must have been about the same two cores. It goes on from their simplex. */
         public function findAgain(cores:CorePair, out:CoreWitness):void
         {
             _simplex.move(cores);
@@ -106,10 +106,10 @@ package starlogo.convex
             x /= length;
             y /= length;
             z /= length;
-            var i:int = cores.a.farthest(along, -1);
-            var k:int = cores.b.farthest(along, 1);
-            var p:Vector.<Number> = cores.a.points;
-            var q:Vector.<Number> = cores.b.points;
+            var i:int = cores.first.farthest(along, -1);
+            var k:int = cores.second.farthest(along, 1);
+            var p:Vector.<Number> = cores.first.points;
+            var q:Vector.<Number> = cores.second.points;
             var separation:Number = x * (p[i] - q[k] + cores.x) + y * (p[int(i + 1)] - q[int(k + 1)] + cores.y) + z * (p[int(i + 2)] - q[int(k + 2)] + cores.z);
             if (separation > out.separation)
             {

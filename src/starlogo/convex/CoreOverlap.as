@@ -9,7 +9,7 @@ package starlogo.convex
      * separating axis test between convex polyhedra", 2013). The edges of boxes and segments say nothing
      * of faces, so nothing is known to be on a side of them.
      *
-     * <p>If two displacements are equally short, the first one is taken that is tried: faces of b, faces of a, edges. Of two opposite ones, it is
+     * <p>If two displacements are equally short, the first one is taken that is tried: faces of the second core, faces of the first, edges. Of two opposite ones, it is
      * the one against the motion. Points and parallel segments move upwards as far as possible.</p>
      */
     internal final class CoreOverlap
@@ -20,19 +20,19 @@ package starlogo.convex
         private var _edge:Vector.<Number> = new Vector.<Number>(PER_EDGE, true);
         private var _edges:Vector.<Number> = new Vector.<Number>();
 
-        // The direction to try, of any length. How far each core extends along it, and the set of all differences of a point of a and a point of b.
+        // The direction to try, of any length. How far each core extends along it, and the set of all differences of a point of the first and a point of the second.
         private var _along:Vector3D = new Vector3D();
         private var _ofA:Interval = new Interval();
         private var _ofB:Interval = new Interval();
         private var _differences:Interval = new Interval();
 
-        /** Finds the displacement of a. Its length is less than 0 if the cores are apart. Only normal and depth are written. */
+        /** Finds the displacement of the first core. Its length is less than 0 if the cores are apart. Only normal and depth are written. */
         public function find(cores:CorePair, out:ContactPoint):void
         {
             out.depth = Infinity;
-            tryFaces(cores.b, cores, out);
-            tryFaces(cores.a, cores, out);
-            if (cores.a.edges.length > 0 && cores.b.edges.length > 0)
+            tryFaces(cores.second, cores, out);
+            tryFaces(cores.first, cores, out);
+            if (cores.first.edges.length > 0 && cores.second.edges.length > 0)
             {
                 tryEdges(cores, out);
             }
@@ -89,9 +89,9 @@ package starlogo.convex
 
         private function tryEdges(cores:CorePair, out:ContactPoint):void
         {
-            var a:ConvexShape = cores.a;
-            var areBare:Boolean = a.areEdgesBare && cores.b.areEdgesBare;
-            var end:int = readEdges(cores.b);
+            var a:ConvexShape = cores.first;
+            var areBare:Boolean = a.areEdgesBare && cores.second.areEdgesBare;
+            var end:int = readEdges(cores.second);
             for (var i:int = 0; i < a.edges.length; i += 4)
             {
                 readEdge(a, i, _edge, 0);
@@ -105,7 +105,7 @@ package starlogo.convex
             }
         }
 
-        // Whether the perpendicular of a's edge and one of b's points out of both cores: all of each core is on one side of its edge.
+        // Whether the perpendicular of an edge of the first core and one of the second points out of both cores: all of each core is on one side of its edge.
         private function isOutOfBoth(k:int):Boolean
         {
             var u:Vector.<Number> = _edge;
@@ -128,7 +128,7 @@ package starlogo.convex
             return one * other >= 0 && sum * (one + other) >= 0;
         }
 
-        // Tries the perpendicular of a's edge and one of b's.
+        // Tries the perpendicular of an edge of the first core and one of the second.
         private function tryAcross(k:int, cores:CorePair, out:ContactPoint):void
         {
             var u:Vector.<Number> = _edge;
@@ -157,7 +157,7 @@ package starlogo.convex
             tryDirection(cores, out);
         }
 
-        // Reads all edges of b. Returns how many numbers they are.
+        // Reads all edges of the second core. Returns how many numbers they are.
         private function readEdges(b:ConvexShape):int
         {
             var count:int = b.edges.length >> 2;
@@ -205,8 +205,8 @@ package starlogo.convex
         private function tryUpwards(cores:CorePair, out:ContactPoint):void
         {
             _along.setTo(0, 0, 0);
-            setToSegment(cores.b);
-            setToSegment(cores.a);
+            setToSegment(cores.second);
+            setToSegment(cores.first);
             turnUpwards();
             var up:int = cores.isSwapped ? -1 : 1;
             _along.x *= up;
@@ -214,7 +214,7 @@ package starlogo.convex
             _along.z *= up;
             measure(cores, _differences);
             // rounding hides on which side they are
-            var isDown:Boolean = _differences.greatest < -_differences.least - Tolerances.ROUNDING * (cores.a.extent + cores.b.extent);
+            var isDown:Boolean = _differences.greatest < -_differences.least - Tolerances.ROUNDING * (cores.first.extent + cores.second.extent);
             out.depth = isDown ? _differences.greatest : -_differences.least;
             up = isDown ? -1 : 1;
             out.setNormal(up * _along.x, up * _along.y, up * _along.z);
@@ -292,11 +292,11 @@ package starlogo.convex
             along.z /= length;
             back /= length;
             forth /= length;
-            var rounding:Number = Tolerances.ROUNDING * (cores.a.extent + cores.b.extent);
+            var rounding:Number = Tolerances.ROUNDING * (cores.first.extent + cores.second.extent);
             var side:int = back < forth ? -1 : 1;
             if (back - forth <= rounding && forth - back <= rounding)
             {
-                // rounding hides on which side they are, but not where a comes from
+                // rounding hides on which side they are, but not where the first one comes from
                 var speed:Number = along.x * cores.motionX + along.y * cores.motionY + along.z * cores.motionZ;
                 side = speed > 0 ? -1 : speed < 0 ? 1 : side;
             }
@@ -312,8 +312,8 @@ package starlogo.convex
         private function measure(cores:CorePair, out:Interval):void
         {
             var along:Vector3D = _along;
-            cores.a.project(along, _ofA);
-            cores.b.project(along, _ofB);
+            cores.first.project(along, _ofA);
+            cores.second.project(along, _ofB);
             var from:Number = along.x * cores.x + along.y * cores.y + along.z * cores.z;
             out.least = _ofA.least - _ofB.greatest + from;
             out.greatest = _ofA.greatest - _ofB.least + from;

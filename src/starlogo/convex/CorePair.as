@@ -11,18 +11,18 @@ package starlogo.convex
     internal final class CorePair
     {
         /** The two shapes. */
-        public var a:ConvexShape = null;
-        public var b:ConvexShape = null;
+        public var first:ConvexShape = null;
+        public var second:ConvexShape = null;
 
-        /** Whether b is the shape that was asked about first. */
+        /** Whether the second shape is the one that was asked about first. */
         public var isSwapped:Boolean = false;
 
-        /** The vector from b's origin to a's. */
+        /** The vector from the second shape's origin to the first one's. */
         public var x:Number = 0;
         public var y:Number = 0;
         public var z:Number = 0;
 
-        /** The motion of a. Of two displacements that are equally short, the one against it is taken. */
+        /** The motion of the first shape. Of two displacements that are equally short, the one against it is taken. */
         public var motionX:Number = 0;
         public var motionY:Number = 0;
         public var motionZ:Number = 0;
@@ -39,7 +39,7 @@ package starlogo.convex
          */
         public var timeLeft:Number = Infinity;
 
-        // The vector from b's origin to a's at time 0.
+        // That vector at time 0.
         private var _startX:Number = 0;
         private var _startY:Number = 0;
         private var _startZ:Number = 0;
@@ -48,25 +48,25 @@ package starlogo.convex
         public function setShapes(asked:ConvexShape, other:ConvexShape):void
         {
             isSwapped = isAfter(asked, other);
-            var first:ConvexShape = isSwapped ? other : asked;
-            var second:ConvexShape = isSwapped ? asked : other;
+            var a:ConvexShape = isSwapped ? other : asked;
+            var b:ConvexShape = isSwapped ? asked : other;
             // Writing an object to a field costs Adobe's VM more than comparing it first.
-            if (a !== first)
+            if (first !== a)
             {
-                a = first;
+                first = a;
             }
-            if (b !== second)
+            if (second !== b)
             {
-                b = second;
+                second = b;
             }
-            x = first.x - second.x;
-            y = first.y - second.y;
-            z = first.z - second.z;
+            x = a.x - b.x;
+            y = a.y - b.y;
+            z = a.z - b.z;
             maxDistance = timeLeft = Infinity;
-            touchingDistance = (first.radius + second.radius) * Tolerances.TOUCHING + (first.margin + second.margin) + Tolerances.CORES * (first.extent + second.extent);
+            touchingDistance = (a.radius + b.radius) * Tolerances.TOUCHING + (a.margin + b.margin) + Tolerances.CORES * (a.extent + b.extent);
         }
 
-        /** Sets the motion of the shape that was asked about first, and moves a to where it is at the motion's time. */
+        /** Sets the motion of the shape that was asked about first, and moves the first one to where it is at the motion's time. */
         public function setMotion(motion:RelativeMotion):void
         {
             // If the shapes are swapped, the first one moves in the opposite direction as seen from the second.
@@ -80,7 +80,7 @@ package starlogo.convex
             moveTo(motion);
         }
 
-        /** Moves a to where it is at the motion's time. */
+        /** Moves the first shape to where it is at the motion's time. */
         public function moveTo(motion:RelativeMotion):void
         {
             var time:Number = motion.time;

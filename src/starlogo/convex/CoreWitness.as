@@ -3,7 +3,7 @@ package starlogo.convex
     /** The gap between two cores, and a direction that keeps the cores apart, as a record. The shapes' radii do not count. */
     internal final class CoreWitness
     {
-        /** The gap. The closest point of a is relative to a's origin. If the cores overlap, the vector means nothing. */
+        /** The gap. The closest point of the first core is relative to its origin. If the cores overlap, the vector means nothing. */
         public var gap:CoreGap = new CoreGap();
 
         /**
@@ -12,7 +12,7 @@ package starlogo.convex
          */
         public var distance:Number = 0;
 
-        /** A unit vector from b to a along which the cores are apart, and how far they are apart along it: at most the distance. */
+        /** A unit vector from the second core to the first along which the cores are apart, and how far they are apart along it: at most the distance. */
         public var normalX:Number = 0;
         public var normalY:Number = 0;
         public var normalZ:Number = 1;

@@ -8,8 +8,8 @@ package starlogo.convex
      */
     public final class GroundDepth
     {
-        /** About the length of the shortest way out, which may be a fifth shorter; 0 if none is known. */
-        public var leastDepth:Number = 0;
+        /** The shortest exit is known to be about as long as this, or longer. It may be a fifth shorter; 0 if nothing is known. */
+        public var provenDepth:Number = 0;
 
         /** Whether the first shape is known to touch wherever it goes less than the depth along the normal. */
         public var isSure:Boolean = false;
@@ -28,7 +28,7 @@ package starlogo.convex
         /** Nothing is known. */
         public function clear():void
         {
-            leastDepth = 0;
+            provenDepth = 0;
             isSure = hasTriangle = false;
         }
 
@@ -53,7 +53,7 @@ package starlogo.convex
         /** Becomes the same as another record. */
         public function copyFrom(other:GroundDepth):void
         {
-            leastDepth = other.leastDepth;
+            provenDepth = other.provenDepth;
             isSure = other.isSure;
             hasTriangle = other.hasTriangle;
             if (hasTriangle)

@@ -45,7 +45,7 @@ package starlogo.convex
         /** Begins without corners. */
         public function begin(cores:CorePair):void
         {
-            rounding = CORNER_ROUNDING * (cores.a.extent + cores.b.extent + Math.abs(cores.x) + Math.abs(cores.y) + Math.abs(cores.z));
+            rounding = CORNER_ROUNDING * (cores.first.extent + cores.second.extent + Math.abs(cores.x) + Math.abs(cores.y) + Math.abs(cores.z));
             count = 0;
         }
 
@@ -118,10 +118,10 @@ package starlogo.convex
             return false;
         }
 
-        /** Writes a's point at the nearest place, relative to a's origin. */
+        /** Writes the first core's point at the nearest place, relative to that core's origin. */
         public function writePoint(cores:CorePair, out:CoreGap):void
         {
-            var p:Vector.<Number> = cores.a.points;
+            var p:Vector.<Number> = cores.first.points;
             var pointX:Number = 0;
             var pointY:Number = 0;
             var pointZ:Number = 0;
@@ -140,8 +140,8 @@ package starlogo.convex
 
         private function writeCorner(cores:CorePair, corner:int):void
         {
-            var p:Vector.<Number> = cores.a.points;
-            var q:Vector.<Number> = cores.b.points;
+            var p:Vector.<Number> = cores.first.points;
+            var q:Vector.<Number> = cores.second.points;
             var i:int = _ofA[corner];
             var k:int = _ofB[corner];
             var at:int = 3 * corner;

@@ -44,7 +44,7 @@ package starlogo.ground
         public function find(out:ContactPoint):Boolean
         {
             var ground:GroundDepth = out.clearGround();
-            findDeepestPoint(out);
+            findDeepestBehind(out);
             // a point of the model is that deep behind a triangle
             ground.isSure = ground.hasTriangle;
             if (!ground.hasTriangle)
@@ -53,7 +53,7 @@ package starlogo.ground
             }
             if (ground.hasTriangle)
             {
-                ground.leastDepth = ground.isSure || isDepthProven(out) ? out.depth : 0;
+                ground.provenDepth = ground.isSure || isDepthProven(out) ? out.depth : 0;
                 _pieces.moveToWorld(out);
             }
             return ground.hasTriangle;
@@ -116,7 +116,7 @@ package starlogo.ground
 
         // Finds the contact with the triangle that the model is deepest behind, of those that the deepest point of a piece is behind. Only depths
         // count that are known to be about as deep in the ground.
-        private function findDeepestPoint(out:ContactPoint):void
+        private function findDeepestBehind(out:ContactPoint):void
         {
             var deepest:Number = 0;
             _pieces.begin(RelativeMotion.NONE, 0);

@@ -5,8 +5,8 @@ package starlogo.hierarchy
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.BoxAxes;
     import starlogo.intersection.PairTable;
+    import starlogo.intersection.sweep.BoxAxes;
 
     use namespace engine;
 

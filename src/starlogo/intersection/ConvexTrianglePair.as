@@ -24,6 +24,9 @@ package starlogo.intersection
      */
     public final class ConvexTrianglePair
     {
+        // Points of the core are equally deep if their depths differ by less than this fraction of its extent along the normal.
+        private static const LEVEL:Number = 1e-12;
+
         /** The shape, in the triangles' space. Only its margin may be changed. */
         public var shape:ConvexShape = new ConvexShape();
 
@@ -145,7 +148,7 @@ package starlogo.intersection
         {
             prepareFace();
             out.setNormal(_face.x, _face.y, _face.z);
-            findDeepestPoint(shape, _face, _ofShape, _deepest);
+            findDeepestPoint();
             var deepest:Vector3D = _deepest;
             deepest.x += motion.startX + motion.time * motion.x;
             deepest.y += motion.startY + motion.time * motion.y;
@@ -155,6 +158,33 @@ package starlogo.intersection
             out.y = deepest.y + out.depth / 2 * out.normalY;
             out.z = deepest.z + out.depth / 2 * out.normalZ;
             return isOver(deepest);
+        }
+
+        // Finds the point of the shape that is farthest against the triangle's normal. If there are several, it is their middle. NaN if the normal is.
+        private function findDeepestPoint():void
+        {
+            var normal:FaceNormal = _face;
+            var p:Vector.<Number> = shape.points;
+            var end:int = shape.end;
+            normal.measure(p, 0, end, _ofShape);
+            var most:Number = _ofShape.least + LEVEL * (_ofShape.greatest - _ofShape.least);
+            var count:int = 0;
+            var x:Number = 0;
+            var y:Number = 0;
+            var z:Number = 0;
+            for (var i:int = 0; i < end; i += 3)
+            {
+                if (normal.x * p[i] + normal.y * p[int(i + 1)] + normal.z * p[int(i + 2)] <= most)
+                {
+                    x += p[i];
+                    y += p[int(i + 1)];
+                    z += p[int(i + 2)];
+                    count++;
+                }
+            }
+            _deepest.x = shape.x + x / count - shape.radius * normal.x;
+            _deepest.y = shape.y + y / count - shape.radius * normal.y;
+            _deepest.z = shape.z + z / count - shape.radius * normal.z;
         }
 
         /**

@@ -103,7 +103,22 @@ package starlogo.intersection
         var overlap:Boolean;
         var along:Number;
         var radius:Number;
-        include "boxFaces.inc";
+        // The faces of a, then those of b.
+        radius = halfX + bX * abs00 + bY * abs01 + bZ * abs02;
+        overlap = x <= radius && x >= -radius;
+        radius = halfY + bX * abs10 + bY * abs11 + bZ * abs12;
+        overlap = overlap && y <= radius && y >= -radius;
+        radius = halfZ + bX * abs20 + bY * abs21 + bZ * abs22;
+        overlap = overlap && z <= radius && z >= -radius;
+        along = toX * bXx + toY * bXy + toZ * bXz;
+        radius = bX + halfX * abs00 + halfY * abs10 + halfZ * abs20;
+        overlap = overlap && along <= radius && along >= -radius;
+        along = toX * bYx + toY * bYy + toZ * bYz;
+        radius = bY + halfX * abs01 + halfY * abs11 + halfZ * abs21;
+        overlap = overlap && along <= radius && along >= -radius;
+        along = toX * bZx + toY * bZy + toZ * bZz;
+        radius = bZ + halfX * abs02 + halfY * abs12 + halfZ * abs22;
+        overlap = overlap && along <= radius && along >= -radius;
         if (!overlap)
         {
             return false;

@@ -3,7 +3,6 @@ package starlogo.intersection.sweep
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.convex.RelativeMotion;
-    import starlogo.intersection.BoxAxes;
 
     /**
      * A sweep of two boxes, as a record: where box b is at time 0, how it moves until time 1, and the time of impact that BoxSweep writes. All

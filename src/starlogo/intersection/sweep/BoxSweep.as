@@ -3,7 +3,6 @@ package starlogo.intersection.sweep
     import starlogo.bounding.Box;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.BoxAxes;
 
     /**
      * Finds when two moving boxes first touch, by separating axes over time. Boxes touch while no axis separates them. Each axis gives an

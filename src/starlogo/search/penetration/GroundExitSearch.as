@@ -67,7 +67,7 @@ package starlogo.search.penetration
         {
             out.depth = Infinity;
             var maxDistance:Number = Math.max(DirectionSearch.IMPROVED_DEPTH * _pair.extent, Math.min(first.depth, _pair.extent));
-            if (_pushOut.find(first, Math.max(first.ground.leastDepth / LEAST_SHARE_TAKEN, PushOut.ROOM * _pair.extent), out))
+            if (_pushOut.find(first, Math.max(first.ground.provenDepth / LEAST_SHARE_TAKEN, PushOut.ROOM * _pair.extent), out))
             {
                 return;
             }

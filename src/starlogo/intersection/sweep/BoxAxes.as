@@ -1,4 +1,4 @@
-package starlogo.intersection
+package starlogo.intersection.sweep
 {
     import starlogo.geometry.Placement;
 

@@ -52,6 +52,14 @@ package starlogo.convex
             return x == 0 && y == 0 && z == 0;
         }
 
+        /** Copies the vector of another motion. The start and the times stay. */
+        public function copyVector(other:RelativeMotion):void
+        {
+            x = other.x;
+            y = other.y;
+            z = other.z;
+        }
+
         /** Sets a motion that ends at the shape's stored place, at time 1. */
         public function endAfter(x:Number, y:Number, z:Number):void
         {

@@ -26,7 +26,7 @@ package starlogo.ground
         /** Tests the current piece and the triangle that <code>nextTriangle()</code> has found. Both are relative to the box's origin. */
         public var pair:ConvexTrianglePair = new ConvexTrianglePair();
 
-        /** The box around the current piece. Its limits may be narrowed. Its origin is the model's place. */
+        /** The box around the current piece or, for a triangle, around its node. Its limits may be narrowed. Its origin is the model's place. */
         public var box:GroundBox = new GroundBox();
 
         /** The ground. Read only. */
@@ -109,31 +109,31 @@ package starlogo.ground
          */
         public function begin(motion:RelativeMotion, maxDistance:Number):void
         {
-            beginWhole(motion, maxDistance);
+            reset(motion, maxDistance);
             if (hasTree)
             {
-                _isWhole = false;
                 addNode(0);
+            }
+            else
+            {
+                _isWhole = true;
             }
         }
 
         /** Begins with the structure around all pieces as the only one. */
         public function beginWhole(motion:RelativeMotion, maxDistance:Number):void
         {
-            _triangles.stop();
-            _nodeCount = _first = _end = 0;
+            reset(motion, maxDistance);
             _isWhole = true;
-            box.motion = motion;
-            box.latest = 1;
-            box.maxDistance = maxDistance;
-            box.above = -Infinity;
         }
 
-        /** Begins with the structure around all pieces, and with the triangles at a point of the ground. */
+        /**
+         * Begins with the structure around all pieces as the only one, and with the triangles at a point of the ground. The piece is set: go on with
+         * <code>nextTriangle()</code>.
+         */
         public function beginAt(at:GroundPoint):void
         {
-            beginWhole(RelativeMotion.NONE, 0);
-            _isWhole = false;
+            reset(RelativeMotion.NONE, 0);
             setPiece(_structure);
             box.x = at.x - box.origin.x;
             box.y = at.y - box.origin.y;
@@ -143,7 +143,10 @@ package starlogo.ground
             _triangles.begin(grid, box);
         }
 
-        /** Goes on to the next piece. Returns false if there is none. */
+        /**
+         * Goes on to the next piece. Returns false if there is none. The piece may be a node that no triangle is near: then only its middle is known, and
+         * the pair has no shape of it.
+         */
         public function nextPiece():Boolean
         {
             while (_first == _end)
@@ -204,6 +207,18 @@ package starlogo.ground
             contact.x += box.origin.x;
             contact.y += box.origin.y;
             contact.z += box.origin.z;
+        }
+
+        // Begins without a piece.
+        private function reset(motion:RelativeMotion, maxDistance:Number):void
+        {
+            _triangles.stop();
+            _nodeCount = _first = _end = 0;
+            _isWhole = false;
+            box.motion = motion;
+            box.latest = 1;
+            box.maxDistance = maxDistance;
+            box.above = -Infinity;
         }
 
         private function addNode(node:int):void

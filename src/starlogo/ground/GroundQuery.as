@@ -83,9 +83,7 @@ package starlogo.ground
         override public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
             var first:Number = RelativeMotion.NEVER;
-            _sweep.x = motion.x;
-            _sweep.y = motion.y;
-            _sweep.z = motion.z;
+            _sweep.copyVector(motion);
             _pieces.placeAt(motion, 0);
             _pieces.begin(motion, 0);
             while (first > 0 && _pieces.nextPiece())

@@ -54,9 +54,7 @@ package starlogo.ground
             var isHit:Boolean = false;
             while (_triangles.next())
             {
-                var before:Number = _test.limit;
-                testTriangle();
-                if (_test.limit != before || _test.triangle == 0 && !isHit)
+                if (testTriangle())
                 {
                     isHit = true;
                     _box.latest = _test.limit;
@@ -88,8 +86,7 @@ package starlogo.ground
             while (_triangles.next())
             {
                 var before:int = out.count;
-                testTriangle();
-                if (out.count > before)
+                if (testTriangle())
                 {
                     _outside.setTriangle(_triangles.triangle.corners, 0);
                     _entry.setNormal(ray, _outside.x, _outside.y, _outside.z);
@@ -99,12 +96,12 @@ package starlogo.ground
             }
         }
 
-        // Tests the current triangle. Its rounding error is relative to its size. Walls that are far longer than the ground is high are only long
-        // because the ray is.
-        private function testTriangle():void
+        // Whether the ray meets the current triangle. If only the first one is wanted, whether it meets no other one before. The rounding error is relative
+        // to the triangle's size. Walls that are far longer than the ground is high are only long because the ray is.
+        private function testTriangle():Boolean
         {
             _test.setRadius(Math.min(_triangles.triangle.size, _largest));
-            _test.testTriangles(0, 1);
+            return _test.testTriangles(0, 1);
         }
 
         private static function beginsInside(grid:HeightGrid, ray:Ray):Boolean

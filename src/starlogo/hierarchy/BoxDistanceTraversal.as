@@ -23,9 +23,6 @@ package starlogo.hierarchy
      */
     public final class BoxDistanceTraversal extends NodePairTraversal
     {
-        /** The closest points of the nearest pair, and their distance, in the first model's space. A test of triangles writes them too. */
-        public var points:ClosestPoints = new ClosestPoints();
-
         // An estimate is smaller than the distances below it by this fraction, which is more than the errors of rounding and nesting.
         private static const SLACK:Number = 1e-12;
 
@@ -34,6 +31,9 @@ package starlogo.hierarchy
 
         // The radii of the spheres around both trees together. The rounding error is relative to it.
         private var _radii:Number;
+
+        // Receives the closest points of the nearest pair so far.
+        private var _points:ClosestPoints;
 
         private var _measured:ClosestPoints = new ClosestPoints();
         private var _boxA:Box = BoxTree.newBox();
@@ -45,10 +45,15 @@ package starlogo.hierarchy
             super(counts);
         }
 
-        /** Finds the closest points of two trees. The parameters are those of <code>NodePairTraversal.find()</code>. */
-        public function findClosest(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairTest):void
+        /**
+         * Finds the closest points of two trees. The other parameters are those of <code>NodePairTraversal.find()</code>.
+         *
+         * @param out receives the points and their distance, in the first model's space. If there is a decider, it writes them
+         */
+        public function findClosest(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairSearch, out:ClosestPoints):void
         {
-            points.distance = Infinity;
+            _points = out;
+            out.distance = Infinity;
             _radii = treeA.radius + treeB.radius * pose.placement.size;
             _axes.readAxes(pose.placement, pose.placement.size);
             find(pose, treeA, depthA, treeB, depthB, decider);
@@ -139,11 +144,11 @@ package starlogo.hierarchy
             var bound:Number = Math.sqrt(squared > squaredInB ? squared : squaredInB);
 
             // The line between the closest points so far rules out most of the pairs that are not nearer.
-            var toX:Number = points.bX - points.aX;
-            var toY:Number = points.bY - points.aY;
-            var toZ:Number = points.bZ - points.aZ;
+            var toX:Number = _points.bX - _points.aX;
+            var toY:Number = _points.bY - _points.aY;
+            var toZ:Number = _points.bZ - _points.aZ;
             var length:Number = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
-            if (length > 0 && points.distance < Infinity)
+            if (length > 0 && _points.distance < Infinity)
             {
                 var alongX:Number = toX * axes.m00 + toY * axes.m10 + toZ * axes.m20;
                 var alongY:Number = toX * axes.m01 + toY * axes.m11 + toZ * axes.m21;
@@ -169,11 +174,11 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function settle(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairTest, out:NodePairBounds):void
+        override protected function settle(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairSearch, out:NodePairBounds):void
         {
             if (decider != null)
             {
-                decider.testNodes(treeA, a, treeB, b, out);
+                decider.findBest(treeA, a, treeB, b, out);
                 return;
             }
             PairTable.findClosest(treeA.writeBox(a, _boxA), pose.placeWidened(treeB.writeBox(b, _boxB)), _measured);
@@ -181,7 +186,7 @@ package starlogo.hierarchy
             out.current = _measured.distance;
             if (out.current < out.least)
             {
-                points.copyFrom(_measured);
+                _points.copyFrom(_measured);
             }
         }
 

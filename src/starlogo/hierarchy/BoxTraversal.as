@@ -165,7 +165,7 @@ package starlogo.hierarchy
                     var bEnds:Boolean = stopB[b] >= depthB;
                     if (aEnds && bEnds)
                     {
-                        if (decider == null || decider.testNodes(treeA, a, treeB, b, null))
+                        if (decider == null || decider.areTouching(treeA, a, treeB, b))
                         {
                             _counts.nodeVisits += visits;
                             return true;

@@ -17,8 +17,8 @@ package starlogo.hierarchy
      */
     public class NodePairTraversal
     {
-        /** The best pair, and the bounds of the search. */
-        public var bounds:NodePairBounds = new NodePairBounds();
+        // The best pair, and the bounds of the search.
+        private var _bounds:NodePairBounds = new NodePairBounds();
 
         // The pairs of nodes still to visit, and their bounds.
         private var _nodes:Vector.<int> = new Vector.<int>();
@@ -41,9 +41,9 @@ package starlogo.hierarchy
          * @param treeB the second tree
          * @param depthB how many of its levels are visited
          * @param decider decides about such nodes; null if their boxes decide
-         * @return whether there is such a pair
+         * @return the best pair; the next search overwrites it
          */
-        protected final function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairTest):Boolean
+        protected final function find(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairSearch):NodePairBounds
         {
             var leftA:Vector.<int> = treeA.left;
             var leftB:Vector.<int> = treeB.left;
@@ -52,7 +52,7 @@ package starlogo.hierarchy
             var a:int = 0;
             var b:int = 0;
             var stack:Vector.<int> = _nodes;
-            var out:NodePairBounds = bounds;
+            var out:NodePairBounds = _bounds;
             var stackBounds:Vector.<Number> = _nodeBounds;
             var scale:Number = pose.placement.size;
             var top:int = 0;
@@ -112,14 +112,14 @@ package starlogo.hierarchy
                 if (top == 0 || !(out.least > 0))
                 {
                     _counts.nodeVisits += visits;
-                    return out.least < Infinity;
+                    return out;
                 }
                 top--;
                 a = stack[2 * top];
                 b = stack[2 * top + 1];
                 out.current = stackBounds[top];
             }
-            return false;
+            return out;
         }
 
         // Whether the sphere around a box is at least as large as the sphere around another one, whose numbers are scaled.
@@ -144,7 +144,7 @@ package starlogo.hierarchy
          * Sets <code>out.current</code> to the time or distance of a pair that decides. If it is not less than <code>out.least</code>, it
          * need not be exact.
          */
-        protected function settle(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairTest, out:NodePairBounds):void
+        protected function settle(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairSearch, out:NodePairBounds):void
         {
             throw new IllegalOperationError(this + " does not implement settle");
         }

@@ -19,7 +19,7 @@ package starlogo.hierarchy
         private var _boxes:BoxSearch;
 
         private var _structure:BoundingStructure;
-        private var _motion:RelativeMotion;
+        private var _sweep:RelativeMotion = new RelativeMotion();
         private var _found:FirstTouch;
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _box:Box = BoxTree.newBox();
@@ -42,7 +42,8 @@ package starlogo.hierarchy
         public function findTouch(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion, out:FirstTouch):void
         {
             _structure = pose.placeWidened(structure);
-            _motion = motion;
+            _sweep.copyVector(motion);
+            _sweep.earliest = motion.earliest;
             _found = out;
             out.time = RelativeMotion.NEVER;
             limit = motion.isStill ? 0 : motion.latest;
@@ -56,22 +57,22 @@ package starlogo.hierarchy
         override public function testNode(tree:BoxTree, node:int):void
         {
             tree.writeBox(node, _box);
-            var time:Number = 0;
-            if (_motion.isStill)
+            var sweep:RelativeMotion = _sweep;
+            if (sweep.isStill)
             {
-                time = PairTable.areTouching(_box, _structure) ? 0 : RelativeMotion.NEVER;
+                sweep.time = PairTable.areTouching(_box, _structure) ? 0 : RelativeMotion.NEVER;
             }
             else
             {
-                PairTable.findTime(_structure, _box, _motion);
-                time = _motion.time;
+                sweep.latest = limit;
+                PairTable.findTime(_structure, _box, sweep);
             }
-            if (time <= limit && time < _found.time)
+            if (sweep.time <= limit && sweep.time < _found.time)
             {
-                _found.time = time;
+                _found.time = sweep.time;
                 _found.a = node;
                 // no node can be touched earlier than at the beginning
-                limit = time > 0 ? time : -Infinity;
+                limit = sweep.time > 0 ? sweep.time : -Infinity;
             }
         }
     }

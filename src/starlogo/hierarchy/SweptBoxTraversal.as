@@ -32,7 +32,7 @@ package starlogo.hierarchy
          * @param motion of the second tree, from the pose on
          * @param out receives the time, and the nodes if their boxes decide
          */
-        public function findTouch(pose:RelativePose, motion:RelativeMotion, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairTest,
+        public function findTouch(pose:RelativePose, motion:RelativeMotion, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairSearch,
                 out:FirstTouch):void
         {
             var relative:Placement = pose.placement;
@@ -42,7 +42,7 @@ package starlogo.hierarchy
             _pair.motionZ = motion.z;
             _pair.tolerance = pose.tolerance + Touching.marginOfMotion(relative.x, relative.y, relative.z)
                 + Touching.marginOfMotion(motion.x, motion.y, motion.z);
-            find(pose, treeA, depthA, treeB, depthB, decider);
+            var bounds:NodePairBounds = find(pose, treeA, depthA, treeB, depthB, decider);
             out.time = bounds.least;
             if (decider == null)
             {
@@ -58,7 +58,7 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function settle(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairTest, out:NodePairBounds):void
+        override protected function settle(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairSearch, out:NodePairBounds):void
         {
             if (decider == null)
             {
@@ -66,7 +66,7 @@ package starlogo.hierarchy
             }
             else
             {
-                decider.testNodes(treeA, a, treeB, b, out);
+                decider.findBest(treeA, a, treeB, b, out);
             }
         }
 

@@ -123,7 +123,7 @@ package starlogo.solid
                 for (var corner:int = 3; corner >= 0 && isSolid(shell) && (_around[shell] == null || _around[shell].length > 0 && _windingCount < _mostWindings); corner--)
                 {
                     countAround(shell, i, corner);
-                    _around[shell] = stillAround(shell, _around[shell]);
+                    _around[shell] = takeAround(shell, _around[shell]);
                 }
             }
         }
@@ -146,8 +146,9 @@ package starlogo.solid
             _windingCount += _windingCounter.crossedCount;
         }
 
-        // Returns the shells that wind around the last point; none if all of them have the orientation of this shell.
-        private function stillAround(shell:int, before:Vector.<int>):Vector.<int>
+        // Returns the shells that wind around the last point; none if all of them have the orientation of this shell. Takes their windings, so that a
+        // shell that is listed several times is returned once.
+        private function takeAround(shell:int, before:Vector.<int>):Vector.<int>
         {
             var around:Vector.<int> = new Vector.<int>();
             var hasOpposite:Boolean = false;
@@ -161,7 +162,6 @@ package starlogo.solid
                     around.push(other);
                     hasOpposite ||= _orientations[other] == -_orientations[shell];
                 }
-                // so that it is not counted again
                 _windingCounter.windings[other] = 0;
             }
             around.length = hasOpposite ? around.length : 0;

@@ -118,9 +118,11 @@ package starlogo.solid
          *
          * @param first the first triangle's number
          * @param end the number after the last one
+         * @return whether one of them is the nearest so far, or was added to all crossings
          */
-        public function testTriangles(first:int, end:int):void
+        public function testTriangles(first:int, end:int):Boolean
         {
+            var hasFound:Boolean = false;
             var corners:Vector.<Number> = _corners;
             var u:int = _u;
             var v:int = _v;
@@ -173,6 +175,7 @@ package starlogo.solid
                         continue;
                     }
                 }
+                hasFound = true;
                 if (_all != null)
                 {
                     var depth:Number = Math.abs(_stretch) * (Math.abs(aZ - bZ) + Math.abs(bZ - cZ));
@@ -183,6 +186,7 @@ package starlogo.solid
                 limit = crossing;
                 triangle = i;
             }
+            return hasFound;
         }
 
         // Adds a crossing. The ray may pass a gap beside the place that is tested. On a steep triangle the place is then farther off along the ray.

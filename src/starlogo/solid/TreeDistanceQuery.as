@@ -4,6 +4,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.hierarchy.BoxDistanceTraversal;
     import starlogo.hierarchy.NodeDistanceTest;
+    import starlogo.hierarchy.NodePairSearch;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
 
@@ -75,8 +76,8 @@ package starlogo.solid
             var b:ModelTree = pair.b;
             if (b != null)
             {
-                _boxes.findClosest(_pose, a.tree, pair.depthA, b.tree, pair.depthB, pair.isExact ? _trianglePairs.begin(a, b, _pose, _boxes.points) : null);
-                out.copyFrom(_boxes.points);
+                var decider:NodePairSearch = pair.isExact ? _trianglePairs.begin(a, b, _pose, out) : null;
+                _boxes.findClosest(_pose, a.tree, pair.depthA, b.tree, pair.depthB, decider, out);
             }
             else if (pair.isExact)
             {

@@ -9,7 +9,7 @@ package starlogo.solid
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.FirstTouch;
-    import starlogo.hierarchy.NodePairTest;
+    import starlogo.hierarchy.NodePairSearch;
     import starlogo.hierarchy.NodeStructureTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.SweptBoxTraversal;
@@ -139,7 +139,7 @@ package starlogo.solid
             RelativePose.relateMotion(pair.placementA, motion, _motion);
             if (b != null)
             {
-                var decider:NodePairTest = pair.isExact ? _trianglePairs.begin(a, b, _pose, _motion, _touch) : null;
+                var decider:NodePairSearch = pair.isExact ? _trianglePairs.begin(a, b, _pose, _motion, _touch) : null;
                 _boxes.findTouch(_pose, _motion, a.tree, pair.depthA, b.tree, pair.depthB, decider, _touch);
             }
             else if (pair.isExact)

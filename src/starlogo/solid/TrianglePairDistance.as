@@ -4,15 +4,15 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodePairTest;
     import starlogo.hierarchy.NodePairBounds;
+    import starlogo.hierarchy.NodePairSearch;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
 
     use namespace engine;
 
     /** Finds the distance of the triangles of two nodes. It measures only pairs whose extents are nearer than the nearest pair so far. */
-    internal final class TrianglePairDistance extends NodePairTest
+    internal final class TrianglePairDistance extends NodePairSearch
     {
         private var _triangles:MovedTriangles;
 
@@ -32,7 +32,7 @@ package starlogo.solid
          *
          * @param points receives the closest points, and their distance; kept
          */
-        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, points:ClosestPoints):NodePairTest
+        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, points:ClosestPoints):NodePairSearch
         {
             _triangles.begin(a, b, pose, RelativeMotion.NONE);
             _points = points;
@@ -40,7 +40,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function testNodes(treeA:BoxTree, a:int, treeB:BoxTree, b:int, bounds:NodePairBounds):Boolean
+        override public function findBest(treeA:BoxTree, a:int, treeB:BoxTree, b:int, bounds:NodePairBounds):void
         {
             var count:int = _triangles.move(treeB, b);
             for (var i:int = 0; i < count && _points.distance > 0; i++)
@@ -48,7 +48,6 @@ package starlogo.solid
                 addTriangle(treeA.first[a], treeA.end[a], i);
             }
             bounds.current = _points.distance;
-            return bounds.current < bounds.least;
         }
 
         // Adds each triangle of a range of the first model, paired with a triangle of the second.

@@ -5,15 +5,15 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.FirstTouch;
-    import starlogo.hierarchy.NodePairTest;
     import starlogo.hierarchy.NodePairBounds;
+    import starlogo.hierarchy.NodePairSearch;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
 
     use namespace engine;
 
     /** Decides by triangles when two nodes first touch, for models that move. */
-    internal final class TrianglePairSweep extends NodePairTest
+    internal final class TrianglePairSweep extends NodePairSearch
     {
         private var _triangles:MovedTriangles;
         private var _motion:RelativeMotion = new RelativeMotion();
@@ -31,19 +31,17 @@ package starlogo.solid
          *
          * @param found receives the triangles that touch first; kept
          */
-        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, motion:RelativeMotion, found:FirstTouch):NodePairTest
+        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, motion:RelativeMotion, found:FirstTouch):NodePairSearch
         {
             _found = found;
             _triangles.begin(a, b, pose, motion);
             _triangles.meshA.preparePlanes();
-            _motion.x = motion.x;
-            _motion.y = motion.y;
-            _motion.z = motion.z;
+            _motion.copyVector(motion);
             return this;
         }
 
         /** @inheritDoc */
-        override public function testNodes(treeA:BoxTree, a:int, treeB:BoxTree, b:int, bounds:NodePairBounds):Boolean
+        override public function findBest(treeA:BoxTree, a:int, treeB:BoxTree, b:int, bounds:NodePairBounds):void
         {
             var count:int = _triangles.move(treeB, b);
             _motion.latest = bounds.least < 1 ? bounds.least : 1;
@@ -52,17 +50,16 @@ package starlogo.solid
             // Higher indices come first, as in the traversal.
             for (var k:int = count - 1; k >= 0 && bounds.current > 0; k--)
             {
-                if (touchesEarlier(k, treeA.first[a], treeA.end[a], bounds))
+                if (keepEarlier(k, treeA.first[a], treeA.end[a], bounds))
                 {
                     _found.b = treeB.first[b] + k;
                 }
             }
-            return bounds.current < RelativeMotion.NEVER;
         }
 
-        // Whether a triangle of the second model touches one of a range of the first model until the motion's latest time, and earlier than those
-        // of this pair of nodes before. If so, keeps the time as the current one of the bounds, and as the latest one.
-        private function touchesEarlier(triangle:int, first:int, end:int, bounds:NodePairBounds):Boolean
+        // If a triangle of the second model touches one of a range of the first model until the motion's latest time, and earlier than those of this
+        // pair of nodes before, keeps the time as the current one of the bounds, and as the latest one. Returns whether it does.
+        private function keepEarlier(triangle:int, first:int, end:int, bounds:NodePairBounds):Boolean
         {
             var motion:RelativeMotion = _motion;
             var isEarlier:Boolean = false;

@@ -4,7 +4,6 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.NodePairTest;
-    import starlogo.hierarchy.NodePairBounds;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.TriangleSeparation;
@@ -31,7 +30,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function testNodes(treeA:BoxTree, a:int, treeB:BoxTree, b:int, bounds:NodePairBounds):Boolean
+        override public function areTouching(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
         {
             var count:int = _triangles.move(treeB, b);
             for (var i:int = 0; i < count; i++)

@@ -69,10 +69,6 @@ package starlogo.solid
         public function findTouch(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion, out:FirstTouch):void
         {
             begin(model, structure, pose, motion);
-            if (!motion.isStill)
-            {
-                prepareMotion();
-            }
             limit = motion.isStill ? 0 : motion.latest;
             out.time = RelativeMotion.NEVER;
             _found = out;
@@ -86,47 +82,36 @@ package starlogo.solid
             _motion = motion;
             _pair.setStructure(structure, pose.placement).extentsInto(_extents);
             _pair.shape.margin += pose.tolerance + Touching.marginOfSurface(model.tree.radius);
-            var extents:Vector.<Number> = _extents;
-            var margin:Number = _pair.shape.margin;
-            _boxes.setExtents(extents, margin);
-            _boxes.setMotion(motion);
-            var round:Number = _pair.shape.radius;
-            _radius = round + margin + Tolerances.EXTENTS * (_boxes.halfX + _boxes.halfY + _boxes.halfZ);
+            var shape:ConvexShape = _pair.shape;
+            var size:Number = 3 * shape.margin + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
             for (var i:int = 0; i < 6; i += 2)
             {
-                extents[i] += round;
-                extents[int(i + 1)] -= round;
+                size += Math.max(Math.abs(_extents[i]), Math.abs(_extents[int(i + 1)]));
             }
-            _sweep.x = motion.x;
-            _sweep.y = motion.y;
-            _sweep.z = motion.z;
-        }
-
-        // Prepares what only a moving structure needs.
-        private function prepareMotion():void
-        {
-            var motion:RelativeMotion = _motion;
-            var margin:Number = Tolerances.EXTENTS * (_boxes.halfX + _boxes.halfY + _boxes.halfZ + Math.abs(_boxes.x) + Math.abs(_boxes.y) + Math.abs(_boxes.z)
-                    + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            _radius = _pair.shape.radius + _pair.shape.margin + margin;
+            var rounding:Number = Tolerances.EXTENTS * size;
+            _radius = shape.radius + shape.margin + rounding;
+            _boxes.setExtents(_extents, shape.margin + rounding);
+            _boxes.setMotion(motion);
             widen(0, motion.x);
             widen(2, motion.y);
             widen(4, motion.z);
-            _boxes.halfX += margin;
-            _boxes.halfY += margin;
-            _boxes.halfZ += margin;
-            _separatingAxes.setTo(_pair.shape, _radius, motion);
+            _sweep.copyVector(motion);
+            if (!motion.isStill)
+            {
+                _separatingAxes.setTo(shape, _radius, motion);
+            }
         }
 
-        // Widens the extents along an axis to those of the motion from its earliest to its latest time. The travel is the whole motion's.
+        // Makes the structure's extents along an axis those of its core and of the motion, from its earliest to its latest time. The travel is the whole
+        // motion's.
         private function widen(axis:int, travel:Number):void
         {
             var begin:Number = travel * _motion.earliest;
             var end:Number = travel * _motion.latest;
             var low:Number = begin < end ? begin : end;
             var high:Number = begin < end ? end : begin;
-            _extents[axis] += low;
-            _extents[int(axis + 1)] += high;
+            _extents[axis] += _pair.shape.radius + low;
+            _extents[int(axis + 1)] += high - _pair.shape.radius;
         }
 
         /** @inheritDoc */

@@ -30,10 +30,13 @@ package starlogo.solid
         /** How often each shell winds around the point of the last <code>count()</code>. */
         public var windings:Vector.<int>;
 
-        /** The shells that may wind around that point. Shells of points before may come after them. */
+        /**
+         * The shells that may wind around that point. A shell is listed again each time that its winding number has come back to 0 on the ray. Shells of
+         * points before may come after them.
+         */
         public var crossed:Vector.<int> = new Vector.<int>();
 
-        /** How many of them there are. */
+        /** How many entries are about that point. */
         public var crossedCount:int = 0;
 
         private var _boxes:BoxSearch = new BoxSearch();

@@ -4,14 +4,15 @@ package starlogo.convex
 
     /**
      * Finds the closest points of two cores (Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between complex objects in
-     * three-dimensional space", 1988). All differences of a point of the first core and a point of the second form a convex set, and the cores' distance is the set's
-     * distance from the origin. Each step adds the corner of the set that is farthest towards the origin to a simplex. Then it drops the
-     * corners that the simplex does not need for its point nearest to the origin.
+     * three-dimensional space", 1988). All differences of a point of the first core and a point of the second form a convex set, and the cores'
+     * distance is the set's distance from the origin. Each step adds the corner of the set that is farthest towards the origin to a simplex. Then it
+     * drops the corners that the simplex does not need for its point nearest to the origin.
      *
      * <p>The result is exact except for rounding, which is 1e-15 of the extents, however small the distance is.</p>
      */
     internal final class CoreDistance
     {
+        // When they run out, the nearest point so far is the result.
         private static const MOST_STEPS:int = 40;
 
         // The count of numbers of a point and a triangle. Two segments have as many.
@@ -50,7 +51,10 @@ package starlogo.convex
             search(cores, out);
         }
 
-        /** Finds the closest points after the first core has moved. The last call must have been about the same two cores. It goes on from their simplex. */
+        /**
+         * Finds the closest points after the first core has moved. The last call must have been about the same two cores. It goes on from their
+         * simplex.
+         */
         public function findAgain(cores:CorePair, out:CoreWitness):void
         {
             _simplex.move(cores);

@@ -9,8 +9,8 @@ package starlogo.convex
      * separating axis test between convex polyhedra", 2013). The edges of boxes and segments say nothing
      * of faces, so nothing is known to be on a side of them.
      *
-     * <p>If two displacements are equally short, the first one is taken that is tried: faces of the second core, faces of the first, edges. Of two opposite ones, it is
-     * the one against the motion. Points and parallel segments move upwards as far as possible.</p>
+     * <p>If two displacements are equally short, the first one is taken that is tried: faces of the second core, faces of the first, edges. Of two
+     * opposite ones, it is the one against the motion. Points and parallel segments move upwards as far as possible.</p>
      */
     internal final class CoreOverlap
     {
@@ -20,7 +20,8 @@ package starlogo.convex
         private var _edge:Vector.<Number> = new Vector.<Number>(PER_EDGE, true);
         private var _edges:Vector.<Number> = new Vector.<Number>();
 
-        // The direction to try, of any length. How far each core extends along it, and the set of all differences of a point of the first and a point of the second.
+        // The direction to try, of any length. How far each core extends along it, and the set of all differences of a point of the first and a point
+        // of the second.
         private var _along:Vector3D = new Vector3D();
         private var _ofA:Interval = new Interval();
         private var _ofB:Interval = new Interval();
@@ -105,7 +106,8 @@ package starlogo.convex
             }
         }
 
-        // Whether the perpendicular of an edge of the first core and one of the second points out of both cores: all of each core is on one side of its edge.
+        // Whether the perpendicular of an edge of the first core and one of the second points out of both cores: all of each core is on one side of
+        // its edge.
         private function isOutOfBoth(k:int):Boolean
         {
             var u:Vector.<Number> = _edge;

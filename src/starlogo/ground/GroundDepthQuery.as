@@ -15,7 +15,8 @@ package starlogo.ground
         // Two exits have nearly the same direction if the cosine of their angle is larger.
         private static const SAME_EXIT:Number = 0.98;
 
-        // The triangle of a contact counts as behind a plane if it is in front of it by at most this many margins of the plane's triangle, which are rounding.
+        // The triangle of a contact counts as behind a plane if it is in front of it by at most this many margins of the plane's triangle, which are
+        // rounding.
         private static const IN_FRONT:Number = 10;
 
         // The most exits that are found.

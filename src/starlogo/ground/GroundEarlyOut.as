@@ -60,17 +60,17 @@ package starlogo.ground
          */
         public function decide(extents:Extents, form:int, row:int):int
         {
+            // nodes of a tree may extend beyond the tree's extents
+            if (form > BoundingStructure.HULL)
+            {
+                return UNKNOWN;
+            }
             var isSphere:Boolean = form == BoundingStructure.SPHERE;
             _under.x = extents.x[row];
             _under.y = extents.y[row];
             _grid.findHeight(_under);
             var above:Number = extents.z[row] - _under.height;
             var inner:Number = isSphere ? extents.halfX[row] : 0;
-            // nodes of a tree may extend beyond the tree's extents
-            if (form > BoundingStructure.HULL)
-            {
-                return UNKNOWN;
-            }
             if (above <= inner)
             {
                 // the middle of a hull's extents may be outside of the hull

@@ -140,7 +140,7 @@ package starlogo.ground
         }
 
         /** Whether the shape in the box stays farther away from a square than a triangle may be. The square is between two heights. */
-        public function staysBeyond(level:int, column:int, row:int, heights:HeightRange):Boolean
+        public function stayApart(level:int, column:int, row:int, heights:HeightRange):Boolean
         {
             if (box.shape == null)
             {
@@ -151,7 +151,7 @@ package starlogo.ground
             var y:Number = corner.y + row * width;
             _least.setTo(x - _slack, y - _slack, heights.least - _slack);
             _greatest.setTo(x + width + _slack, y + width + _slack, heights.greatest + _slack);
-            return _separation.isBeyond(box, _least, _greatest);
+            return _separation.stayApart(box, _least, _greatest);
         }
     }
 }

@@ -70,7 +70,7 @@ package starlogo.ground
                 }
                 while (_pieces.nextTriangle())
                 {
-                    if (!_pieces.pair.staysBeside(RelativeMotion.NONE) && _pieces.pair.areTouching())
+                    if (!_pieces.pair.stayApart(RelativeMotion.NONE) && _pieces.pair.areTouching())
                     {
                         return true;
                     }
@@ -230,7 +230,7 @@ package starlogo.ground
         {
             _sweep.latest = _pieces.box.latest;
             _sweep.time = RelativeMotion.NEVER;
-            if (!_pieces.pair.staysBeside(_sweep))
+            if (!_pieces.pair.stayApart(_sweep))
             {
                 _pieces.pair.findTime(_sweep);
             }

@@ -96,8 +96,8 @@ package starlogo.ground
             }
         }
 
-        // Whether the ray meets the current triangle. If only the first one is wanted, whether it meets no other one before. The rounding error is relative
-        // to the triangle's size. Walls that are far longer than the ground is high are only long because the ray is.
+        // Whether the ray meets the current triangle. If only the first one is wanted, whether it meets no other one before. The rounding error is
+        // relative to the triangle's size. Walls that are far longer than the ground is high are only long because the ray is.
         private function testTriangle():Boolean
         {
             _test.setRadius(Math.min(_triangles.triangle.size, _largest));

@@ -22,7 +22,7 @@ package starlogo.ground
          * @param low the least corner around the square
          * @param high the greatest one
          */
-        public function isBeyond(box:GroundBox, low:Vector3D, high:Vector3D):Boolean
+        public function stayApart(box:GroundBox, low:Vector3D, high:Vector3D):Boolean
         {
             var shape:ConvexShape = box.shape;
             var direction:Vector3D = _direction;
@@ -33,7 +33,8 @@ package starlogo.ground
             }
             shape.project(direction, _ofShape);
             var distance:Number = direction.x * shape.x + direction.y * shape.y + direction.z * shape.z + _ofShape.least - shape.radius
-                - Math.max(direction.x * high.x, direction.x * low.x) - Math.max(direction.y * high.y, direction.y * low.y) - Math.max(direction.z * high.z, direction.z * low.z);
+                - Math.max(direction.x * high.x, direction.x * low.x) - Math.max(direction.y * high.y, direction.y * low.y)
+                - Math.max(direction.z * high.z, direction.z * low.z);
             var motion:RelativeMotion = box.motion;
             var travel:Number = box.latest * (direction.x * motion.x + direction.y * motion.y + direction.z * motion.z);
             return distance + Math.min(0, travel) > box.maxDistance;
@@ -45,7 +46,8 @@ package starlogo.ground
             var direction:Vector3D = _direction;
             _place.setTo((low.x + high.x) / 2, (low.y + high.y) / 2, (low.z + high.z) / 2);
             findNear(shape, _place, direction);
-            _place.setTo(Math.max(low.x, Math.min(high.x, direction.x)), Math.max(low.y, Math.min(high.y, direction.y)), Math.max(low.z, Math.min(high.z, direction.z)));
+            _place.setTo(Math.max(low.x, Math.min(high.x, direction.x)), Math.max(low.y, Math.min(high.y, direction.y)),
+                    Math.max(low.z, Math.min(high.z, direction.z)));
             findNear(shape, _place, direction);
             direction.decrementBy(_place);
         }

@@ -18,7 +18,8 @@ package starlogo.hierarchy
         private static const SLOWEST:Number = 1e100;
         private static const LATEST:Number = 1e90;
 
-        // How much larger boxes are on each side because of rounding, as a fraction of the tree's radius.
+        // How much larger boxes are on each side, as a fraction of the tree's radius. It is the root of a Number's rounding error, so it is more than the
+        // error of a distance that is the root of a difference. Larger: nodes are tested in vain.
         private static const SLACK:Number = 1.5e-8;
 
         /** The middle of the box at time 0. */

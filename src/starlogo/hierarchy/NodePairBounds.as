@@ -1,8 +1,8 @@
 package starlogo.hierarchy
 {
     /**
-     * The best pair of a NodePairTraversal so far, and its bounds: times or distances. They are fields and not arguments or results, because JavaScript engines
-     * allocate an object for each Number that functions pass.
+     * The best pair of a NodePairTraversal so far, and its bounds: times or distances. They are fields and not arguments or results, because
+     * JavaScript engines allocate an object for each Number that functions pass.
      *
      * @private
      */

@@ -47,7 +47,7 @@ package starlogo.hierarchy
          */
         public function findHit(tree:BoxTree, depth:int, ray:Ray, out:RayEntry):Boolean
         {
-            findAll(tree, depth, ray, 0, null);
+            search(tree, depth, ray, 0, null);
             return _first >= 0 && rayBox(_ray, tree.writeBox(_first, _box), out);
         }
 
@@ -58,13 +58,19 @@ package starlogo.hierarchy
          * @param depth how many of its levels are visited
          * @param ray in the tree's space
          * @param slack how far a place may be wrong because of rounding
-         * @param out the crossings are added to it. Null if only the first node is wanted
+         * @param out the crossings are added to it
          */
         public function findAll(tree:BoxTree, depth:int, ray:Ray, slack:Number, out:RayCrossings):void
         {
+            search(tree, depth, ray, slack, out);
+        }
+
+        // Visits the nodes that a ray meets. Without crossings, only the first node is wanted.
+        private function search(tree:BoxTree, depth:int, ray:Ray, slack:Number, all:RayCrossings):void
+        {
             _ray.copyFrom(ray);
             _slack = slack;
-            _all = out;
+            _all = all;
             _first = -1;
             limit = ray.to;
             _boxes.setRay(ray);

@@ -9,7 +9,8 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Decides when a structure first touches the boxes of a tree, and whether it does if it is still (thesis §5.2). The kernel of the two decides about a node.
+     * Decides when a structure first touches the boxes of a tree, and whether it does if it is still (thesis §5.2). The kernel of the two decides
+     * about a node.
      *
      * @private
      */

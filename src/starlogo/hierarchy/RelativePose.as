@@ -95,7 +95,10 @@ package starlogo.hierarchy
             return placed;
         }
 
-        /** The structure of <code>place()</code>, enlarged by the tolerance. V8 allocates no object for the tolerance, because only this function reads it. */
+        /**
+         * The structure of <code>place()</code>, enlarged by the tolerance. V8 allocates no object for the tolerance, because only this function
+         * reads it.
+         */
         public function placeWidened(structure:BoundingStructure):BoundingStructure
         {
             var placed:BoundingStructure = place(structure);

@@ -36,8 +36,8 @@ package starlogo.intersection
         private var _structures:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
         private var _placed:Vector.<Number> = new Vector.<Number>();
 
-        // The triangle: nine numbers of a list. Its shape and its face are set when they are needed. The normal is NaN if the triangle has no area or is a needle,
-        // because comparisons with NaN are false.
+        // The triangle: nine numbers of a list. Its shape and its face are set when they are needed. The normal is NaN if the triangle has no area or
+        // is a needle, because comparisons with NaN are false.
         private var _corners:Vector.<Number> = null;
         private var _at:int = 0;
         private var _isSet:Boolean = false;
@@ -217,7 +217,7 @@ package starlogo.intersection
          *
          * @param motion of the shape; its start must be 0
          */
-        public function staysBeside(motion:RelativeMotion):Boolean
+        public function stayApart(motion:RelativeMotion):Boolean
         {
             prepare();
             prepareFace();

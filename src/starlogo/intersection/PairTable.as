@@ -11,8 +11,8 @@ package starlogo.intersection
     /**
      * Says how two structures meet: whether they touch, when a moving one first touches the other, how they overlap, and how far apart they are.
      * Here alone it is decided which kernel answers for two kinds. The package is made of a kernel for each pair of kinds, a ConvexTrianglePair for a
-     * shape and triangles, and the tests of moving boxes (<code>sweep</code>) and of rays (<code>ray</code>). Read PairKernel next, which explains the questions, then RoundKernel and
-     * SphereBoxGap.
+     * shape and triangles, and the tests of moving boxes (<code>sweep</code>) and of rays (<code>ray</code>). Read PairKernel next, which explains
+     * the questions, then RoundKernel and SphereBoxGap.
      *
      * <p>Spheres, capsules and boxes have kernels of their own, because the package convex takes two to eleven times as long. That package decides
      * about hulls. It also finds the distance of two boxes and their contact, and the contact of a sphere or capsule whose core overlaps the core of

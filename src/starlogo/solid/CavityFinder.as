@@ -120,12 +120,18 @@ package starlogo.solid
                     continue;
                 }
                 var shell:int = shellOf(i);
-                for (var corner:int = 3; corner >= 0 && isSolid(shell) && (_around[shell] == null || _around[shell].length > 0 && _windingCount < _mostWindings); corner--)
+                for (var corner:int = 3; corner >= 0 && isSolid(shell) && isUndecided(shell); corner--)
                 {
                     countAround(shell, i, corner);
                     _around[shell] = takeAround(shell, _around[shell]);
                 }
             }
+        }
+
+        // Whether more points decide about a shell.
+        private function isUndecided(shell:int):Boolean
+        {
+            return _around[shell] == null || _around[shell].length > 0 && _windingCount < _mostWindings;
         }
 
         // Counts the windings around a point of _face that is a little inside of its shell.

@@ -77,7 +77,11 @@ package starlogo.solid
             _off = _outerTolerance + meshA.flatness;
         }
 
-        /** Computes the triangles of a node of the second model, and returns their number. If the node is the same as the last one, they are kept. */
+        /**
+         * Computes the triangles of a node of the second model, and returns their number. If the node is the same as the last one, they are kept.
+         *
+         * @param node without children: two such nodes do not begin with the same triangle
+         */
         public function move(tree:BoxTree, node:int):int
         {
             var first:int = tree.first[node];
@@ -120,11 +124,11 @@ package starlogo.solid
                 return false;
             }
             counts.triangleTests++;
-            return !staysOnOneSide(first, second, motion);
+            return !stayApart(first, second, motion);
         }
 
         // Whether the second model's triangle stays on one side of the plane of the first one's.
-        private function staysOnOneSide(first:int, second:int, motion:RelativeMotion):Boolean
+        private function stayApart(first:int, second:int, motion:RelativeMotion):Boolean
         {
             var planes:Vector.<Number> = meshA.planes;
             var corners:Vector.<Number> = moved;

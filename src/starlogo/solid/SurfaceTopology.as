@@ -31,8 +31,8 @@ package starlogo.solid
         public var parts:Vector.<int>;
 
         /**
-         * For each triangle, one more than the number of its shell, or 0 for a triangle with two corners at one place. Shells are connected over edges. The
-         * number is negative for triangles that have to be reversed, so that all of the shell have the same orientation.
+         * For each triangle, one more than the number of its shell, or 0 for a triangle with two corners at one place. Shells are connected over
+         * edges. The number is negative for triangles that have to be reversed, so that all of the shell have the same orientation.
          */
         public var signedShells:Vector.<int>;
 

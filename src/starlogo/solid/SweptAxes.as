@@ -89,14 +89,14 @@ package starlogo.solid
         }
 
         /**
-         * Whether an axis separates a triangle from the shape.
+         * Whether an axis separates a triangle from the moving shape.
          *
          * @param corners has nine numbers of the triangle
          * @param at index of the first of them
          * @param until its <code>latest</code> is the time until which they are apart. It is in a record, because V8 makes objects for Numbers that
          *     are passed
          */
-        public function areApart(corners:Vector.<Number>, at:int, until:RelativeMotion):Boolean
+        public function stayApart(corners:Vector.<Number>, at:int, until:RelativeMotion):Boolean
         {
             var axes:Vector.<Number> = _axes;
             var end:int = _end;
@@ -116,12 +116,13 @@ package starlogo.solid
                     return true;
                 }
             }
-            return isBeside(corners, at, at + 3, at + 6, until) || isBeside(corners, at + 3, at + 6, at, until) || isBeside(corners, at + 6, at, at + 3, until);
+            return stayApartAcross(corners, at, at + 3, at + 6, until) || stayApartAcross(corners, at + 3, at + 6, at, until)
+                || stayApartAcross(corners, at + 6, at, at + 3, until);
         }
 
         // Whether the axis perpendicular to the motion and to the edge from p to q separates the two. It is tested like any other axis, so
         // its rounding does not count.
-        private function isBeside(corners:Vector.<Number>, p:int, q:int, r:int, until:RelativeMotion):Boolean
+        private function stayApartAcross(corners:Vector.<Number>, p:int, q:int, r:int, until:RelativeMotion):Boolean
         {
             var px:Number = corners[p];
             var py:Number = corners[int(p + 1)];

@@ -24,7 +24,10 @@ package starlogo.solid
          */
         public var planes:Vector.<Number> = null;
 
-        /** The triangles' extents: minX, maxX, minY, maxY, minZ, maxZ of each. Null before <code>prepareExtents()</code>: only pairs of trees need them. */
+        /**
+         * The triangles' extents: minX, maxX, minY, maxY, minZ, maxZ of each. Null before <code>prepareExtents()</code>: only pairs of trees need
+         * them.
+         */
         public var extents:Vector.<Number> = null;
 
         /** @param tree the boxes around the triangles */

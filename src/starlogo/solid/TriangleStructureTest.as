@@ -127,7 +127,7 @@ package starlogo.solid
                 }
                 _sweep.latest = limit;
                 findEarliest(i);
-                if (_sweep.earliest > limit || !isStill && _separatingAxes.areApart(_mesh.corners, 9 * i, _sweep))
+                if (_sweep.earliest > limit || !isStill && _separatingAxes.stayApart(_mesh.corners, 9 * i, _sweep))
                 {
                     continue;
                 }

@@ -188,7 +188,7 @@ package starlogo.intersection
             sweep.setStructure(structure, new Placement());
             sweep.setTriangle(corners, 0);
             motion.time = RelativeMotion.NEVER;
-            if (!sweep.staysBeside(motion))
+            if (!sweep.stayApart(motion))
             {
                 sweep.findTime(motion);
             }

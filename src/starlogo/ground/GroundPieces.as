@@ -34,7 +34,7 @@ package starlogo.ground
 
         private var _triangles:GroundTriangles = new GroundTriangles();
 
-        private var _tree:ModelTree;
+        private var _model:ModelTree;
         private var _structure:BoundingStructure;
         private var _depth:int;
         private var _isExact:Boolean;
@@ -61,22 +61,22 @@ package starlogo.ground
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /** Sets the model and the ground, as <code>GroundQuery.setTo()</code> takes them. */
-        public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
+        public function setTo(grid:HeightGrid, model:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
         {
             this.grid = grid;
-            _tree = tree;
+            _model = model;
             _structure = structure;
             _relative.copyFrom(placement);
             box.origin.x = placement.x;
             box.origin.y = placement.y;
             box.origin.z = placement.z;
-            _isExact = tree != null && exact && tree.hasTriangles;
+            _isExact = model != null && exact && model.hasTriangles;
             _depth = _isExact ? BoxTree.NO_LIMIT : depth;
             // The margin is as large as if another agent stood at the place of the touch.
             _margin = 2 * Touching.marginOfPlace(placement.x, placement.y, placement.z);
             if (_isExact)
             {
-                _margin += Touching.marginOfSurface(tree.tree.radius * placement.size);
+                _margin += Touching.marginOfSurface(model.tree.radius * placement.size);
             }
             placeAt(RelativeMotion.NONE, 0);
         }
@@ -90,7 +90,7 @@ package starlogo.ground
         /** Whether the model is a tree; otherwise it is a structure. */
         public function get hasTree():Boolean
         {
-            return _tree != null;
+            return _model != null;
         }
 
         /** Moves the model to where the motion has brought it at a time. */
@@ -167,7 +167,7 @@ package starlogo.ground
                     return true;
                 }
             }
-            pair.setShapeToTriangle(_tree.prepareCorners(), 9 * _first, _relative);
+            pair.setShapeToTriangle(_model.prepareCorners(), 9 * _first, _relative);
             _first++;
             finishPiece();
             _triangles.begin(grid, box);
@@ -230,7 +230,7 @@ package starlogo.ground
         // Begins with a node. Returns whether it is a piece.
         private function visit(node:int):Boolean
         {
-            var tree:BoxTree = _tree.tree;
+            var tree:BoxTree = _model.tree;
             var isDivided:Boolean = tree.stop[node] < _depth;
             tree.writeBox(node, _node);
             if (!isDivided && !_isExact)

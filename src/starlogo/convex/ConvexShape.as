@@ -128,7 +128,7 @@ package starlogo.convex
             points[4] = capsule.end.y - y;
             points[5] = capsule.end.z - z;
             radius = capsule.radius;
-            measure();
+            setExtent();
         }
 
         /** Sets a box. */
@@ -170,7 +170,7 @@ package starlogo.convex
             p[6] = corners[int(at + 6)] - x;
             p[7] = corners[int(at + 7)] - y;
             p[8] = corners[int(at + 8)] - z;
-            measure();
+            setExtent();
         }
 
         /**
@@ -184,7 +184,7 @@ package starlogo.convex
             setOrigin(center);
             begin(points.length, faces, edges);
             this.points = points;
-            measure();
+            setExtent();
             margin = (Tolerances.TOUCHING - 1) * extent / 2;
         }
 
@@ -297,7 +297,7 @@ package starlogo.convex
             p[at] = -p[int(at + 21)];
         }
 
-        private function measure():void
+        private function setExtent():void
         {
             var most:Number = 0;
             for (var i:int = 0; i < end; i++)

@@ -214,7 +214,7 @@ package starlogo.convex
             _along.x *= up;
             _along.y *= up;
             _along.z *= up;
-            measure(cores, _differences);
+            projectDifferences(cores, _differences);
             // rounding hides on which side they are
             var isDown:Boolean = _differences.greatest < -_differences.least - Tolerances.ROUNDING * (cores.first.extent + cores.second.extent);
             out.depth = isDown ? _differences.greatest : -_differences.least;
@@ -279,7 +279,7 @@ package starlogo.convex
             {
                 return;
             }
-            measure(cores, _differences);
+            projectDifferences(cores, _differences);
             // how long the two displacements are, times the direction's length
             var forth:Number = -_differences.least;
             var back:Number = _differences.greatest;
@@ -311,7 +311,7 @@ package starlogo.convex
         }
 
         // Finds how far the differences of the cores' points extend along the direction. The cores are apart if 0 is not between.
-        private function measure(cores:CorePair, out:Interval):void
+        private function projectDifferences(cores:CorePair, out:Interval):void
         {
             var along:Vector3D = _along;
             cores.first.project(along, _ofA);

@@ -51,7 +51,7 @@ package starlogo.convex
         }
 
         /** Finds how far the points of a part of a list extend along the normal. The results are NaN if the normal is. */
-        public function measure(points:Vector.<Number>, from:int, end:int, out:Interval):void
+        public function project(points:Vector.<Number>, from:int, end:int, out:Interval):void
         {
             var low:Number = Infinity;
             var high:Number = -Infinity;

@@ -179,12 +179,12 @@ package starlogo.ground
             if (!_pieces.hasTree)
             {
                 _pieces.beginAt(_nearest);
-                measure(out);
+                keepCloser(out);
             }
             _pieces.begin(RelativeMotion.NONE, out.distance);
             while (_pieces.nextPiece())
             {
-                measure(out);
+                keepCloser(out);
             }
             if (areTouching)
             {
@@ -214,7 +214,7 @@ package starlogo.ground
         }
 
         // Measures the distances of the piece and the triangles near it, and keeps the closest points.
-        private function measure(out:ClosestPoints):void
+        private function keepCloser(out:ClosestPoints):void
         {
             while (_pieces.nextTriangle())
             {

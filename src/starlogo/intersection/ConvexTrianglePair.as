@@ -166,7 +166,7 @@ package starlogo.intersection
             var normal:FaceNormal = _face;
             var p:Vector.<Number> = shape.points;
             var end:int = shape.end;
-            normal.measure(p, 0, end, _ofShape);
+            normal.project(p, 0, end, _ofShape);
             var most:Number = _ofShape.least + LEVEL * (_ofShape.greatest - _ofShape.least);
             var count:int = 0;
             var x:Number = 0;
@@ -196,7 +196,7 @@ package starlogo.intersection
         public function isBehindPlane(corners:Vector.<Number>, slack:Number):Boolean
         {
             prepareFace();
-            _face.measure(corners, 0, 9, _ofTriangle);
+            _face.project(corners, 0, 9, _ofTriangle);
             return _ofTriangle.greatest <= _face.offset + slack;
         }
 
@@ -224,8 +224,8 @@ package starlogo.intersection
             var face:FaceNormal = _face;
             var travel:Number = motion.latest * (face.x * motion.x + face.y * motion.y + face.z * motion.z);
             var place:Number = face.x * (shape.x - _triangle.x) + face.y * (shape.y - _triangle.y) + face.z * (shape.z - _triangle.z);
-            face.measure(_triangle.points, 0, 9, _ofTriangle);
-            face.measure(shape.points, 0, shape.end, _ofShape);
+            face.project(_triangle.points, 0, 9, _ofTriangle);
+            face.project(shape.points, 0, shape.end, _ofShape);
             var touchingDistance:Number = (shape.radius + shape.margin) * Tolerances.OUTER
                 + Tolerances.ROUNDING * (shape.extent + _triangle.extent + Math.abs(place) + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             return place + _ofShape.least + Math.min(travel, 0) - _ofTriangle.greatest > touchingDistance

@@ -56,7 +56,7 @@ package starlogo.solid
                 _volumes = new Vector.<Number>(shells, true);
                 _orientations = new Vector.<int>(shells, true);
                 _around = new Vector.<Vector.<int>>(shells, true);
-                slices(windingCounter.surface.signedShells.length, 40 * TRIANGLES_PER_STEP, measure).call(orient);
+                slices(windingCounter.surface.signedShells.length, 40 * TRIANGLES_PER_STEP, addVolumes).call(orient);
             }
         }
 
@@ -70,7 +70,7 @@ package starlogo.solid
             return Math.abs(_windingCounter.sideOf(triangle)) - 1;
         }
 
-        private function measure(first:int, end:int):void
+        private function addVolumes(first:int, end:int):void
         {
             var corners:Vector.<Number> = _windingCounter.mesh.corners;
             for (var i:int = first; i < end; i++)

@@ -149,7 +149,7 @@ package starlogo.solid
         private function addMeasuring():StepSequence
         {
             call(beginMeasuring);
-            return sliced(measure);
+            return sliced(addToParts);
         }
 
         private function beginMeasuring():void
@@ -157,7 +157,7 @@ package starlogo.solid
             _extremes = new PartExtremes(mesh.corners, surface.partNumberEnd);
         }
 
-        private function measure(first:int, end:int):void
+        private function addToParts(first:int, end:int):void
         {
             for (var i:int = first; i < end; i++)
             {

@@ -50,7 +50,7 @@ package starlogo.solid
         public function findClosest(pair:TreePair, areTouching:Boolean, out:ClosestPoints):void
         {
             _pose.relate(pair.placementA, pair.placementB);
-            measure(pair, out);
+            findInSpaceOfFirst(pair, out);
             out.distance *= pair.placementA.size;
             // a point of both is known already if the measured distance is 0
             var isPointNeeded:Boolean = areTouching && out.distance > 0;
@@ -70,7 +70,7 @@ package starlogo.solid
         }
 
         // Finds the distance and the closest points in the first model's space.
-        private function measure(pair:TreePair, out:ClosestPoints):void
+        private function findInSpaceOfFirst(pair:TreePair, out:ClosestPoints):void
         {
             var a:ModelTree = pair.a;
             var b:ModelTree = pair.b;

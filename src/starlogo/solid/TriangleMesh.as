@@ -144,7 +144,7 @@ package starlogo.solid
                     into[to] = face.x;
                     into[to + 1] = face.y;
                     into[to + 2] = face.z;
-                    face.measure(corners, at, at + 9, extent);
+                    face.project(corners, at, at + 9, extent);
                     into[to + 3] = extent.greatest - extent.least <= flatness ? extent.least : NaN;
                 }
             }

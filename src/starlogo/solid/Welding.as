@@ -49,15 +49,15 @@ package starlogo.solid
             welded = new Vector.<int>(count, true);
             _last = new Vector.<int>(size, true);
             _before = new Vector.<int>(count, true);
-            slices(count, 8 * VERTICES_PER_STEP, measure).call(measureCells).slices(count, VERTICES_PER_STEP, weld);
+            slices(count, 8 * VERTICES_PER_STEP, addVertices).call(setCellSize).slices(count, VERTICES_PER_STEP, weld);
         }
 
-        private function measure(first:int, end:int):void
+        private function addVertices(first:int, end:int):void
         {
             _bounds.add(_vertices, first, end);
         }
 
-        private function measureCells():void
+        private function setCellSize():void
         {
             _tolerance = Tolerances.WELDING * _bounds.extent + Tolerances.ROUNDING * _bounds.largest;
             _cellsPerUnit = 0.5 / _tolerance;

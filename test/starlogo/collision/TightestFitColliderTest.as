@@ -58,6 +58,20 @@ package starlogo.collision
         }
 
         [Test]
+        public function aSweptPairThatMissesIsOneTest():void
+        {
+            var ball:Agent = agentAt("ball", 0.95, 0.45, 0);
+            var agents:Vector.<Agent> = new <Agent>[ball, agentAt("wall", 0, 0, 0)];
+            var collider:TightestFitCollider = new TightestFitCollider(_greatLand);
+            ball.sweeps = true;
+            collider.findCollisions(agents);
+            ball.z = 0.5;
+            assertEquals(0, collider.findCollisions(agents).length);
+            assertEquals(1, collider.statistics.sweptPairs);
+            assertEquals(1, collider.statistics.sphereBoxTests);
+        }
+
+        [Test]
         public function withoutTheFlagTheErrorSaysWhatToDo():void
         {
             var greatLand:GreatLand = new GreatLand();

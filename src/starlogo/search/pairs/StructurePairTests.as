@@ -73,7 +73,7 @@ package starlogo.search.pairs
             _testCounts[BoundingStructure.KIND_COUNT * a.form + b.form]++;
             PairTable.findTime(structureA, structureB, motion);
             // rounding can miss a touch at the end of the motion
-            if (motion.time == RelativeMotion.NEVER && areTouching(a, b))
+            if (motion.time == RelativeMotion.NEVER && PairTable.areTouching(structureA, structureB))
             {
                 motion.time = 1;
             }

@@ -105,7 +105,7 @@ package benchmark
             measure(name, function(i:int, answers:ByteArray):void
                 {
                     _pose.relate(first[i], second[i]);
-                    var answer:Boolean = traversal.find(_pose, a.tree, DEPTH, a.tree, DEPTH, null);
+                    var answer:Boolean = traversal.find(_pose, a.boxTree, DEPTH, a.boxTree, DEPTH, null);
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);

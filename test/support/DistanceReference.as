@@ -82,11 +82,11 @@ package support
             var hierarchy:ModelTree = _greatLand.hierarchies.treeOf(agent.shape);
             var placement:Placement = agent.worldPlacement();
             var corners:Vector.<Number> = new Vector.<Number>();
-            for each (var vertex:int in hierarchy.tree.triangles)
+            for each (var vertex:int in hierarchy.boxTree.triangles)
             {
-                var x:Number = hierarchy.tree.vertices[3 * vertex] * placement.size;
-                var y:Number = hierarchy.tree.vertices[3 * vertex + 1] * placement.size;
-                var z:Number = hierarchy.tree.vertices[3 * vertex + 2] * placement.size;
+                var x:Number = hierarchy.boxTree.vertices[3 * vertex] * placement.size;
+                var y:Number = hierarchy.boxTree.vertices[3 * vertex + 1] * placement.size;
+                var z:Number = hierarchy.boxTree.vertices[3 * vertex + 2] * placement.size;
                 corners.push(placement.r00 * x + placement.r01 * y + placement.r02 * z + (agent.x - at.x),
                         placement.r10 * x + placement.r11 * y + placement.r12 * z + (agent.y - at.y),
                         placement.r20 * x + placement.r21 * y + placement.r22 * z + (agent.z - at.z));

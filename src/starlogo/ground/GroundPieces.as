@@ -76,7 +76,7 @@ package starlogo.ground
             _margin = 2 * Touching.marginOfPlace(placement.x, placement.y, placement.z);
             if (_isExact)
             {
-                _margin += Touching.marginOfSurface(model.tree.radius * placement.size);
+                _margin += Touching.marginOfSurface(model.boxTree.radius * placement.size);
             }
             placeAt(RelativeMotion.NONE, 0);
         }
@@ -230,7 +230,7 @@ package starlogo.ground
         // Begins with a node. Returns whether it is a piece.
         private function visit(node:int):Boolean
         {
-            var tree:BoxTree = _model.tree;
+            var tree:BoxTree = _model.boxTree;
             var isDivided:Boolean = tree.stop[node] < _depth;
             tree.writeBox(node, _node);
             if (!isDivided && !_isExact)

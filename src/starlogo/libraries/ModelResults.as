@@ -225,7 +225,7 @@ package starlogo.libraries
             var surface:SurfaceTopology = bytes == null || _model.triangles == null ? null : SurfaceTopology.read(bytes, _model.triangles.length / 3);
             if (division != null && (_cookedTree == null || surface != null && modelTree.surface == null))
             {
-                _cookedTree = new CookedTree(division, modelTree.tree, _maxDepth);
+                _cookedTree = new CookedTree(division, modelTree.boxTree, _maxDepth);
                 modelTree.surface = surface;
             }
         }
@@ -243,7 +243,7 @@ package starlogo.libraries
             }
             if (modelTree != null)
             {
-                contents[CookedFile.HIERARCHY] = CookedTree.write(modelTree.tree);
+                contents[CookedFile.HIERARCHY] = CookedTree.write(modelTree.boxTree);
                 if (modelTree.hasInterior)
                 {
                     contents[CookedFile.SURFACE] = CookedFile.newBytes();

@@ -45,8 +45,8 @@ package starlogo.solid
             }
             var insideA:Interior = a.prepareInterior();
             var insideB:Interior = b.prepareInterior();
-            var treeA:BoxTree = a.tree;
-            var treeB:BoxTree = b.tree;
+            var treeA:BoxTree = a.boxTree;
+            var treeB:BoxTree = b.boxTree;
             var size:Number = pose.placement.size;
             isInSpaceOfSecond = false;
             if (insideA.hasClosedShell && insideB.leastPartExtent * size <= 2 * treeA.radius && findPartInside(treeA, insideA, insideB, pose.placement))

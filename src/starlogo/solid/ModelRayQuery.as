@@ -56,7 +56,7 @@ package starlogo.solid
             {
                 return findTriangle(model, ray, out);
             }
-            return _nodes.findHit(model.tree, exact ? BoxTree.NO_LIMIT : depth, ray, out);
+            return _nodes.findHit(model.boxTree, exact ? BoxTree.NO_LIMIT : depth, ray, out);
         }
 
         /**
@@ -74,7 +74,7 @@ package starlogo.solid
             }
             if (!exact || !model.hasTriangles)
             {
-                _nodes.findAll(model.tree, exact ? BoxTree.NO_LIMIT : depth, ray, Tolerances.ROUNDING * model.tree.radiusAboutOrigin, out);
+                _nodes.findAll(model.boxTree, exact ? BoxTree.NO_LIMIT : depth, ray, Tolerances.ROUNDING * model.boxTree.radiusAboutOrigin, out);
                 return false;
             }
             var first:int = out.count;
@@ -84,7 +84,7 @@ package starlogo.solid
                 _entry.begin(ray);
                 setNormal(model.mesh, out.triangles[i], ray, _entry);
                 out.setNormal(i, _entry);
-                out.triangles[i] = model.tree.order[out.triangles[i]];
+                out.triangles[i] = model.boxTree.order[out.triangles[i]];
             }
             return true;
         }
@@ -103,7 +103,7 @@ package starlogo.solid
             {
                 return false;
             }
-            out.triangle = model.tree.order[found];
+            out.triangle = model.boxTree.order[found];
             out.distance = _triangles.limit;
             setNormal(model.mesh, found, ray, out);
             return true;
@@ -113,7 +113,7 @@ package starlogo.solid
         private function searchTriangles(model:ModelTree, ray:Ray, all:RayCrossings):void
         {
             var mesh:TriangleMesh = model.prepareMesh();
-            _triangles.begin(ray, mesh.corners, model.tree.radiusAboutOrigin, all);
+            _triangles.begin(ray, mesh.corners, model.boxTree.radiusAboutOrigin, all);
             _boxes.setRay(ray);
             _boxes.find(mesh.tree, BoxTree.NO_LIMIT, _triangles);
         }

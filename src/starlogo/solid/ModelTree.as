@@ -25,7 +25,7 @@ package starlogo.solid
     public final class ModelTree
     {
         /** @private The tree of the model's triangles or vertices. */
-        engine var tree:BoxTree;
+        engine var boxTree:BoxTree;
 
         private static const ESCAPE:AxisEscapeTest = new AxisEscapeTest();
 
@@ -44,7 +44,7 @@ package starlogo.solid
         /** @param tree the tree of the model's triangles or vertices. <code>building()</code> makes its nodes if it has none */
         public function ModelTree(tree:BoxTree)
         {
-            this.tree = tree;
+            boxTree = tree;
             root = HierarchyNode.of(tree, 0);
         }
 
@@ -67,14 +67,14 @@ package starlogo.solid
             }
             work.begin(function():Steps
                 {
-                    return tree.isMade ? null : new BoxTreeBuilder(tree, minVerticesToSplit, maxDepth, splitByMean);
+                    return boxTree.isMade ? null : new BoxTreeBuilder(boxTree, minVerticesToSplit, maxDepth, splitByMean);
                 });
             return preparesExact && hasTriangles ? work.begin(newInterior) : work;
         }
 
         private function newInterior():Steps
         {
-            var builder:InteriorBuilder = new InteriorBuilder(tree, mesh, surface);
+            var builder:InteriorBuilder = new InteriorBuilder(boxTree, mesh, surface);
             return new StepSequence().add(builder).call(function():void
                 {
                     mesh = builder.mesh;
@@ -86,7 +86,7 @@ package starlogo.solid
         /** @private Whether the tree is one of triangles; otherwise it is one of vertices. */
         engine function get hasTriangles():Boolean
         {
-            return tree.hasTriangles;
+            return boxTree.hasTriangles;
         }
 
         /** Returns what is inside of the triangles. If it is not prepared, prepares it, which is slow. Only for models with triangles. */
@@ -101,8 +101,8 @@ package starlogo.solid
         {
             if (mesh == null)
             {
-                mesh = new TriangleMesh(tree);
-                mesh.placeCorners(0, tree.order.length);
+                mesh = new TriangleMesh(boxTree);
+                mesh.placeCorners(0, boxTree.order.length);
             }
             return mesh;
         }
@@ -113,12 +113,12 @@ package starlogo.solid
          */
         internal function isInside(middle:Vector3D, radius:Number):Boolean
         {
-            var box:Vector.<Number> = tree.boxes;
+            var box:Vector.<Number> = boxTree.boxes;
             var isOutside:Boolean = !hasTriangles || Math.abs(middle.x - box[0]) > box[3] - radius || Math.abs(middle.y - box[1]) > box[4] - radius
                 || Math.abs(middle.z - box[2]) > box[5] - radius;
             if (!isOutside && interior == null)
             {
-                isOutside = ESCAPE.hasOpenSide(middle, tree);
+                isOutside = ESCAPE.hasOpenSide(middle, boxTree);
             }
             return !isOutside && prepareInterior().hasClosedShell && interior.windingCounter.isInside(middle);
         }
@@ -149,10 +149,10 @@ package starlogo.solid
         {
             surface = null;
             interior = null;
-            root = HierarchyNode.of(tree, 0);
-            if (tree.isMade)
+            root = HierarchyNode.of(boxTree, 0);
+            if (boxTree.isMade)
             {
-                tree.refit();
+                boxTree.refit();
             }
             if (mesh != null)
             {

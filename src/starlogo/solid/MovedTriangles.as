@@ -72,7 +72,7 @@ package starlogo.solid
             meshB = b.prepareMesh();
             meshA.prepareExtents();
             _first = -1;
-            _tolerance = pose.tolerance + Touching.marginOfSurface(a.tree.radius + b.tree.radius * pose.placement.size);
+            _tolerance = pose.tolerance + Touching.marginOfSurface(a.boxTree.radius + b.boxTree.radius * pose.placement.size);
             _outerTolerance = 2 * _tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             _off = _outerTolerance + meshA.flatness;
         }

@@ -66,7 +66,7 @@ package starlogo.solid
         {
             _pose.relate(pair.placementA, pair.placementB);
             var found:int = _triangles.find(pair.a, pair.structureB, _pose, _measured);
-            return found < 0 ? -1 : pair.a.tree.order[found];
+            return found < 0 ? -1 : pair.a.boxTree.order[found];
         }
 
         // Finds the distance and the closest points in the first model's space.
@@ -77,7 +77,7 @@ package starlogo.solid
             if (b != null)
             {
                 var decider:NodePairSearch = pair.isExact ? _trianglePairs.begin(a, b, _pose, out) : null;
-                _boxes.findClosest(_pose, a.tree, pair.depthA, b.tree, pair.depthB, decider, out);
+                _boxes.findClosest(_pose, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider, out);
             }
             else if (pair.isExact)
             {
@@ -85,7 +85,7 @@ package starlogo.solid
             }
             else
             {
-                _nodes.find(a.tree, pair.depthA, pair.structureB, _pose, out);
+                _nodes.find(a.boxTree, pair.depthA, pair.structureB, _pose, out);
             }
         }
     }

@@ -140,7 +140,7 @@ package starlogo.solid
             if (b != null)
             {
                 var decider:NodePairSearch = pair.isExact ? _trianglePairs.begin(a, b, _pose, _motion, _touch) : null;
-                _boxes.findTouch(_pose, _motion, a.tree, pair.depthA, b.tree, pair.depthB, decider, _touch);
+                _boxes.findTouch(_pose, _motion, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider, _touch);
             }
             else if (pair.isExact)
             {
@@ -148,7 +148,7 @@ package starlogo.solid
             }
             else
             {
-                _nodes.findTouch(a.tree, pair.depthA, pair.structureB, _pose, _motion, _touch);
+                _nodes.findTouch(a.boxTree, pair.depthA, pair.structureB, _pose, _motion, _touch);
             }
         }
 
@@ -174,8 +174,8 @@ package starlogo.solid
         // The contact of two nodes, or of a node and the structure that stands for the second model, at the motion's time.
         private function findContactOfNodes(a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            var structureB:BoundingStructure = _pair.b == null ? _pair.structureB : _pair.b.tree.writeBox(b, _boxB);
-            findContactOf(_pair.a.tree.writeBox(a, _boxA), _pair.placementA, structureB, motion, out);
+            var structureB:BoundingStructure = _pair.b == null ? _pair.structureB : _pair.b.boxTree.writeBox(b, _boxB);
+            findContactOf(_pair.a.boxTree.writeBox(a, _boxA), _pair.placementA, structureB, motion, out);
         }
 
         // The contact of two structures in their models' spaces, at the motion's time.

@@ -67,7 +67,7 @@ package starlogo.solid
             }
             var decider:NodePairTest = pair.isExact ? _trianglePairs.begin(a, b, pose) : null;
             // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
-            return _boxes.find(pose, a.tree, pair.depthA, b.tree, pair.depthB, decider)
+            return _boxes.find(pose, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider)
                 || _boxes.rootsOverlapped && findInside(pair);
         }
 
@@ -80,7 +80,7 @@ package starlogo.solid
             }
             else
             {
-                _nodes.findTouch(pair.a.tree, pair.depthA, pair.structureB, _pose, RelativeMotion.NONE, _touch);
+                _nodes.findTouch(pair.a.boxTree, pair.depthA, pair.structureB, _pose, RelativeMotion.NONE, _touch);
             }
             return _touch.time == 0;
         }

@@ -53,7 +53,7 @@ package starlogo.solid
             _triangle = -1;
             limit = out.distance = Infinity;
             _boxes.setExtents(_extents, 0);
-            _boxes.findNear(model.tree, BoxTree.NO_LIMIT, this);
+            _boxes.findNear(model.boxTree, BoxTree.NO_LIMIT, this);
             out.swap();
             return _triangle;
         }

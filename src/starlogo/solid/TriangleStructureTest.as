@@ -81,7 +81,7 @@ package starlogo.solid
             _mesh.preparePlanes();
             _motion = motion;
             _pair.setStructure(structure, pose.placement).extentsInto(_extents);
-            _pair.shape.margin += pose.tolerance + Touching.marginOfSurface(model.tree.radius);
+            _pair.shape.margin += pose.tolerance + Touching.marginOfSurface(model.boxTree.radius);
             var shape:ConvexShape = _pair.shape;
             var size:Number = 3 * shape.margin + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
             for (var i:int = 0; i < 6; i += 2)

@@ -140,7 +140,7 @@ package starlogo.solid
             var ray:Ray = new Ray();
             // one alone, and none that has an area
             var one:ModelTree = hierarchyOf(new Model("one", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2]));
-            ray.aim(new Vector3D(one.tree.vertices[0], one.tree.vertices[1], -2), new Vector3D(0, 0, 1));
+            ray.aim(new Vector3D(one.boxTree.vertices[0], one.boxTree.vertices[1], -2), new Vector3D(0, 0, 1));
             assertEquals("through its corner", 2, distanceAt(one, 1, true, ray));
             var line:ModelTree = hierarchyOf(new Model("line", new <Number>[0, 0, 0, 1, 0, 0, 2, 0, 0], new <uint>[0, 1, 2]));
             ray.aim(new Vector3D(0.1, 0, -2), new Vector3D(0, 0, 1));
@@ -277,7 +277,7 @@ package starlogo.solid
 
         private function pointInside(hierarchy:ModelTree):Vector3D
         {
-            var box:Vector.<Number> = hierarchy.tree.boxes;
+            var box:Vector.<Number> = hierarchy.boxTree.boxes;
             var point:Vector3D = new Vector3D();
             do
             {

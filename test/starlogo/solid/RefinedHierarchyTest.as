@@ -46,13 +46,13 @@ package starlogo.solid
             {
                 var hierarchy:ModelTree = hierarchyOf(model, 4);
                 hierarchy.prepareExact();
-                var isListed:Vector.<Boolean> = new Vector.<Boolean>(hierarchy.tree.order.length, true);
-                for each (var triangle:int in hierarchy.tree.order)
+                var isListed:Vector.<Boolean> = new Vector.<Boolean>(hierarchy.boxTree.order.length, true);
+                for each (var triangle:int in hierarchy.boxTree.order)
                 {
                     assertTrue(!isListed[triangle]);
                     isListed[triangle] = true;
                 }
-                check(hierarchy.tree, 0, hierarchy.prepareMesh().prepareExtents());
+                check(hierarchy.boxTree, 0, hierarchy.prepareMesh().prepareExtents());
             }
         }
 
@@ -71,7 +71,7 @@ package starlogo.solid
             assertTrue(hierarchy.root.isLeaf);
             assertNull(hierarchy.root.left);
             assertEquals(37, hierarchy.root.triangleCount);
-            assertEquals(8, check(hierarchy.tree, 0, hierarchy.prepareMesh().prepareExtents()));
+            assertEquals(8, check(hierarchy.boxTree, 0, hierarchy.prepareMesh().prepareExtents()));
         }
 
         // Halfway along x, each division takes the needle that begins first away from all others.
@@ -89,8 +89,8 @@ package starlogo.solid
             var hierarchy:ModelTree = hierarchyOf(new Model("needles", vertices, triangles), 10);
             assertEquals("one at a time", 1, hierarchy.root.left.triangleCount);
             hierarchy.prepareExact();
-            check(hierarchy.tree, 0, hierarchy.prepareMesh().prepareExtents());
-            var deepest:int = deepestOf(hierarchy.tree);
+            check(hierarchy.boxTree, 0, hierarchy.prepareMesh().prepareExtents());
+            var deepest:int = deepestOf(hierarchy.boxTree);
             assertTrue(deepest + " levels", deepest > 20 && deepest <= Tolerances.NESTED_LEVELS + 12);
         }
 

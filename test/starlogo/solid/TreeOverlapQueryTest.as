@@ -68,7 +68,7 @@ package starlogo.solid
                 var gap:Number = step * Math.pow(2, -53);
                 beside.x = 2 * half + gap;
                 var between:Number = beside.x - 2 * half;
-                var margin:Number = Touching.marginOfPlace(beside.x, 0, 0) + Touching.marginOfSurface(2 * cube.tree.radius);
+                var margin:Number = Touching.marginOfPlace(beside.x, 0, 0) + Touching.marginOfSurface(2 * cube.boxTree.radius);
                 var reach:Number = margin + Tolerances.CORES * 2 * triangle.extent;
                 if (between > 0.99 * margin && between < 0.99 * reach)
                 {
@@ -121,7 +121,7 @@ package starlogo.solid
                 var depthA:int = random.integer(1, 6);
                 var depthB:int = random.integer(1, 6);
                 var answer:Boolean = someOverlap(pose, deciding(a.root, depthA, []), deciding(b.root, depthB, []));
-                assertEquals("pair " + i, answer, boxes.find(pose, a.tree, depthA, b.tree, depthB, null));
+                assertEquals("pair " + i, answer, boxes.find(pose, a.boxTree, depthA, b.boxTree, depthB, null));
                 hits += answer ? 1 : 0;
             }
             assertTrue(hits + " of " + count, hits > count / 4 && hits < count * 3 / 4);

@@ -48,7 +48,7 @@ package starlogo.queries.rays
                 hit.material = TriangleLabels.numberOf(materials, hit.triangle);
                 hit.materialName = TriangleLabels.nameOf(materials, hit.material);
             }
-            readCorners(body.shape.hierarchy.tree, 3 * hit.triangle, body.placement, hit.point);
+            readCorners(body.shape.hierarchy.boxTree, 3 * hit.triangle, body.placement, hit.point);
             weigh(hit.weights);
         }
 

@@ -69,7 +69,7 @@ package starlogo.search.pairs
             }
             else
             {
-                visit(tree.tree);
+                visit(tree.boxTree);
             }
             out.support = at.x * direction.x + at.y * direction.y + at.z * direction.z + at.size * _best;
         }
@@ -95,7 +95,7 @@ package starlogo.search.pairs
             }
             else
             {
-                collect(body.shape.hierarchy.tree);
+                collect(body.shape.hierarchy.boxTree);
             }
             var at:Placement = body.placement;
             var x:Number = at.size * (_low.x + _high.x) / 2;

@@ -6,8 +6,8 @@ package starlogo.convex
      * Answers four questions about any two convex shapes: whether they touch, where they are closest, when a moving one first touches the other,
      * and how far they overlap. A shape is a core of points with a radius (ConvexShape). CoreDistance finds the distance of two cores with the help
      * of Simplex, ConvexSweep the time of impact, CoreOverlap the way out of an overlap, CommonPoint the point of a contact. Read ConvexShape first,
-     * then this class from the top, then CoreDistance. The records of questions and answers (RelativeMotion, ClosestPoints, ContactPoint and its
-     * GroundDepth) stand here for all packages, because this is the first of those that fill them.
+     * then this class from the top, then CoreDistance. The records of questions and answers (RelativeMotion, ClosestPoints, ContactPoint) stand
+     * here for all packages, because this is the first of those that fill them. GroundDepth is a part of a contact that the ground alone fills.
      *
      * <p>areTouching and findTime agree about what touches: see Touching. findTime adds the margin of the motion. The distance and the depth leave
      * all margins out, so shapes that touch may have a distance as small as the margins, and the depth 0. The same two shapes in the other order

@@ -81,6 +81,7 @@ package starlogo.ground
             {
                 return UNKNOWN;
             }
+            // the root of 1 + 2 s² is at most 1 + s²
             var height:Number = isSphere ? inner + inner * _slope * _slope : extents.halfZ[row] + _slope * (extents.halfX[row] + extents.halfY[row]);
             if (above > height * Tolerances.OUTER + _tolerance || isFar(extents, row, isSphere, above))
             {

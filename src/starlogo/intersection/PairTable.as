@@ -76,8 +76,11 @@ package starlogo.intersection
 
         private static function addPair(kernels:Vector.<PairKernel>, a:int, b:int, kernel:PairKernel):void
         {
-            kernels[KINDS * b + a] = new SwappedKernel(kernel);
             kernels[KINDS * a + b] = kernel;
+            if (a != b)
+            {
+                kernels[KINDS * b + a] = new SwappedKernel(kernel);
+            }
         }
     }
 }

@@ -333,6 +333,7 @@ package starlogo.queries
         // is at the beginning. Returns whether there is. The last argument receives how the motion down ends.
         private function goDown(walk:Walk, from:Vector3D, depth:Number, out:MotionResult):Boolean
         {
+            // the beginning may be the place of the result
             walk.place.copyFrom(from);
             goUpright(walk, walk.place, -depth, out);
             if (out.row < 0 || !(standOn(walk, out.contact, out.row, out.place) || standOnOther(walk, out.place)))

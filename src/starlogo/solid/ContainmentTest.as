@@ -104,7 +104,7 @@ package starlogo.solid
                 innerPoint.copyFrom(capsule.start);
                 return outer.isInside(innerPoint, capsule.radius);
             }
-            if (structure.kind > BoundingStructure.BOX)
+            if (structure.kind == BoundingStructure.HULL)
             {
                 // The origin of its points is inside of it.
                 _shape.setStructure(structure);

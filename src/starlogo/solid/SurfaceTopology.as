@@ -26,13 +26,13 @@ package starlogo.solid
         public var partNumberEnd:int = 0;
 
         /**
-         * For each triangle, the number of its part. Triangles that share vertices are one part, and so are parts that overlap.
+         * For each triangle, in the model's order, the number of its part. Triangles that share vertices are one part, and so are parts that overlap.
          */
         public var parts:Vector.<int>;
 
         /**
-         * For each triangle, one more than the number of its shell, or 0 for a triangle with two corners at one place. Shells are connected over
-         * edges. The number is negative for triangles that have to be reversed, so that all of the shell have the same orientation.
+         * For each triangle, in the model's order, one more than the number of its shell, or 0 for a triangle with two corners at one place. Shells are
+         * connected over edges. The number is negative for triangles that have to be reversed, so that all of the shell have the same orientation.
          */
         public var signedShells:Vector.<int>;
 

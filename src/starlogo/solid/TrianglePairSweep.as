@@ -72,7 +72,7 @@ package starlogo.solid
                 }
                 _triangles.setFirst(i);
                 _triangles.pair.findTime(_triangles.b, _triangles.a, motion);
-                if (motion.time < bounds.current)
+                if (motion.time <= motion.latest && motion.time < bounds.current)
                 {
                     bounds.current = motion.latest = motion.time;
                     _found.a = i;

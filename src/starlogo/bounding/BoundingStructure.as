@@ -244,8 +244,8 @@ package starlogo.bounding
         }
 
         /**
-         * The half-spaces whose intersection is this structure without its radius, if it is a Hull; null for all others. Each has four numbers: an outward unit
-         * normal, and how far its plane is from the centre along the normal.
+         * The half-spaces whose intersection is this structure without its radius, if it is a Hull; null for all others. Each has four numbers: an
+         * outward unit normal, and how far its plane is from the centre along the normal.
          *
          * @private
          */

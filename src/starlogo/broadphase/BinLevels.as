@@ -7,7 +7,8 @@ package starlogo.broadphase
      */
     public final class BinLevels
     {
-        // The width of the finest level, for points too. It is used up to 256 patches from the origin, so points of SpaceLand need no coarser level. A power of two.
+        // The width of the finest level, for points too. It is used up to 256 patches from the origin, so points of SpaceLand need no coarser level.
+        // A power of two.
         private static const LEAST_WIDTH:Number = 1 / (1 << 16);
 
         // The levels by index, as extents refer to them. The first is none. byWidth has them from the coarsest to the finest.

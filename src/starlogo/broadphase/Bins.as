@@ -11,8 +11,8 @@ package starlogo.broadphase
      * <p>A member is in one cell: the cell of its middle. A cell is wider than every member of its level. It is at most about twice as wide,
      * except for the smallest members and for those far from the origin. So if two members of a level overlap, they are in the same cell or in
      * neighbouring cells. A counting sort puts the members into the order of their cells, with copies of the data that the search reads. So
-     * members that are near on the ground are near in memory. The members of a cell are tested against two runs of slots. The first run is the rest of the cell and its right neighbour. The second run is three cells of the next line. So each pair is
-     * found from one cell only.</p>
+     * members that are near on the ground are near in memory. The members of a cell are tested against two runs of slots. The first run is the rest
+     * of the cell and its right neighbour. The second run is three cells of the next line. So each pair is found from one cell only.</p>
      *
      * <p>Members of different sizes are in different levels of a hierarchical grid (Ericson, Real-Time Collision Detection, §7.2). The
      * widths of the levels are powers of two. A member is also tested against the cells of the coarser levels, which contain the larger

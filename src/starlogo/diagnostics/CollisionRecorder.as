@@ -26,8 +26,8 @@ package starlogo.diagnostics
      * trace(recorder.toText());
      * </listing>
      *
-     * <p>A frame is a frame of a Collision, or a call of findCollisions or findCollisionsAmong. Pairs of breeds without handlers are counted only in findCollisions.
-     * The cost is proportional to the number of collisions: some ten-thousandths of a millisecond for each.</p>
+     * <p>A frame is a frame of a Collision, or a call of findCollisions or findCollisionsAmong. Pairs of breeds without handlers are counted only in
+     * findCollisions. The cost is proportional to the number of collisions: some ten-thousandths of a millisecond for each.</p>
      */
     public final class CollisionRecorder extends BaseCollider
     {

@@ -43,7 +43,10 @@ package starlogo.geometry
             return Tolerances.SURFACES * radius;
         }
 
-        /** The margin that rounding a vector of a motion causes. A motion has two such vectors: the one to its start, and the one from there to its end. */
+        /**
+         * The margin that rounding a vector of a motion causes. A motion has two such vectors: the one to its start, and the one from there
+         * to its end.
+         */
         public static function marginOfMotion(x:Number, y:Number, z:Number):Number
         {
             // Math.abs would be a call for each number.

@@ -44,7 +44,8 @@ package starlogo.handlers
         private var _ended:KeyedList = new KeyedList();
 
         /**
-         * The pairs whose touches may be others than in the last frame: the added ones if all others go on. Null stands for all pairs. Ask before <code>begin()</code>.
+         * The pairs whose touches may be others than in the last frame: the added ones if all others go on. Null stands for all pairs. Ask before
+         * <code>begin()</code>.
          */
         public function pairsToCompare(pairs:FoundPairs):NumberList
         {

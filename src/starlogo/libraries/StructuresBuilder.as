@@ -74,7 +74,7 @@ package starlogo.libraries
                 _hullFit = hullFitter.fittingOnce(session);
                 add(_hullFit);
             }
-            call(measure).beginEach(checkingNext).call(choose);
+            call(findTolerance).beginEach(checkingNext).call(choose);
         }
 
         /**
@@ -98,7 +98,7 @@ package starlogo.libraries
             return false;
         }
 
-        private function measure():void
+        private function findTolerance():void
         {
             _tolerance = Tolerances.CONTAINMENT * EnclosingStructures.sphere(_vertices, _vertices[0], _vertices[1], _vertices[2]).radius;
         }

@@ -34,7 +34,8 @@ package starlogo.queries
          * each agent that the other properties do not exclude.</p>
          *
          * <p>The function may ask questions itself. It must not change what the AgentQueries sees. So it must not call <code>update()</code> or
-         * <code>refresh()</code>. It must not call <code>moveUntilTouch()</code>, <code>slide()</code> or <code>walk()</code> for an agent in the list.</p>
+         * <code>refresh()</code>. It must not call <code>moveUntilTouch()</code>, <code>slide()</code> or <code>walk()</code> for an agent in the
+         * list.</p>
          */
         public var accepts:Function = null;
 

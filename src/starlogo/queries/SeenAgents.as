@@ -222,7 +222,10 @@ package starlogo.queries
             return build(_places, _table.places.last);
         }
 
-        /** @private Returns the tree of the extents, and builds it first if it is stale. Throws an error before the first update. While a model is loading, its extents mean nothing. */
+        /**
+         * @private Returns the tree of the extents, and builds it first if it is stale. Throws an error before the first update. While a
+         *     model is loading, its extents mean nothing.
+         */
         engine function treeOfExtents():RowTree
         {
             return build(_extents, _table.extents);

@@ -13,8 +13,8 @@ package starlogo.search
      * the pairs that these rows have now, and puts them between the others. The pairs and their order are the same as in a search of all rows.
      *
      * <p>A row has changed if its agent has (<code>Agent.revision</code>), if its shape was replaced, if it came, left or got another place among the
-     * others in the list, or if it becomes a member of the search or ceases to be one. After a search with sweeping agents, rows that moved in that search have changed too,
-     * because their pairs belong to their motions.</p>
+     * others in the list, or if it becomes a member of the search or ceases to be one. After a search with sweeping agents, rows that moved in that
+     * search have changed too, because their pairs belong to their motions.</p>
      *
      * <p>The test of a pair must give the same answer in either order of the two, because the row that has changed comes first here.</p>
      */

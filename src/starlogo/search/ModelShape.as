@@ -7,7 +7,10 @@ package starlogo.search
 
     use namespace engine;
 
-    /** The shape that a Collider uses for a model, in the model's space. All agents with the model for which it chooses alike share it. An AgentShapes sets it. */
+    /**
+     * The shape that a Collider uses for a model, in the model's space. All agents with the model for which it chooses alike share it. An
+     * AgentShapes sets it.
+     */
     public final class ModelShape
     {
         /**

@@ -138,8 +138,8 @@ package starlogo.search
 
         /**
          * Whether tests take the second of two bodies first, so that rounding errors are the same in either order. A tree comes before a
-         * structure. Of two trees or two structures, the body of the agent that is first in the list comes first. The ground and the edges of the world come
-         * last.
+         * structure. Of two trees or two structures, the body of the agent that is first in the list comes first. The ground and the edges of the
+         * world come last.
          */
         public static function isSecondFirst(a:Body, b:Body):Boolean
         {

@@ -16,7 +16,10 @@ package starlogo.search
         /** Agents whose models are still loading. They collide with nothing. */
         public var agentsLoading:int;
 
-        /** Pairs of agents whose circles on the ground overlap and whose breeds have handlers for each other. Pairs of agents that have not changed may be left out: see CollisionStatistics. */
+        /**
+         * Pairs of agents whose circles on the ground overlap and whose breeds have handlers for each other. Pairs of agents that have not
+         * changed may be left out: see CollisionStatistics.
+         */
         public var candidatePairs:int;
 
         /** Pairs that were tested along their motion: an agent of the pair sweeps, and the two came near each other. */

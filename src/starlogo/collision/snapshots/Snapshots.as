@@ -42,6 +42,7 @@ package starlogo.collision.snapshots
 
         // The kinds of collision systems: AgentShapes.system, in the bits above these.
         private static const SYSTEM:int = 8;
+
         // By AgentShapes.system.
         private static const SYSTEMS:Array = ["a collider of the game's own", "a BinCollider", "a TightestFitCollider", "a HierarchicalCollider", "a CombinationCollider"];
 

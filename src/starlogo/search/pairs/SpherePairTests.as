@@ -132,7 +132,7 @@ package starlogo.search.pairs
         private function areOverlapping(a:Body, b:Body):Boolean
         {
             setTo(a, b);
-            return isOverlap();
+            return isGapClosed();
         }
 
         private function setTo(a:Body, b:Body):void
@@ -160,14 +160,14 @@ package starlogo.search.pairs
             _gap.radiusA = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (marginA + marginB);
         }
 
-        private function isOverlap():Boolean
+        private function isGapClosed():Boolean
         {
             return _gap.x * _gap.x + _gap.y * _gap.y + _gap.z * _gap.z <= _gap.radiusA * _gap.radiusA;
         }
 
         private function sweep(motion:RelativeMotion):void
         {
-            var areTouchingAtEnd:Boolean = isOverlap();
+            var areTouchingAtEnd:Boolean = isGapClosed();
             _testCount++;
             _gap.x += motion.startX;
             _gap.y += motion.startY;

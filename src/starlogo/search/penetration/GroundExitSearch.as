@@ -9,11 +9,11 @@ package starlogo.search.penetration
      * Finds a short way out of the ground. An agent in the ground may have many. Its contact may have a lower bound of their lengths
      * (GroundDepth). If the first push is hardly longer, it is taken.
      *
-     * <p>Otherwise each side of the ground that the deepest touched part is behind begins a push of its own (<code>GroundPairTests.findExits()</code>). The
-     * shortest push that frees the agent is taken. Contacts may contradict each other, as opposite walls do, and the ground ends at edges, where a
-     * push out of the whole plane is longer than needed. So a push that does not free the agent is changed: it goes as far along the ground,
-     * and from there as high as the agent has to be lifted. The shortest of these ways is taken if no push is shorter. One sweep down finds each
-     * lift, because all places above a free one are free.</p>
+     * <p>Otherwise each side of the ground that the deepest touched part is behind begins a push of its own
+     * (<code>GroundPairTests.findExits()</code>). The shortest push that frees the agent is taken. Contacts may contradict each other, as opposite
+     * walls do, and the ground ends at edges, where a push out of the whole plane is longer than needed. So a push that does not free the agent is
+     * changed: it goes as far along the ground, and from there as high as the agent has to be lifted. The shortest of these ways is taken if no push
+     * is shorter. One sweep down finds each lift, because all places above a free one are free.</p>
      */
     internal final class GroundExitSearch
     {

@@ -53,6 +53,8 @@ package starlogo.bounding
          */
         engine static const NAMES:Vector.<String> = new <String>["sphere", "capsule", "box", "hull"];
 
+        private static var sRounded:RoundedHull = new RoundedHull();
+
         // The limits of coordinates and lengths. The tests of pairs multiply four of them.
         private static const LARGEST:Number = 1e70;
         private static const SMALLEST:Number = 1e-70;
@@ -254,6 +256,27 @@ package starlogo.bounding
             return null;
         }
 
+        /** @private The largest coordinate of the structure's points along a direction, which is a unit vector. */
+        engine function supportAlong(direction:Vector3D):Number
+        {
+            // those of the kind HULL; each other kind has its own
+            roundedHullInto(sRounded);
+            return sRounded.supportAlong(direction);
+        }
+
+        /**
+         * Writes the farthest point in a direction, or the middle of those that count as the farthest. The radius of a hull does not count.
+         *
+         * @param direction a unit vector
+         * @param least where points of a capsule or a hull begin to count. A box's edges and faces do if they are across the direction
+         * @private
+         */
+        engine function farthestPoint(direction:Vector3D, least:Number, out:Vector3D):void
+        {
+            roundedHullInto(sRounded);
+            sRounded.farthestPoint(direction, least, out);
+        }
+
         /**
          * A simpler structure around this one, which tests take first; this structure if there is none.
          *
@@ -400,6 +423,12 @@ package starlogo.bounding
         protected static function rounding(extent:Number, at:Vector3D):Number
         {
             return Tolerances.ROUNDING * (extent + Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z));
+        }
+
+        /** The coordinate of a point along a direction. */
+        protected static function along(point:Vector3D, direction:Vector3D):Number
+        {
+            return point.x * direction.x + point.y * direction.y + point.z * direction.z;
         }
 
         /** Writes the extent between two coordinates, in either order, enlarged by a length on both sides. */

@@ -196,6 +196,31 @@ package starlogo.bounding
         }
 
         /** @private */
+        override engine function supportAlong(direction:Vector3D):Number
+        {
+            return along(center, direction) + halfX * Math.abs(along(axisX, direction)) + halfY * Math.abs(along(axisY, direction))
+                + halfZ * Math.abs(along(axisZ, direction));
+        }
+
+        /** @private */
+        override engine function farthestPoint(direction:Vector3D, least:Number, out:Vector3D):void
+        {
+            var byX:Number = halfX * sideOf(axisX, direction);
+            var byY:Number = halfY * sideOf(axisY, direction);
+            var byZ:Number = halfZ * sideOf(axisZ, direction);
+            out.x = center.x + byX * axisX.x + byY * axisY.x + byZ * axisZ.x;
+            out.y = center.y + byX * axisX.y + byY * axisY.y + byZ * axisZ.y;
+            out.z = center.z + byX * axisX.z + byY * axisY.z + byZ * axisZ.z;
+        }
+
+        // Whether an axis points along a direction (1), against it (-1) or across it (0).
+        private static function sideOf(axis:Vector3D, direction:Vector3D):int
+        {
+            var cosine:Number = along(axis, direction);
+            return Math.abs(cosine) <= Tolerances.SEPARATION ? 0 : cosine > 0 ? 1 : -1;
+        }
+
+        /** @private */
         override engine function numbers():Vector.<Number>
         {
             return new <Number>[center.x, center.y, center.z, axisX.x, axisX.y, axisX.z, axisY.x, axisY.y, axisY.z, axisZ.x, axisZ.y, axisZ.z,

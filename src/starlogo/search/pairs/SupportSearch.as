@@ -3,9 +3,6 @@ package starlogo.search.pairs
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
-    import starlogo.bounding.Capsule;
-    import starlogo.bounding.Sphere;
-    import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
@@ -43,8 +40,7 @@ package starlogo.search.pairs
         private var _low:Vector3D = new Vector3D();
         private var _high:Vector3D = new Vector3D();
         private var _added:Vector3D = new Vector3D();
-        private var _shape:ConvexShape = new ConvexShape();
-        private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 1, 1);
+        private var _box:Box = BoxTree.newBox();
 
         /**
          * Finds how far a body reaches in a direction.
@@ -65,7 +61,7 @@ package starlogo.search.pairs
             _best = -Infinity;
             if (tree == null)
             {
-                _best = supportOf(body.shape.structure);
+                _best = body.shape.structure.supportAlong(_direction);
             }
             else
             {
@@ -91,7 +87,7 @@ package starlogo.search.pairs
             _high.setTo(-Infinity, -Infinity, -Infinity);
             if (body.shape.hierarchy == null)
             {
-                addStructure(body.shape.structure);
+                addFarthest(body.shape.structure);
             }
             else
             {
@@ -114,7 +110,7 @@ package starlogo.search.pairs
             for (var top:int = 0; top >= 0; top--)
             {
                 var node:int = _nodes[top];
-                var limit:Number = Math.min(_limits[top], supportOf(tree.writeBox(node, _box)));
+                var limit:Number = Math.min(_limits[top], tree.writeBox(node, _box).supportAlong(_direction));
                 if (limit <= _best)
                 {
                     continue;
@@ -157,7 +153,7 @@ package starlogo.search.pairs
             for (var top:int = 0; top >= 0; top--)
             {
                 var node:int = _nodes[top];
-                if (supportOf(tree.writeBox(node, _box)) < _least)
+                if (tree.writeBox(node, _box).supportAlong(_direction) < _least)
                 {
                     continue;
                 }
@@ -169,7 +165,7 @@ package starlogo.search.pairs
                 }
                 else if (_corners == null)
                 {
-                    addStructure(_box);
+                    addFarthest(_box);
                 }
                 else
                 {
@@ -190,102 +186,17 @@ package starlogo.search.pairs
             }
         }
 
-        // How far a structure reaches in the model's space.
-        private function supportOf(structure:BoundingStructure):Number
-        {
-            if (structure.kind == BoundingStructure.SPHERE)
-            {
-                var sphere:Sphere = Sphere(structure);
-                return along(sphere.center) + sphere.radius;
-            }
-            if (structure.kind == BoundingStructure.CAPSULE)
-            {
-                var capsule:Capsule = Capsule(structure);
-                return Math.max(along(capsule.start), along(capsule.end)) + capsule.radius;
-            }
-            if (structure.kind > BoundingStructure.BOX)
-            {
-                _shape.setStructure(structure);
-                var at:int = _shape.farthest(_direction, 1);
-                _added.setTo(_shape.x + _shape.points[at], _shape.y + _shape.points[int(at + 1)], _shape.z + _shape.points[int(at + 2)]);
-                return along(_added) + _shape.radius;
-            }
-            var box:Box = Box(structure);
-            return along(box.center) + box.halfX * Math.abs(along(box.axisX)) + box.halfY * Math.abs(along(box.axisY)) + box.halfZ * Math.abs(along(box.axisZ));
-        }
-
-        // Adds the corners of a shape that count as the farthest.
-        private function addShape(shape:ConvexShape):void
-        {
-            for (var i:int = 0; i < shape.end; i += 3)
-            {
-                _added.setTo(shape.x + shape.points[i], shape.y + shape.points[int(i + 1)], shape.z + shape.points[int(i + 2)]);
-                if (along(_added) + shape.radius >= _least)
-                {
-                    addPoint();
-                }
-            }
-        }
-
         // Adds the farthest point of a structure, or the middle of several.
-        private function addStructure(structure:BoundingStructure):void
+        private function addFarthest(structure:BoundingStructure):void
         {
-            if (structure.kind > BoundingStructure.BOX)
-            {
-                _shape.setStructure(structure);
-                addShape(_shape);
-                return;
-            }
-            if (structure.kind == BoundingStructure.BOX)
-            {
-                var box:Box = Box(structure);
-                _added.copyFrom(box.center);
-                addAlong(box.axisX, box.halfX * sideOf(box.axisX));
-                addAlong(box.axisY, box.halfY * sideOf(box.axisY));
-                addAlong(box.axisZ, box.halfZ * sideOf(box.axisZ));
-                addPoint();
-                return;
-            }
-            var radius:Number = 0;
-            if (structure.kind == BoundingStructure.SPHERE)
-            {
-                var sphere:Sphere = Sphere(structure);
-                _added.copyFrom(sphere.center);
-                radius = sphere.radius;
-            }
-            else
-            {
-                var capsule:Capsule = Capsule(structure);
-                var further:Number = along(capsule.end) - along(capsule.start);
-                var share:Number = Math.abs(further) <= 2 * (_best - _least) ? 0.5 : further > 0 ? 1 : 0;
-                _added.setTo(capsule.start.x + share * (capsule.end.x - capsule.start.x), capsule.start.y + share * (capsule.end.y - capsule.start.y),
-                        capsule.start.z + share * (capsule.end.z - capsule.start.z));
-                radius = capsule.radius;
-            }
-            _added.x += radius * _direction.x;
-            _added.y += radius * _direction.y;
-            _added.z += radius * _direction.z;
+            structure.farthestPoint(_direction, _least, _added);
             addPoint();
-        }
-
-        private function addAlong(axis:Vector3D, by:Number):void
-        {
-            _added.x += by * axis.x;
-            _added.y += by * axis.y;
-            _added.z += by * axis.z;
         }
 
         private function addPoint():void
         {
             _low.setTo(Math.min(_low.x, _added.x), Math.min(_low.y, _added.y), Math.min(_low.z, _added.z));
             _high.setTo(Math.max(_high.x, _added.x), Math.max(_high.y, _added.y), Math.max(_high.z, _added.z));
-        }
-
-        // Whether an axis points along the direction (1), against it (-1) or across it (0).
-        private function sideOf(axis:Vector3D):int
-        {
-            var cosine:Number = along(axis);
-            return Math.abs(cosine) <= Tolerances.SEPARATION ? 0 : cosine > 0 ? 1 : -1;
         }
 
         private function along(vector:Vector3D):Number

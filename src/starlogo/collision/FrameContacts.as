@@ -5,9 +5,6 @@ package starlogo.collision
     /** The contacts of a frame's pairs, for the pairs whose handlers take contacts. */
     internal final class FrameContacts
     {
-        /** Whether the collision system is computing a contact. It is still true when the system has thrown an error. */
-        public var isComputing:Boolean = false;
-
         private var _system:BaseCollider = null;
 
         // By pair: the contact, and the frame in which it was computed.
@@ -22,7 +19,6 @@ package starlogo.collision
         public function begin(system:BaseCollider):void
         {
             _system = system;
-            isComputing = false;
             _frame++;
         }
 
@@ -40,9 +36,7 @@ package starlogo.collision
                 _contacts.push(new Contact());
                 _frames.push(0);
             }
-            isComputing = true;
             _system.contactOf(first, second, _contacts[pair]);
-            isComputing = false;
             _frames[pair] = _frame;
         }
 

@@ -39,6 +39,9 @@ package starlogo.collision
         private var _handlers:PairHandlers;
         private var _next:int;
 
+        // Whether a handler runs. An error of a handler leaves it true.
+        private var _isCalling:Boolean = false;
+
         /**
          * Makes the calls of a frame.
          *
@@ -101,16 +104,16 @@ package starlogo.collision
             _step = _next = 0;
             while (_step < end)
             {
-                var calls:int = count;
+                _isCalling = false;
                 try
                 {
                     callFromStep(areEnded, end);
                 }
                 catch (error:*)
                 {
-                    if (_contacts.isComputing || count == calls)
+                    if (!_isCalling)
                     {
-                        // the error does not come from a handler, so going on would throw it again
+                        // it comes from the computation of a contact, or from the engine. Going on would throw it again
                         throw error;
                     }
                     errors.push(error is Error ? error : new Error(String(error)));
@@ -157,6 +160,7 @@ package starlogo.collision
                     var isBack:Boolean = _next > forwardCount;
                     var collider:Agent = isBack ? touch.second : touch.first;
                     var collidee:Agent = isBack ? touch.first : touch.second;
+                    _isCalling = true;
                     if (handler.takesContact)
                     {
                         toCall(collider, collidee, null);
@@ -165,6 +169,7 @@ package starlogo.collision
                     {
                         toCall(collider, collidee);
                     }
+                    _isCalling = false;
                 }
             }
         }
@@ -215,6 +220,7 @@ package starlogo.collision
                 var collidee:Agent = isBack ? first : second;
                 var contact:Contact = handler.takesContact ? _contacts.contactFor(pair, first, second, isBack) : null;
                 count++;
+                _isCalling = true;
                 if (handler.takesContact)
                 {
                     toCall(collider, collidee, contact);
@@ -223,6 +229,7 @@ package starlogo.collision
                 {
                     toCall(collider, collidee);
                 }
+                _isCalling = false;
             }
             if (isStarting)
             {

@@ -30,10 +30,9 @@ package starlogo.handlers
         /** The kinds of the handlers that take the contact of a touch. */
         public var contactKinds:int = 0;
 
-        // An entry for each two breeds that have handlers, or that have met, and its index. An entry of an older revision gets its handlers anew.
+        // An entry for each two breeds that have handlers, or that have met, and its index.
         private var _all:Vector.<PairHandlers> = new Vector.<PairHandlers>();
         private var _indices:HashTable = new HashTable();
-        private var _revision:int = 0;
 
         // The handlers that came after the last frame began, and whether one was removed since then. How many were ever added, and how many of
         // them the frame knows.
@@ -108,7 +107,6 @@ package starlogo.handlers
             }
             _added.length = 0;
             _knownCount = _count;
-            _revision++;
         }
 
         /**
@@ -121,7 +119,7 @@ package starlogo.handlers
         {
             var index:int = _indices.valueOf(breed, otherBreed);
             var found:PairHandlers = index < 0 ? entryOf(breed, otherBreed) : _all[index];
-            return found.revision == _revision ? found : refresh(found);
+            return found.knownCount == _knownCount ? found : refresh(found);
         }
 
         /** Returns the handlers of the breeds that the agents of a found pair have now. */
@@ -134,7 +132,7 @@ package starlogo.handlers
         private function refresh(entry:PairHandlers):PairHandlers
         {
             entry.setHandlers(between(entry.breed, entry.otherBreed), between(entry.otherBreed, entry.breed));
-            entry.revision = _revision;
+            entry.knownCount = _knownCount;
             return entry;
         }
 

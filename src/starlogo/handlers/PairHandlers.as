@@ -20,8 +20,8 @@ package starlogo.handlers
         /** The handlers that were added for just these two breeds, the first one as the collider. */
         public var added:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
 
-        /** The revision of the HandlerTable in which the members below were set; at first, none. */
-        public var revision:int = -1;
+        /** How many handlers the HandlerTable knew when the members below were set; -1 at first. */
+        public var knownCount:int = -1;
 
         /** The handlers of all kinds. */
         public var handlers:Vector.<CollisionHandler>;

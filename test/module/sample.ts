@@ -4,11 +4,11 @@ import {
 	AgentFilter,
 	AgentPredicate,
 	AgentQueries,
-	AgentShapes,
 	ArgumentError,
 	AxialStructure,
 	AxisAlignedBoxFitter,
 	BaseCollider,
+	BaseShapeChoice,
 	BinCollider,
 	BlockError,
 	BoundingStructure,
@@ -172,7 +172,7 @@ export function play(bearText: string): number {
 	passThrough(greatLand);
 	useBlocks(greatLand, [bear, ball]);
 	ask(greatLand, [bear, ball]);
-	const shapes: AgentShapes = new Bubbles(greatLand);
+	const shapes: BaseShapeChoice = new Bubbles(greatLand);
 	const collider: Collider = new Collider(shapes);
 	const precise: TreeCollider = new HierarchicalCollider(greatLand);
 	precise.exact = true;

@@ -4,8 +4,7 @@ package support
     import starlogo.agents.Agent;
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
-    import starlogo.queries.DistanceQueries;
-    import starlogo.search.AgentShapes;
+    import starlogo.search.BaseShapeChoice;
     import starlogo.search.Body;
     import starlogo.search.ModelShapes;
     import starlogo.search.NarrowPhase;
@@ -28,7 +27,7 @@ package support
         private var _bodyB:Body = new Body();
 
         /** As a collider of these shapes and these settings sees agents. */
-        public function AskedDistance(choice:AgentShapes, pairs:NarrowPhase)
+        public function AskedDistance(choice:BaseShapeChoice, pairs:NarrowPhase)
         {
             _pairs = pairs;
             _table = new AgentTable(new ModelShapes(choice), null);
@@ -40,7 +39,7 @@ package support
             _table.currentBodyOf(a, _bodyA);
             _table.currentBodyOf(b, _bodyB);
             areTouching = _pairs.areTouching(_bodyA, _bodyB);
-            DistanceQueries.measure(_pairs, _bodyA, _bodyB, true, closest);
+            _pairs.findClosest(_bodyA, _bodyB, true, closest);
             return closest.distance;
         }
 

@@ -74,7 +74,13 @@ package starlogo.broadphase
             // get different numbers.
             stride = (1 << ((bits + 1) >> 1)) + 1;
             this.base = base;
-            return base + mask + 1 + Bins.COPIED;
+            return end + Bins.COPIED;
+        }
+
+        /** The index after the last cell's counter. The counters of the first cells are repeated from there on. */
+        public function get end():int
+        {
+            return base + mask + 1;
         }
 
         /** Counts a member that has come to the level. */

@@ -129,6 +129,7 @@ package starlogo.broadphase
             var mask:int = 0;
             var stride:int = 0;
             var base:int = 0;
+            var copies:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var row:int = rows[i];
@@ -140,6 +141,7 @@ package starlogo.broadphase
                     mask = level.mask;
                     stride = level.stride;
                     base = level.base;
+                    copies = level.end;
                 }
                 // BinLevel.cellAt() as a loop. CellLists relies on the same cells
                 var column:int = xs[row] * cellsPerPatch + BIAS;
@@ -147,7 +149,7 @@ package starlogo.broadphase
                 var cell:int = ((line & mask) * stride + column) & mask;
                 if (cell < COPIED)
                 {
-                    counts[base + mask + 1 + cell]++;
+                    counts[int(copies + cell)]++;
                 }
                 cell += base;
                 cells[i] = cell;
@@ -201,7 +203,7 @@ package starlogo.broadphase
         private function copyFirstCellsOf(level:BinLevel):void
         {
             var from:int = _ends[level.base];
-            var copies:int = level.base + level.mask + 1;
+            var copies:int = level.end;
             var to:int = _ends[copies];
             for (var i:int = 1; i <= COPIED; i++)
             {
@@ -239,7 +241,7 @@ package starlogo.broadphase
             var base:int = level.base;
             var mask:int = level.mask;
             var toNextLine:int = level.stride - 1 - base;
-            var last:int = ends[base + mask + 1];
+            var last:int = ends[level.end];
             var end:int = ends[base];
             for (var cell:int = base; end < last; cell++)
             {
@@ -270,7 +272,7 @@ package starlogo.broadphase
         private function findPairsBetween(level:BinLevel, coarser:BinLevel, sink:PairSink):void
         {
             var wide:Number = level.width / 2 + coarser.width / 2 + coarser.slack;
-            var last:int = _ends[level.base + level.mask + 1];
+            var last:int = _ends[level.end];
             for (var slot:int = _ends[level.base]; slot < last; slot++)
             {
                 var column:int = coarser.columnOf(_xs[slot] - wide);

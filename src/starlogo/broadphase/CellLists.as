@@ -52,7 +52,7 @@ package starlogo.broadphase
                     level.dropCells();
                     continue;
                 }
-                end = level.base + level.mask + 1;
+                end = level.end;
             }
             if (end > _heads.length)
             {
@@ -183,7 +183,7 @@ package starlogo.broadphase
             if (across * across > level.mask)
             {
                 // a cell's number may come several times in so many cells, but each of all numbers comes once
-                for (var cell:int = level.base; cell <= level.base + level.mask; cell++)
+                for (var cell:int = level.base; cell < level.end; cell++)
                 {
                     found = collect(cell, found);
                 }

@@ -1,7 +1,7 @@
 package starlogo.collision
 {
     import starlogo.GreatLand;
-    import starlogo.search.SphereShapes;
+    import starlogo.search.SphereChoice;
 
     /**
      * Finds collisions by one sphere per agent, whatever its model: the client's first collision system (thesis §2.2), and the fastest.
@@ -18,7 +18,7 @@ package starlogo.collision
          */
         public function BinCollider(greatLand:GreatLand = null)
         {
-            super(new SphereShapes(greatLand));
+            super(new SphereChoice(greatLand));
         }
     }
 }

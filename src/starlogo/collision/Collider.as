@@ -6,7 +6,7 @@ package starlogo.collision
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.requireGiven;
-    import starlogo.search.AgentShapes;
+    import starlogo.search.BaseShapeChoice;
     import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;
     import starlogo.search.FoundPairs;
@@ -16,7 +16,7 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * The base class of the engine's four collision systems. It finds collisions between the shapes that an AgentShapes gives to agents.
+     * The base class of the engine's four collision systems. It finds collisions between the shapes that a BaseShapeChoice gives to agents.
      *
      * <p>It tests only agents that are near each other on the ground plane (thesis §3.7), each pair once. A frame takes time in proportion to the
      * number of agents and of pairs that overlap on the ground plane. The memory is in proportion to the number of agents. After the first frame it
@@ -63,16 +63,13 @@ package starlogo.collision
          * Creates a collider.
          *
          * @param choice chooses the shapes that represent agents: a ShapeChoice
-         * @throws ArgumentError if it is another AgentShapes, without tests of its shapes
+         * @throws ArgumentError if it is another BaseShapeChoice, without tests of its shapes
          */
-        public function Collider(choice:AgentShapes)
+        public function Collider(choice:BaseShapeChoice)
         {
             super();
             narrowPhase = new NarrowPhase(choice);
-            if (narrowPhase.sphereTests == null)
-            {
-                throw new ArgumentError("a Collider needs a ShapeChoice, not " + choice + ", which gives no tests of its shapes");
-            }
+            choice.addTests(narrowPhase);
             search = new CollisionSearch(narrowPhase);
             _contactSearch = search;
         }
@@ -198,7 +195,7 @@ package starlogo.collision
         {
             _phase = HANDLING;
             takeContactsFromFrame();
-            search.holdWorld();
+            search.table.holdWorld();
         }
 
         /** @private The frame is over. */
@@ -206,7 +203,7 @@ package starlogo.collision
         {
             if (_phase == HANDLING)
             {
-                search.releaseWorld();
+                search.table.releaseWorld();
             }
             _phase = IDLE;
         }

@@ -95,7 +95,6 @@ package starlogo.collision
         private var _updatingSystem:BaseCollider = null;
 
         private var _lastFrame:LastFrame = new LastFrame();
-        private var _filteredList:FilteredList = new FilteredList();
 
         /**
          * Creates a Collision without handlers.
@@ -269,18 +268,16 @@ package starlogo.collision
             _updatingSystem = system;
             try
             {
-                var listed:Vector.<Agent> = predicate == null ? agents : _filteredList.ask(predicate, agents);
+                _input.setTo(agents, predicate, _handlers.interests, world);
                 // the filter may have called reset(), which forgets the frames before this one
                 var lastFrame:LastFrame = _lastFrame;
                 lastFrame.hasFailed = true;
-                _input.setTo(listed, predicate == null ? null : _filteredList.takePart, _handlers.interests, world);
                 if (collider != null)
                 {
                     collider.beginFrame();
                 }
                 system.findPairs(_input, _calls.pairs, _statistics);
-                _input.agents = null;
-                lastFrame.keep(listed, system.equivalentCollider);
+                lastFrame.keep(_input.agents, system.equivalentCollider);
                 if (collider != null)
                 {
                     collider.holdFrame();

@@ -1,8 +1,8 @@
 package starlogo.collision
 {
     import starlogo.GreatLand;
-    import starlogo.search.TightestShapes;
-    import starlogo.search.TreeShapes;
+    import starlogo.search.TightestFitChoice;
+    import starlogo.search.TreeChoice;
 
     /**
      * Finds collisions precisely for the agents that ask for it, and fast for all others. Agents with the trait <code>hierarchical</code>
@@ -24,7 +24,7 @@ package starlogo.collision
          */
         public function CombinationCollider(greatLand:GreatLand)
         {
-            super(new TreeShapes(greatLand, new TightestShapes(greatLand)));
+            super(new TreeChoice(greatLand, new TightestFitChoice(greatLand)));
         }
     }
 }

@@ -1,7 +1,7 @@
 package starlogo.collision
 {
     import starlogo.GreatLand;
-    import starlogo.search.TreeShapes;
+    import starlogo.search.TreeChoice;
 
     /**
      * Finds collisions by the hierarchies of the agents' models (thesis §4): trees of boxes around their parts. If it is exact, it finds them by
@@ -30,7 +30,7 @@ package starlogo.collision
          */
         public function HierarchicalCollider(greatLand:GreatLand)
         {
-            super(new TreeShapes(greatLand));
+            super(new TreeChoice(greatLand));
         }
     }
 }

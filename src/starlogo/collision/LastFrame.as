@@ -2,6 +2,7 @@ package starlogo.collision
 {
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.search.FrameInput;
 
     use namespace engine;
 
@@ -48,7 +49,7 @@ package starlogo.collision
                     // the game's own list, from now on
                     _agents = new Vector.<Agent>();
                 }
-                FilteredList.copyInto(_agents, list);
+                FrameInput.copyList(list, _agents);
             }
             _listNumber = number;
             collider = searchedBy;

@@ -1,7 +1,7 @@
 package starlogo.collision
 {
     import starlogo.GreatLand;
-    import starlogo.search.TightestShapes;
+    import starlogo.search.TightestFitChoice;
 
     /**
      * Finds collisions by the tightest sphere, box or capsule around each agent's model (thesis §3), or by the structure that the agent's
@@ -21,7 +21,7 @@ package starlogo.collision
          */
         public function TightestFitCollider(greatLand:GreatLand)
         {
-            super(new TightestShapes(greatLand));
+            super(new TightestFitChoice(greatLand));
         }
     }
 }

@@ -1,7 +1,7 @@
 package starlogo.collision
 {
     import starlogo.engine;
-    import starlogo.search.AgentShapes;
+    import starlogo.search.BaseShapeChoice;
 
     use namespace engine;
 
@@ -13,7 +13,7 @@ package starlogo.collision
          *
          * @param choice chooses the shapes of agents
          */
-        public function TreeCollider(choice:AgentShapes)
+        public function TreeCollider(choice:BaseShapeChoice)
         {
             super(choice);
         }

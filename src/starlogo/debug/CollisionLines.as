@@ -12,9 +12,9 @@ package starlogo.debug
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireGiven;
     import starlogo.models.Model;
-    import starlogo.search.AgentShapes;
+    import starlogo.search.BaseShapeChoice;
     import starlogo.search.ModelShape;
-    import starlogo.search.TightestShapes;
+    import starlogo.search.TightestFitChoice;
     import starlogo.search.TreeLimits;
 
     use namespace engine;
@@ -81,7 +81,7 @@ package starlogo.debug
                 _lines = {};
             }
             // a system that is not the engine's tells nothing about its shapes
-            var choice:AgentShapes = collider == null ? new TightestShapes(_greatLand) : collider.narrowPhase.choice;
+            var choice:BaseShapeChoice = collider == null ? new TightestFitChoice(_greatLand) : collider.narrowPhase.choice;
             var level:int = collider == null || collider.narrowPhase.treeTests == null ? 0 : levelOf(agent, collider.narrowPhase.treeLimits);
             var key:String = level + " " + choice.kindOf(agent) + " " + agent.shape;
             if (_lines[key] == null)

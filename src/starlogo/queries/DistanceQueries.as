@@ -6,10 +6,7 @@ package starlogo.queries
     import starlogo.collision.Collider;
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
-    import starlogo.geometry.Tolerances;
-    import starlogo.intersection.PairTable;
     import starlogo.search.Body;
-    import starlogo.search.NarrowPhase;
 
     use namespace engine;
 
@@ -70,44 +67,13 @@ package starlogo.queries
             return distance;
         }
 
-        /**
-         * Finds the distance between two bodies. Not both are of the world's agents.
-         *
-         * @param narrowPhase tests whether bodies touch
-         * @param withPoints whether the closest points are needed too
-         * @param out receives the distance and the closest points in the world
-         */
-        public static function measure(narrowPhase:NarrowPhase, a:Body, b:Body, withPoints:Boolean, out:ClosestPoints):void
-        {
-            if (NarrowPhase.isSecondFirst(a, b))
-            {
-                measure(narrowPhase, b, a, withPoints, out);
-                out.swap();
-                return;
-            }
-            if (a.shape.hierarchy == null && !b.isOfWorld)
-            {
-                PairTable.findClosest(a.worldStructure(), b.worldStructure(), out);
-                var size:Number = a.halfX + a.halfY + a.halfZ + b.halfX + b.halfY + b.halfZ;
-                out.settle(out.distance <= Tolerances.APART * size && narrowPhase.areTouching(a, b));
-                return;
-            }
-            var areTouching:Boolean = narrowPhase.areTouching(a, b);
-            if (areTouching && !withPoints)
-            {
-                out.distance = 0;
-                return;
-            }
-            narrowPhase.testsOf(a, b).findClosest(a, b, areTouching, out);
-        }
-
         private function answer(a:Body, b:Body, pointA:Vector3D, pointB:Vector3D):Number
         {
             if (a.shape == null || b.shape == null)
             {
                 return Infinity;
             }
-            measure(_seen.narrowPhase, a, b, pointA != null || pointB != null, _closest);
+            _seen.narrowPhase.findClosest(a, b, pointA != null || pointB != null, _closest);
             if (_closest.distance == Infinity)
             {
                 // the edges of a world without edges have no points

@@ -9,7 +9,7 @@ package starlogo.queries
     import starlogo.libraries.ModelStructures;
     import starlogo.libraries.ModelTable;
     import starlogo.models.Model;
-    import starlogo.search.AgentShapes;
+    import starlogo.search.BaseShapeChoice;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.solid.ModelTree;
@@ -23,7 +23,7 @@ package starlogo.queries
      *
      * @private
      */
-    public final class LevelChoice extends AgentShapes
+    public final class LevelChoice extends BaseShapeChoice
     {
         private var _models:ModelTable = new ModelTable();
 

@@ -3,12 +3,11 @@ package starlogo.search
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.broadphase.Points;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.requireInWorld;
-    import starlogo.search.table.ListedAgents;
-    import starlogo.search.table.RowPlaces;
 
     use namespace engine;
 
@@ -23,6 +22,9 @@ package starlogo.search
     public final class Body
     {
         private static const UPRIGHT:Placement = new Placement();
+
+        // The rank of the oldest agent among those that are not listed. It is more than the number of agents in any list.
+        private static const FIRST_UNLISTED:int = 1 << 30;
 
         // The middle and half of the lengths of extents, within one method.
         private static var sExtents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -41,13 +43,6 @@ package starlogo.search
 
         /** The agent's own limit for the levels of its tree, or 0. */
         public var depth:int = 0;
-
-        /**
-         * Whether no triangles decide when this body is tested with a tree, or is a tree that is tested with a structure. Then trees are
-         * tested to their leaves only. Leaves find every touch that triangles find, in a tenth of the time. Tests with the ground do not read
-         * this.
-         */
-        engine var stopsAtLeaves:Boolean = false;
 
         /** Half of the length of the extents along x. */
         public var halfX:Number = 0;
@@ -79,7 +74,7 @@ package starlogo.search
                 // the structures of the ground and of the edges are not scaled
                 size = 1;
             }
-            rank = ListedAgents.rankOfUnlisted(agent);
+            rank = rankOfUnlisted(agent);
             depth = agent.depthLimit;
             if (shape.isUpright && shape === this.shape && size == placement.size)
             {
@@ -212,9 +207,9 @@ package starlogo.search
         }
 
         /** For the body of a row: goes to the row's place. */
-        engine function follow(places:RowPlaces, row:int):void
+        engine function follow(places:Points, row:int, revision:int):void
         {
-            revision = places.revisions[row];
+            this.revision = revision;
             placement.x = places.x[row];
             placement.y = places.y[row];
             placement.z = places.z[row];
@@ -293,6 +288,12 @@ package starlogo.search
         public function get leastHalf():Number
         {
             return Math.min(halfX, Math.min(halfY, halfZ));
+        }
+
+        /** The rank of an agent that is in no list. */
+        public static function rankOfUnlisted(agent:Agent):int
+        {
+            return FIRST_UNLISTED + agent.idNumber;
         }
 
         /** Throws an ArgumentError if a structure is null, or not a sphere, box, capsule or hull. */

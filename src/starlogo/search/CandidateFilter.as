@@ -22,8 +22,9 @@ package starlogo.search
         private var _motions:RowMotions;
         private var _order:PairOrder = new PairOrder();
 
-        // The conditions of the search under way.
-        private var _conditions:SearchConditions = null;
+        // The input of the search under way, and whether all its shapes are spheres and stand.
+        private var _input:FrameInput = null;
+        private var _areStandingSpheres:Boolean = false;
 
         // Takes the pairs.
         private var _out:FoundPairs = null;
@@ -50,11 +51,12 @@ package starlogo.search
         }
 
         /** Begins a search, whose pairs go to out. */
-        public function begin(conditions:SearchConditions, out:FoundPairs):void
+        public function begin(input:FrameInput, out:FoundPairs):void
         {
             candidatePairs = 0;
             out.begin(_table.list.agents, _table.list.ranks, _table.list.rows.count);
-            _conditions = conditions;
+            _input = input;
+            _areStandingSpheres = _table.areSpheres && !input.anySweeps;
             _out = out;
         }
 
@@ -63,19 +65,19 @@ package starlogo.search
         {
             var found:FoundPairs = _out;
             _out = null;
-            _order.sort(found, _conditions.anySweeps);
+            _order.sort(found, _input.anySweeps);
         }
 
         /** @inheritDoc */
         override public function onCandidates(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
-            var interests:BreedInterests = _conditions.interests;
+            var interests:BreedInterests = _input.interests;
             if (interests != null && !interests.includesAll)
             {
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
             candidatePairs += count;
-            if (_conditions.areSpheres && !_conditions.anySweeps)
+            if (_areStandingSpheres)
             {
                 _narrowPhase.sphereTests.writeTouching(_table, level.slack, row, others, count, _out);
                 return;
@@ -92,7 +94,7 @@ package starlogo.search
          */
         public function findPairsOfWorldAgent(worldRow:int, rows:NumberList):void
         {
-            if (_table.list.agents[worldRow] == null || !_conditions.interests.isNamed(_table.breeds[worldRow]))
+            if (_table.list.agents[worldRow] == null || !_input.interests.isNamed(_table.breeds[worldRow]))
             {
                 return;
             }
@@ -101,20 +103,20 @@ package starlogo.search
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.numbers[i];
-                if (_conditions.isMember(_table, row))
+                if (_input.isMember(_table, row))
                 {
                     others[count] = row;
                     count++;
                 }
             }
-            count = _conditions.interests.keepOfInterest(_table.breeds, worldRow, others, count);
+            count = _input.interests.keepOfInterest(_table.breeds, worldRow, others, count);
             addTouching(worldRow, others, count, null);
         }
 
         // Adds the pairs of a row with those candidates that touch it. There is no level for the ground and the edges, whose extents say nothing.
         private function addTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
-            if (_conditions.anySweeps)
+            if (_input.anySweeps)
             {
                 _out.addPairs(row, others, keepTouchingMotions(row, others, count, level, _times), _times);
                 return;
@@ -133,7 +135,7 @@ package starlogo.search
                 var other:int = others[i];
                 // the time belongs to the motion of the agent that comes first in the list, relative to the other
                 var isFirst:Boolean = rank < ranks[other];
-                _motions.findFirst(_table, level, isFirst ? row : other, isFirst ? other : row, _motion);
+                _motions.findFirst(level, isFirst ? row : other, isFirst ? other : row, _motion);
                 if (_motion.time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;

@@ -31,9 +31,7 @@ package starlogo.search
         public var table:AgentTable;
 
         private var _narrowPhase:NarrowPhase;
-        private var _shapes:ModelShapes;
         private var _bins:Bins = new Bins();
-        private var _conditions:SearchConditions = new SearchConditions();
         private var _motions:RowMotions;
 
         // Whether the last search found the motions. A read without a search makes them void.
@@ -44,7 +42,6 @@ package starlogo.search
         // Finds the pairs of a search in which little has changed.
         private var _keptPairs:KeptPairs;
 
-        private var _held:HeldWorld = new HeldWorld();
         private var _bodyA:Body = new Body();
         private var _bodyB:Body = new Body();
 
@@ -57,9 +54,8 @@ package starlogo.search
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
             _narrowPhase = narrowPhase;
-            _shapes = new ModelShapes(narrowPhase.choice);
-            table = new AgentTable(_shapes, _bins.levels);
-            _motions = new RowMotions(narrowPhase, _bins.levels);
+            table = new AgentTable(new ModelShapes(narrowPhase.choice), _bins.levels);
+            _motions = new RowMotions(table, narrowPhase, _bins.levels);
             _candidates = new CandidateFilter(table, narrowPhase, _motions);
             _keptPairs = new KeptPairs(table, _candidates, _motions, _bins.levels);
         }
@@ -89,12 +85,11 @@ package starlogo.search
             {
                 table.readWorldAgent(row, input.world[row]);
             }
-            _conditions.setTo(input, _shapes.areSpheres, Agent.haveSwept && RowMotions.anySweeping(input.agents),
-                    _narrowPhase.treeLimits.exact ? 0 : _narrowPhase.treeLimits.maxDepth);
-            _hasMotions = _conditions.anySweeps;
+            input.findSweeping();
+            _hasMotions = input.anySweeps;
             // tests since the last search, as those of questions, do not count
             _narrowPhase.takeCounts(counts);
-            var memberCount:int = findPairs(mayKeep, out);
+            var memberCount:int = findPairs(input, mayKeep, out);
             _narrowPhase.takeCounts(counts);
             counts.agents = table.list.rows.count;
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
@@ -105,37 +100,37 @@ package starlogo.search
         }
 
         // Finds the pairs, from those of the last search if that is wanted and possible. Returns the number of members.
-        private function findPairs(mayKeep:Boolean, out:FoundPairs):int
+        private function findPairs(input:FrameInput, mayKeep:Boolean, out:FoundPairs):int
         {
             if (!mayKeep)
             {
                 // also if the search throws, because the table has been read
                 _keptPairs.forget();
-                return findAll(out).count;
+                return findAll(input, out).count;
             }
-            if (_keptPairs.find(_conditions, out))
+            if (_keptPairs.find(input, _narrowPhase.treeLimits, out))
             {
                 return _keptPairs.memberCount;
             }
-            var members:NumberList = findAll(out);
+            var members:NumberList = findAll(input, out);
             if (_keptPairs.isWorthKeeping)
             {
-                _keptPairs.keep(_conditions, out, members);
+                _keptPairs.keep(out, members);
             }
             return members.count;
         }
 
         // Searches all members, and returns them.
-        private function findAll(out:FoundPairs):NumberList
+        private function findAll(input:FrameInput, out:FoundPairs):NumberList
         {
-            var members:NumberList = findMembers();
+            var members:NumberList = findMembers(input);
             var extents:Extents = table.extents;
-            if (_conditions.anySweeps)
+            if (input.anySweeps)
             {
-                _motions.findMotions(table, table.list.rows);
+                _motions.findMotions(table.list.rows);
                 extents = _motions.extents;
             }
-            _candidates.begin(_conditions, out);
+            _candidates.begin(input, out);
             _bins.findPairs(extents, members.numbers, members.count, _candidates);
             for (var row:int = ListedAgents.GROUND_ROW; row <= ListedAgents.EDGES_ROW; row++)
             {
@@ -179,7 +174,7 @@ package starlogo.search
             var areSeen:Boolean = rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null;
             if (areSeen && _hasMotions)
             {
-                _motions.findContact(table, rowA, rowB, motion, out);
+                _motions.findContact(rowA, rowB, motion, out);
                 return;
             }
             var bodyA:Body = areSeen ? table.bodyOf(rowA) : table.currentBodyOf(a, _bodyA);
@@ -192,33 +187,21 @@ package starlogo.search
             _narrowPhase.findContact(bodyA, bodyB, motion, out);
         }
 
-        /** Keeps the ground and the edges of the world of the last search as they are now, for findContact. */
-        public function holdWorld():void
-        {
-            _held.hold(table);
-        }
-
-        /** From now on the ground and the edges count as they are. */
-        public function releaseWorld():void
-        {
-            _held.release(table);
-        }
-
         // The rows that the bins get, called members: those that take part and whose breeds are of interest. Mostly these are all rows, and then the
         // table's own list is used.
-        private function findMembers():NumberList
+        private function findMembers(input:FrameInput):NumberList
         {
             var all:NumberList = table.list.rows;
-            var interests:BreedInterests = _conditions.interests;
+            var interests:BreedInterests = input.interests;
             var outsiders:int = interests == null ? 0 : interests.countOutsiders(table);
-            if (table.loadingCount == 0 && _conditions.takePart == null && outsiders == 0)
+            if (table.loadingCount == 0 && input.takePart == null && outsiders == 0)
             {
                 return all;
             }
             _someRows.count = 0;
             for (var i:int = 0; i < all.count; i++)
             {
-                if (_conditions.isMember(table, all.numbers[i]))
+                if (input.isMember(table, all.numbers[i]))
                 {
                     _someRows.add(all.numbers[i]);
                 }

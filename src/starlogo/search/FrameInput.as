@@ -1,9 +1,14 @@
 package starlogo.search
 {
     import starlogo.agents.Agent;
+    import starlogo.agents.AgentPredicate;
+    import starlogo.engine;
+    import starlogo.search.table.AgentTable;
+
+    use namespace engine;
 
     /**
-     * Among what a frame's pairs are to be found.
+     * Among what a frame's pairs are to be found: the list of agents, which of them take part, and which breeds count.
      *
      * @private
      */
@@ -12,7 +17,7 @@ package starlogo.search
         /** For <code>world</code>: there is neither ground nor are there edges. Nothing writes to it. */
         public static const NO_WORLD:Vector.<WorldAgent> = new <WorldAgent>[null, null];
 
-        /** The list of agents. */
+        /** The list of agents. If there is a filter it is a copy, because a filter may change the game's list. */
         public var agents:Vector.<Agent> = null;
 
         /** By index in the list: whether the agent takes part; null for all. */
@@ -24,13 +29,72 @@ package starlogo.search
         /** The agents of the ground and of the edges of the world, by their rows; null where there is none. */
         public var world:Vector.<WorldAgent> = NO_WORLD;
 
-        /** Sets all. */
-        public function setTo(agents:Vector.<Agent>, takePart:Vector.<Boolean>, interests:BreedInterests, world:Vector.<WorldAgent>):void
+        /** Whether an agent of the list sweeps. <code>findSweeping()</code> sets it. */
+        public var anySweeps:Boolean = false;
+
+        // What a filter fills: the copy of the list, and its answers.
+        private var _copy:Vector.<Agent> = new Vector.<Agent>();
+        private var _answers:Vector.<Boolean> = new Vector.<Boolean>();
+
+        /**
+         * Sets all, and asks the filter about each agent.
+         *
+         * @param filter decides which agents take part; null for all. An entry that is null takes part, because the collision system refuses it
+         */
+        public function setTo(agents:Vector.<Agent>, filter:AgentPredicate, interests:BreedInterests, world:Vector.<WorldAgent>):void
         {
             this.agents = agents;
-            this.takePart = takePart;
             this.interests = interests;
             this.world = world;
+            takePart = null;
+            if (filter != null)
+            {
+                ask(filter);
+            }
+        }
+
+        /** Finds whether an agent sweeps. No entry of the list is null. */
+        public function findSweeping():void
+        {
+            var i:int = Agent.haveSwept ? agents.length - 1 : -1;
+            while (i >= 0 && !agents[i].isSweeping)
+            {
+                i--;
+            }
+            anySweeps = i >= 0;
+        }
+
+        /** Whether a row is a member of the search: it has a shape, its breed is of interest, and its agent takes part. */
+        public function isMember(table:AgentTable, row:int):Boolean
+        {
+            return table.shapes[row] != null && (interests == null || interests.indexOfNumber(table.breeds[row]) >= 0)
+                && (takePart == null || takePart[table.list.ranks[row]]);
+        }
+
+        /** Makes a list a copy of another. */
+        public static function copyList(from:Vector.<Agent>, to:Vector.<Agent>):void
+        {
+            to.length = from.length;
+            for (var i:int = 0; i < from.length; i++)
+            {
+                // writing a reference costs more than comparing it
+                if (to[i] !== from[i])
+                {
+                    to[i] = from[i];
+                }
+            }
+        }
+
+        private function ask(filter:AgentPredicate):void
+        {
+            copyList(agents, _copy);
+            agents = _copy;
+            takePart = _answers;
+            filter.checkNames(agents);
+            for (var i:int = 0; i < agents.length; i++)
+            {
+                takePart[i] = agents[i] == null || filter.admits(agents[i]);
+            }
         }
     }
 }

@@ -41,6 +41,14 @@ package starlogo.search
 
         private var _isWorthKeeping:Boolean = false;
 
+        // What the pairs of the last search depended on besides agents, ground and edges: which pairs of breeds counted, and how often one was added
+        // to them; whether an agent swept; whether a filter was asked; how deep trees were tested, or 0 for exactly.
+        private var _interests:BreedInterests = null;
+        private var _interestsRevision:int = 0;
+        private var _anySweeps:Boolean = false;
+        private var _isFiltered:Boolean = false;
+        private var _maxDepth:int = 0;
+
         // The number of the search. By row: the last search that found the row changed. The rows that this one has found changed.
         private var _searchNumber:int = 0;
         private var _changedIn:Vector.<int> = new Vector.<int>();
@@ -83,55 +91,85 @@ package starlogo.search
          *
          * @param members the members of the search
          */
-        public function keep(conditions:SearchConditions, pairs:FoundPairs, members:NumberList):void
+        public function keep(pairs:FoundPairs, members:NumberList):void
         {
-            _cells.begin(conditions.anySweeps ? _motions.extents : _table.extents, members.numbers, members.count, _table.list.agents.length);
+            _cells.begin(_anySweeps ? _motions.extents : _table.extents, members.numbers, members.count, _table.list.agents.length);
             rememberPairs(pairs);
         }
 
         /**
          * Finds the pairs of a search, if it is like the last one and few rows have changed. The table has been read.
          *
+         * @param limits how far trees are tested
          * @param pairs has the pairs of the last search, and gets those of this one
          * @return whether it has found them. If not, the search has to be one of all rows
          */
-        public function find(conditions:SearchConditions, pairs:FoundPairs):Boolean
+        public function find(input:FrameInput, limits:TreeLimits, pairs:FoundPairs):Boolean
         {
             var areValid:Boolean = pairs === _pairs && pairs.revision == _pairsRevision;
             // they are not if the search throws
             _pairs = null;
-            _isWorthKeeping = conditions.areLikeLast && areFew(countRead(conditions.anySweeps), conditions);
+            var isLikeLast:Boolean = hasConditionsOf(input, limits);
+            takeConditions(input, limits);
+            _isWorthKeeping = isLikeLast && areFew(countRead());
             if (!_isWorthKeeping || !areValid)
             {
                 return false;
             }
             _searchNumber++;
-            listChanged(conditions);
-            _isWorthKeeping = areFew(_changed.count, conditions);
+            listChanged(input);
+            _isWorthKeeping = areFew(_changed.count);
             if (!_isWorthKeeping)
             {
                 return false;
             }
-            if (conditions.anySweeps)
+            if (_anySweeps)
             {
-                _motions.findMotions(_table, _changed);
+                _motions.findMotions(_changed);
             }
-            if (!placeChanged(conditions) || !_cells.areCellsValid())
+            if (!placeChanged(input) || !_cells.areCellsValid())
             {
                 return false;
             }
-            findPairsOfChanged(conditions);
+            findPairsOfChanged(input);
             pairs.drop(_table.list, _changedIn, _searchNumber);
-            pairs.merge(_found, conditions.anySweeps);
+            pairs.merge(_found, _anySweeps);
             rememberPairs(pairs);
             return true;
         }
 
+        // Whether the pairs of the last search depend on the same as those of this one. Then the same agents have the same pairs, if the same ones take
+        // part.
+        private function hasConditionsOf(input:FrameInput, limits:TreeLimits):Boolean
+        {
+            return _interests === input.interests && _interestsRevision == revisionOf(input) && _anySweeps == input.anySweeps
+                && _isFiltered == (input.takePart != null) && _maxDepth == depthOf(limits);
+        }
+
+        private function takeConditions(input:FrameInput, limits:TreeLimits):void
+        {
+            _interests = input.interests;
+            _interestsRevision = revisionOf(input);
+            _anySweeps = input.anySweeps;
+            _isFiltered = input.takePart != null;
+            _maxDepth = depthOf(limits);
+        }
+
+        private static function revisionOf(input:FrameInput):int
+        {
+            return input.interests == null ? 0 : input.interests.revision;
+        }
+
+        private static function depthOf(limits:TreeLimits):int
+        {
+            return limits.exact ? 0 : limits.maxDepth;
+        }
+
         // The number of rows that were read again, or have another place in the list.
-        private function countRead(anySweeps:Boolean):int
+        private function countRead():int
         {
             var count:int = _table.places.changed.count + _table.list.leftOrReordered.count;
-            if (anySweeps)
+            if (_anySweeps)
             {
                 count += _table.places.previouslyChanged.count;
             }
@@ -139,10 +177,9 @@ package starlogo.search
         }
 
         // Whether so few rows have changed that a search of all rows would take longer.
-        private function areFew(changes:int, conditions:SearchConditions):Boolean
+        private function areFew(changes:int):Boolean
         {
-            var interests:BreedInterests = conditions.interests;
-            var among:int = conditions.areSpheres || interests != null && !interests.includesAll ? ONE_IN_IF_FAST : ONE_IN;
+            var among:int = _table.areSpheres || _interests != null && !_interests.includesAll ? ONE_IN_IF_FAST : ONE_IN;
             return among * changes <= _table.list.rows.count;
         }
 
@@ -153,7 +190,7 @@ package starlogo.search
         }
 
         // Lists the rows that have changed.
-        private function listChanged(conditions:SearchConditions):void
+        private function listChanged(input:FrameInput):void
         {
             var length:int = _table.list.agents.length;
             _changed.count = 0;
@@ -164,13 +201,13 @@ package starlogo.search
             _cells.makeRows(length);
             mark(_table.places.changed);
             mark(_table.list.leftOrReordered);
-            if (conditions.anySweeps)
+            if (_anySweeps)
             {
                 mark(_table.places.previouslyChanged);
             }
-            if (conditions.takePart != null)
+            if (input.takePart != null)
             {
-                markFiltered(conditions);
+                markFiltered(input);
             }
         }
 
@@ -192,13 +229,13 @@ package starlogo.search
         }
 
         // Marks the rows that become members, or cease to be members. The other rows have their breeds of the last search.
-        private function markFiltered(conditions:SearchConditions):void
+        private function markFiltered(input:FrameInput):void
         {
             var rows:NumberList = _table.list.rows;
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.numbers[i];
-                if (conditions.isMember(_table, row) != _cells.has(row))
+                if (input.isMember(_table, row) != _cells.has(row))
                 {
                     markRow(row);
                 }
@@ -206,12 +243,12 @@ package starlogo.search
         }
 
         // Puts the changed rows to their cells. Returns false if one of them needs a level without cells.
-        private function placeChanged(conditions:SearchConditions):Boolean
+        private function placeChanged(input:FrameInput):Boolean
         {
             for (var i:int = 0; i < _changed.count; i++)
             {
                 var row:int = _changed.numbers[i];
-                if (_table.list.agents[row] == null || !conditions.isMember(_table, row))
+                if (_table.list.agents[row] == null || !input.isMember(_table, row))
                 {
                     _cells.remove(row);
                 }
@@ -224,9 +261,9 @@ package starlogo.search
         }
 
         // Finds the pairs of the changed rows.
-        private function findPairsOfChanged(conditions:SearchConditions):void
+        private function findPairsOfChanged(input:FrameInput):void
         {
-            _candidates.begin(conditions, _found);
+            _candidates.begin(input, _found);
             for (var i:int = 0; i < _changed.count; i++)
             {
                 if (_cells.has(_changed.numbers[i]))

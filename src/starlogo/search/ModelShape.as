@@ -9,7 +9,7 @@ package starlogo.search
 
     /**
      * The shape that a Collider uses for a model, in the model's space. All agents with the model for which it chooses alike share it. An
-     * AgentShapes sets it.
+     * BaseShapeChoice sets it.
      */
     public final class ModelShape
     {
@@ -27,7 +27,7 @@ package starlogo.search
         /** The model's name. */
         public var modelName:String;
 
-        /** The number that AgentShapes.kindOf() has returned. */
+        /** The number that BaseShapeChoice.kindOf() has returned. */
         public var kind:int;
 
         /** @private The revision of the model in the GreatLand. */
@@ -59,7 +59,7 @@ package starlogo.search
          * For colliders only.
          *
          * @param modelName the model's name
-         * @param kind the number that AgentShapes.kindOf() has returned
+         * @param kind the number that BaseShapeChoice.kindOf() has returned
          * @param revision the revision of the model in the GreatLand
          */
         public function ModelShape(modelName:String, kind:int, revision:int)

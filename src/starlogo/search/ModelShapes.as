@@ -20,7 +20,7 @@ package starlogo.search
         /** Whether all shapes so far are spheres. */
         public var areSpheres:Boolean = true;
 
-        private var _choice:AgentShapes;
+        private var _choice:BaseShapeChoice;
         private var _revision:int = -1;
 
         // A text stands before each key, because a model may be called "hasOwnProperty".
@@ -38,7 +38,7 @@ package starlogo.search
         /**
          * @param choice chooses the shapes
          */
-        public function ModelShapes(choice:AgentShapes)
+        public function ModelShapes(choice:BaseShapeChoice)
         {
             _choice = choice;
         }
@@ -122,7 +122,7 @@ package starlogo.search
 
         /**
          * Makes a shape for the ground or the edges of the world. Its structure gives the scale for tolerances: as wide as a cell, or a point. A
-         * table's row has a shape of its own, because it may be held (HeldWorld).
+         * table's row has a shape of its own, because it may be held (AgentTable.holdWorld).
          *
          * @throws ArgumentError if the heights or the edges are not known, because the agent comes from a snapshot of another Collision
          */

@@ -2,6 +2,7 @@ package starlogo.search
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Extents;
+    import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
@@ -52,13 +53,12 @@ package starlogo.search
         public var sphereTests:SpherePairTests = null;
 
         /** Says which shape each agent has. */
-        public var choice:AgentShapes;
+        public var choice:BaseShapeChoice;
 
         /** @param choice gives the rows their shapes */
-        public function NarrowPhase(choice:AgentShapes)
+        public function NarrowPhase(choice:BaseShapeChoice)
         {
             this.choice = choice;
-            choice.addTests(this);
         }
 
         /**
@@ -120,6 +120,23 @@ package starlogo.search
             var pairTests:PairTests = testsOf(a, b);
             pairTests.findContact(a, b, motion, out);
             pairTests.separate(a, b, motion, out);
+        }
+
+        /**
+         * Finds the distance between two bodies, which is 0 if they touch. They may come in either order. Not both are of the world.
+         *
+         * @param withPoints whether the closest points are needed if they touch
+         * @param out receives the distance and the closest points, in the world
+         */
+        public function findClosest(a:Body, b:Body, withPoints:Boolean, out:ClosestPoints):void
+        {
+            if (isSecondFirst(a, b))
+            {
+                findClosest(b, a, withPoints, out);
+                out.swap();
+                return;
+            }
+            testsOf(a, b).findClosest(a, b, withPoints, out);
         }
 
         /** Writes the numbers of tests, and sets them to 0. */

@@ -1,6 +1,5 @@
 package starlogo.search
 {
-    import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.BinLevels;
@@ -32,6 +31,7 @@ package starlogo.search
         private var _motions:Points = new Points();
         private var _sweeps:Vector.<Boolean> = new Vector.<Boolean>();
 
+        private var _table:AgentTable;
         private var _narrowPhase:NarrowPhase;
         private var _levels:BinLevels;
 
@@ -40,58 +40,47 @@ package starlogo.search
         private var _axisMotion:AxisMotion = new AxisMotion();
 
         /**
+         * @param table has the rows
          * @param narrowPhase tests which rows touch
          * @param levels of the bins
          */
-        public function RowMotions(narrowPhase:NarrowPhase, levels:BinLevels)
+        public function RowMotions(table:AgentTable, narrowPhase:NarrowPhase, levels:BinLevels)
         {
+            _table = table;
             _narrowPhase = narrowPhase;
             _levels = levels;
         }
 
-        /** Whether any agent in a list sweeps. */
-        public static function anySweeping(agents:Vector.<Agent>):Boolean
-        {
-            for (var i:int = agents.length - 1; i >= 0; i--)
-            {
-                if (agents[i].isSweeping)
-                {
-                    return true;
-                }
-            }
-            return false;
-        }
-
         /**
-         * Finds the motions of rows of a table that has just been read.
+         * Finds the motions of rows. The table has just been read.
          *
          * @param rows the rows; those without an agent are left out
          */
-        public function findMotions(table:AgentTable, rows:NumberList):void
+        public function findMotions(rows:NumberList):void
         {
-            if (table.list.agents.length > _sweeps.length)
+            if (_table.list.agents.length > _sweeps.length)
             {
-                _sweeps.length = table.list.agents.length;
+                _sweeps.length = _table.list.agents.length;
                 _motions.grow(_sweeps.length);
                 extents.grow(_sweeps.length);
             }
             sweptPairs = 0;
-            var standing:Extents = table.extents;
+            var standing:Extents = _table.extents;
             var swept:Extents = extents;
             for (var i:int = 0; i < rows.count; i++)
             {
                 var row:int = rows.numbers[i];
-                if (table.list.agents[row] == null)
+                if (_table.list.agents[row] == null)
                 {
                     continue;
                 }
-                var hasMotion:Boolean = table.places.previous.isMotionStart(row, table.list.agents[row]);
-                var motionX:Number = hasMotion ? table.places.last.x[row] - table.places.previous.x[row] : 0;
-                var motionY:Number = hasMotion ? table.places.last.y[row] - table.places.previous.y[row] : 0;
-                var motionZ:Number = hasMotion ? table.places.last.z[row] - table.places.previous.z[row] : 0;
+                var hasMotion:Boolean = _table.places.previous.isMotionStart(row, _table.list.agents[row]);
+                var motionX:Number = hasMotion ? _table.places.last.x[row] - _table.places.previous.x[row] : 0;
+                var motionY:Number = hasMotion ? _table.places.last.y[row] - _table.places.previous.y[row] : 0;
+                var motionZ:Number = hasMotion ? _table.places.last.z[row] - _table.places.previous.z[row] : 0;
                 var halfX:Number = standing.halfX[row] + Math.abs(motionX) / 2;
                 var halfY:Number = standing.halfY[row] + Math.abs(motionY) / 2;
-                _sweeps[row] = hasMotion && table.list.agents[row].isSweeping;
+                _sweeps[row] = hasMotion && _table.list.agents[row].isSweeping;
                 _motions.x[row] = motionX;
                 _motions.y[row] = motionY;
                 _motions.z[row] = motionZ;
@@ -102,7 +91,7 @@ package starlogo.search
                 swept.halfY[row] = halfY;
                 swept.halfZ[row] = standing.halfZ[row] + Math.abs(motionZ) / 2;
                 swept.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
-                if (table.shapes[row] != null)
+                if (_table.shapes[row] != null)
                 {
                     _levels.assignLevel(swept, row);
                 }
@@ -116,25 +105,25 @@ package starlogo.search
          * @param motion receives the motion of the first relative to the second, with the time, from 0 to 1, or RelativeMotion.NEVER
          * @param out receives the contact if they touch, where b is now; null if only the time is needed
          */
-        public function findFirst(table:AgentTable, level:BinLevel, a:int, b:int, motion:RelativeMotion, out:ContactPoint = null):void
+        public function findFirst(level:BinLevel, a:int, b:int, motion:RelativeMotion, out:ContactPoint = null):void
         {
             motion.endAfter(_motions.x[a] - _motions.x[b], _motions.y[a] - _motions.y[b], _motions.z[a] - _motions.z[b]);
             motion.time = RelativeMotion.NEVER;
             if (!eitherSweeps(a, b))
             {
-                if (level == null || NarrowPhase.areNear(table.extents, level.slack, a, b))
+                if (level == null || NarrowPhase.areNear(_table.extents, level.slack, a, b))
                 {
-                    testStanding(table, a, b, 1, motion, out);
+                    testStanding(a, b, 1, motion, out);
                 }
             }
             else if (motion.isStill)
             {
                 // two that move alike touch from the beginning on, and two that have not moved where they are
-                testStanding(table, a, b, hasMoved(a) ? 0 : 1, motion, out);
+                testStanding(a, b, hasMoved(a) ? 0 : 1, motion, out);
             }
             else
             {
-                sweep(table, level, a, b, motion, out);
+                sweep(level, a, b, motion, out);
             }
         }
 
@@ -145,14 +134,14 @@ package starlogo.search
          * @param motion receives the motion of the first relative to the second, with the time
          * @param out receives the contact at that time
          */
-        public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        public function findContact(a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            var bodyA:Body = table.bodyOf(a);
-            var bodyB:Body = table.bodyOf(b);
+            var bodyA:Body = _table.bodyOf(a);
+            var bodyB:Body = _table.bodyOf(b);
             motion.time = RelativeMotion.NEVER;
             if (eitherSweeps(a, b))
             {
-                findFirst(table, null, a, b, motion, out);
+                findFirst(null, a, b, motion, out);
             }
             if (motion.time == RelativeMotion.NEVER)
             {
@@ -179,10 +168,10 @@ package starlogo.search
         }
 
         // Tests two rows where they are. If they touch, the motion gets the time.
-        private function testStanding(table:AgentTable, a:int, b:int, time:int, motion:RelativeMotion, out:ContactPoint):void
+        private function testStanding(a:int, b:int, time:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            var bodyA:Body = table.bodyOf(a);
-            var bodyB:Body = table.bodyOf(b);
+            var bodyA:Body = _table.bodyOf(a);
+            var bodyB:Body = _table.bodyOf(b);
             if (_narrowPhase.areTouching(bodyA, bodyB))
             {
                 motion.time = time;
@@ -193,21 +182,16 @@ package starlogo.search
             }
         }
 
-        private function sweep(table:AgentTable, level:BinLevel, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        private function sweep(level:BinLevel, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            var areSpheres:Boolean = table.shapes[a].form == BoundingStructure.SPHERE && table.shapes[b].form == BoundingStructure.SPHERE;
-            if (level != null && !areSpheres && !overlapOnMotions(table.extents, level.slack, a, b))
+            var areSpheres:Boolean = _table.shapes[a].form == BoundingStructure.SPHERE && _table.shapes[b].form == BoundingStructure.SPHERE;
+            if (level != null && !areSpheres && !overlapOnMotions(_table.extents, level.slack, a, b))
             {
                 return;
             }
             sweptPairs++;
-            if (areSpheres && out == null)
-            {
-                _narrowPhase.sphereTests.findTimeOfRows(table, a, b, motion);
-                return;
-            }
-            var bodyA:Body = table.bodyOf(a);
-            var bodyB:Body = table.bodyOf(b);
+            var bodyA:Body = _table.bodyOf(a);
+            var bodyB:Body = _table.bodyOf(b);
             _narrowPhase.testsOf(bodyA, bodyB).findFirst(bodyA, bodyB, motion, out);
         }
 

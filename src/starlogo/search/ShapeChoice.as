@@ -12,7 +12,7 @@ package starlogo.search
      *
      * <p>The Collider adds everything else: bins, sweeping, contacts, questions, snapshots and statistics.</p>
      */
-    public class ShapeChoice extends AgentShapes
+    public class ShapeChoice extends BaseShapeChoice
     {
         /**
          * For subclasses only.

@@ -24,7 +24,7 @@ package starlogo.search
         /** Adds the tests of pairs with it to a narrow phase: <code>function(narrowPhase:NarrowPhase):void</code>; null if there are none. */
         public var addTests:Function;
 
-        // The number of agents without a counted id: those of edges, and the copies that HeldWorld keeps.
+        // The number of agents without a counted id: those of edges, and the copies that hold() makes.
         private static var sUncounted:int = 0;
 
         private var _edgesRevision:int = 0;
@@ -41,7 +41,7 @@ package starlogo.search
             this.addTests = addTests;
         }
 
-        /** @private An id that is not counted: the edges', and held copies' (HeldWorld). A Terrain gives its agent a counted one. */
+        /** @private An id that is not counted: the edges', and held copies'. A Terrain gives its agent a counted one. */
         override engine function newId():int
         {
             sUncounted++;
@@ -53,6 +53,35 @@ package starlogo.search
         {
             edges = value;
             _edgesRevision++;
+        }
+
+        /**
+         * Returns a copy with the heights or the edges as they are now, until <code>release()</code>. If the ground changes in the meantime, it makes new
+         * lists of its numbers. Otherwise this costs nothing.
+         *
+         * @param copy a copy of this agent or of another one of the kind, which is used again; null for a new one
+         */
+        public function hold(copy:WorldAgent):WorldAgent
+        {
+            copy ||= new WorldAgent(breed, addTests);
+            copy.edges = edges;
+            if (grid != null)
+            {
+                copy.grid = grid.copyInto(copy.grid);
+                // another frame may hold the ground already
+                copy.grid.isHeld = grid.isHeld;
+                grid.isHeld = true;
+            }
+            return copy;
+        }
+
+        /** Lets go of a copy that <code>hold()</code> has returned. */
+        public function release(copy:WorldAgent):void
+        {
+            if (grid != null)
+            {
+                grid.isHeld = copy.grid.isHeld;
+            }
         }
 
         /** Another number after each change of the heights or of the edges. */

@@ -12,12 +12,12 @@ package starlogo.queries
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
-    import starlogo.search.AgentShapes;
+    import starlogo.search.BaseShapeChoice;
     import starlogo.search.NarrowPhase;
     import starlogo.search.pairs.StructurePairTests;
-    import starlogo.search.SphereShapes;
-    import starlogo.search.TightestShapes;
-    import starlogo.search.TreeShapes;
+    import starlogo.search.SphereChoice;
+    import starlogo.search.TightestFitChoice;
+    import starlogo.search.TreeChoice;
     import support.AskedDistance;
     import support.DistanceReference;
     import support.Effort;
@@ -66,9 +66,10 @@ package starlogo.queries
         public function structures():void
         {
             var systems:Array = [];
-            for each (var choice:AgentShapes in [new SphereShapes(sGreatLand), new TightestShapes(sGreatLand)])
+            for each (var choice:BaseShapeChoice in [new SphereChoice(sGreatLand), new TightestFitChoice(sGreatLand)])
             {
                 var pairs:NarrowPhase = new NarrowPhase(choice);
+                choice.addTests(pairs);
                 StructurePairTests.addTo(pairs);
                 systems.push(new AskedDistance(choice, pairs));
             }
@@ -81,8 +82,9 @@ package starlogo.queries
         [Test(async, timeout="3600000")]
         public function trees():void
         {
-            var choice:AgentShapes = new TreeShapes(sGreatLand);
+            var choice:BaseShapeChoice = new TreeChoice(sGreatLand);
             var pairs:NarrowPhase = new NarrowPhase(choice);
+            choice.addTests(pairs);
             var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
             FrameByFrame.repeat(this, Effort.choose(180, 9000), function(i:int):void
@@ -111,8 +113,9 @@ package starlogo.queries
         [Test(async, timeout="3600000")]
         public function triangles():void
         {
-            var choice:AgentShapes = new TreeShapes(sGreatLand);
+            var choice:BaseShapeChoice = new TreeChoice(sGreatLand);
             var pairs:NarrowPhase = new NarrowPhase(choice);
+            choice.addTests(pairs);
             pairs.treeLimits.exact = true;
             var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
@@ -134,8 +137,9 @@ package starlogo.queries
         [Test(async, timeout="3600000")]
         public function ballsAndTreesOrTriangles():void
         {
-            var choice:AgentShapes = new TreeShapes(sGreatLand, new TightestShapes(sGreatLand));
+            var choice:BaseShapeChoice = new TreeChoice(sGreatLand, new TightestFitChoice(sGreatLand));
             var pairs:NarrowPhase = new NarrowPhase(choice);
+            choice.addTests(pairs);
             var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(sGreatLand);
             var fit:BoundingStructure = sGreatLand.boundingStructures.tightestFit("sphere");

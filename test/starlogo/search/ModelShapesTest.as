@@ -51,18 +51,18 @@ package starlogo.search
         public function eachChoiceOfTheEngineBringsTheTestsOfItsShapes():void
         {
             var land:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
-            for each (var choice:AgentShapes in [new SphereShapes(land), new TightestShapes(land), new TreeShapes(land), new TreeShapes(land, new TightestShapes(land))])
+            for each (var choice:BaseShapeChoice in [new SphereChoice(land), new TightestFitChoice(land), new TreeChoice(land), new TreeChoice(land, new TightestFitChoice(land))])
             {
                 assertTrue(colliderOf(choice).areColliding(new Agent("sphere"), new Agent("cube")));
             }
         }
 
-        private static function colliderOf(choice:AgentShapes):Collider
+        private static function colliderOf(choice:BaseShapeChoice):Collider
         {
             return new Collider(choice);
         }
 
-        private static function assertRefused(choice:AgentShapes, message:RegExp):void
+        private static function assertRefused(choice:BaseShapeChoice, message:RegExp):void
         {
             var collider:Collider = new Collider(choice);
             var sphere:Agent = new Agent("sphere");

@@ -40,10 +40,10 @@ package starlogo.collision.snapshots
         private static const HAS_GROUND:int = 2;
         private static const HAS_HEIGHTS:int = 4;
 
-        // The kinds of collision systems: AgentShapes.system, in the bits above these.
+        // The kinds of collision systems: BaseShapeChoice.system, in the bits above these.
         private static const SYSTEM:int = 8;
 
-        // By AgentShapes.system.
+        // By BaseShapeChoice.system.
         private static const SYSTEMS:Array = ["a collider of the game's own", "a BinCollider", "a TightestFitCollider", "a HierarchicalCollider", "a CombinationCollider"];
 
         private var _register:SnapshotRegister = new SnapshotRegister();
@@ -59,7 +59,7 @@ package starlogo.collision.snapshots
          * @param table has the last frame's agents
          * @param agents the last frame's list. It is empty if there was no frame
          * @param keepsMotions whether the agents' next motions begin at their positions in the table
-         * @param system the kind of the collision system, as in AgentShapes
+         * @param system the kind of the collision system, as in BaseShapeChoice
          * @param world the agents of the ground and of the edges, as in FrameInput
          * @param withTraits whether the agents' traits are written
          * @param withGround whether the ground's heights are written

@@ -107,7 +107,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        override public function findClosestPoints(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             var deepest:int = findDeepest(a, b, RelativeMotion.NONE);
             writeContact(deepest, a, b, RelativeMotion.NONE, _contact);

@@ -159,7 +159,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        override public function findClosestPoints(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             queryOf(a, b).findClosest(areTouching, out);
         }

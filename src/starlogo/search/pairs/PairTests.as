@@ -5,6 +5,7 @@ package starlogo.search.pairs
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
     import starlogo.search.Body;
     import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.OverlapMiddle;
@@ -76,6 +77,18 @@ package starlogo.search.pairs
             findFirst(a, b, motion, out);
         }
 
+        /** Whether two bodies touch if no triangles decide, but the leaves of their trees. For bodies without trees it is <code>areTouching()</code>. */
+        public function areLeavesTouching(a:Body, b:Body):Boolean
+        {
+            return areTouching(a, b);
+        }
+
+        /** Finds the time and the contact of the first touch as <code>findImpact()</code> does, if the leaves of trees decide and no triangles. */
+        public function findImpactOfLeaves(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            findImpact(a, b, motion, out);
+        }
+
         /**
          * Finds the contact of the structures around two bodies, where they are.
          *
@@ -87,14 +100,34 @@ package starlogo.search.pairs
         }
 
         /**
-         * Finds the distance between two bodies. NarrowPhase.isSecondFirst is false for the two.
+         * Finds the distance between two bodies. It is 0 if <code>areTouching()</code> is true for them, and otherwise greater.
+         * NarrowPhase.isSecondFirst is false for the two.
          *
-         * @param areTouching whether the two touch
+         * @param withPoints whether the closest points are needed if the two touch
          * @param out receives the distance and the closest points, in the world
          */
-        public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        public function findClosest(a:Body, b:Body, withPoints:Boolean, out:ClosestPoints):void
         {
-            throw new IllegalOperationError(this + " does not implement findClosest");
+            var areTouchingNow:Boolean = areTouching(a, b);
+            if (areTouchingNow && !withPoints)
+            {
+                out.distance = 0;
+                return;
+            }
+            findClosestPoints(a, b, areTouchingNow, out);
+        }
+
+        /** Finds the distance and the closest points of two bodies of which is known whether they touch. Only <code>findClosest()</code> calls it. */
+        public function findClosestPoints(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        {
+            throw new IllegalOperationError(this + " does not implement findClosestPoints");
+        }
+
+        /** Corrects a measured distance: makes it 0 if two bodies touch, and else more than 0. It tests only bodies that are near each other. */
+        protected final function settle(a:Body, b:Body, out:ClosestPoints):void
+        {
+            var size:Number = a.halfX + a.halfY + a.halfZ + b.halfX + b.halfY + b.halfZ;
+            out.settle(out.distance <= Tolerances.APART * size && areTouching(a, b));
         }
 
         /**

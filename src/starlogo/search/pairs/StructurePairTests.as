@@ -1,6 +1,7 @@
 package starlogo.search.pairs
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
@@ -83,6 +84,13 @@ package starlogo.search.pairs
         override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             PairTable.findContact(a.worldStructure(), b.worldStructure(), motion, out);
+        }
+
+        /** @inheritDoc */
+        override public function findClosest(a:Body, b:Body, withPoints:Boolean, out:ClosestPoints):void
+        {
+            PairTable.findClosest(a.worldStructure(), b.worldStructure(), out);
+            settle(a, b, out);
         }
     }
 }

@@ -64,19 +64,19 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            if (NarrowPhase.isSecondFirst(a, b))
-            {
-                return areTouching(b, a);
-            }
-            _testCount++;
-            setPair(a, b);
-            return _overlaps.areOverlapping(_pair);
+            return areOverlapping(a, b, limits.exact);
+        }
+
+        /** @inheritDoc */
+        override public function areLeavesTouching(a:Body, b:Body):Boolean
+        {
+            return areOverlapping(a, b, false);
         }
 
         /** @inheritDoc */
         override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b));
+            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b), limits.exact);
             _testCount++;
             _impacts.findFirst(own, out);
             motion.time = own.time;
@@ -87,7 +87,7 @@ package starlogo.search.pairs
         override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             // Two trees stay in this order. CollisionSearch puts two agents into the order of the list before, so a contact is the same in either order.
-            var own:RelativeMotion = setMovingPair(a, b, motion, a.form != ModelShape.TREE);
+            var own:RelativeMotion = setMovingPair(a, b, motion, a.form != ModelShape.TREE, limits.exact);
             _impacts.findContact(own, out);
             finish(own, motion, out);
         }
@@ -95,11 +95,13 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b));
-            _testCount++;
-            _impacts.findImpact(own, out);
-            motion.time = own.time;
-            finish(own, motion, out);
+            findTreeImpact(a, b, motion, limits.exact, out);
+        }
+
+        /** @inheritDoc */
+        override public function findImpactOfLeaves(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            findTreeImpact(a, b, motion, false, out);
         }
 
         /** @inheritDoc */
@@ -115,9 +117,9 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
+        override public function findClosestPoints(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
-            setPair(a, b);
+            setPair(a, b, limits.exact);
             _distances.findClosest(_pair, areTouching, out);
         }
 
@@ -145,16 +147,36 @@ package starlogo.search.pairs
             _testCount = _counts.nodeVisits = _counts.triangleTests = 0;
         }
 
+        private function areOverlapping(a:Body, b:Body, exact:Boolean):Boolean
+        {
+            if (NarrowPhase.isSecondFirst(a, b))
+            {
+                return areOverlapping(b, a, exact);
+            }
+            _testCount++;
+            setPair(a, b, exact);
+            return _overlaps.areOverlapping(_pair);
+        }
+
+        private function findTreeImpact(a:Body, b:Body, motion:RelativeMotion, exact:Boolean, out:ContactPoint):void
+        {
+            var own:RelativeMotion = setMovingPair(a, b, motion, NarrowPhase.isSecondFirst(a, b), exact);
+            _testCount++;
+            _impacts.findImpact(own, out);
+            motion.time = own.time;
+            finish(own, motion, out);
+        }
+
         // Sets the two bodies in this order or the opposite order. Returns the motion of the body that is then first: the given motion, or its
         // opposite.
-        private function setMovingPair(a:Body, b:Body, motion:RelativeMotion, isSwapped:Boolean):RelativeMotion
+        private function setMovingPair(a:Body, b:Body, motion:RelativeMotion, isSwapped:Boolean, exact:Boolean):RelativeMotion
         {
             if (!isSwapped)
             {
-                setPair(a, b);
+                setPair(a, b, exact);
                 return motion;
             }
-            setPair(b, a);
+            setPair(b, a, exact);
             _reversed.setReversed(motion);
             return _reversed;
         }
@@ -168,11 +190,10 @@ package starlogo.search.pairs
             }
         }
 
-        // Sets two bodies. The first one is a tree.
-        private function setPair(a:Body, b:Body):void
+        // Sets two bodies. The first one is a tree. The last argument tells whether triangles decide.
+        private function setPair(a:Body, b:Body, exact:Boolean):void
         {
             var shapeB:ModelShape = b.shape;
-            var exact:Boolean = limits.exact && !a.stopsAtLeaves && !b.stopsAtLeaves;
             _pair.setTo(a.shape.hierarchy, a.placement, limits.depthOf(a), shapeB.hierarchy, shapeB.structure, b.placement, limits.depthOf(b), exact);
         }
     }

@@ -134,7 +134,7 @@ package starlogo.search.penetration
             _pair.displace(_tried);
             var length:Number = _touching - _free;
             _back.endAfter(length * _tried.x, length * _tried.y, length * _tried.z);
-            _pair.pairTests.findImpact(_pair.first, _pair.second, _back, _parting);
+            _pair.findImpact(_back, _parting);
             var time:Number = Math.min(_back.time, 1);
             out.setNormal(_tried.x, _tried.y, _tried.z);
             out.depth = _free + time * length;

@@ -178,7 +178,7 @@ package starlogo.search.penetration
             _offset.z = 0;
             _pair.displaceBy(_offset);
             out.endAfter(0, 0, -high);
-            _pair.pairTests.findImpact(_pair.first, _pair.second, out, null);
+            _pair.findImpact(out, null);
             return true;
         }
     }

@@ -47,7 +47,7 @@ package starlogo.search.table
         private var _rowExtents:RowExtents;
 
         // By row: the agent's bodyRevision at which its body was read. It is STALE if the row has no agent or a new one, if the model was replaced,
-        // while the model is loading, and while the level is coarser because the row is far out.
+        // and while the model is loading.
         private var _bodyRevisions:Vector.<int> = new Vector.<int>();
 
         // By row: the agent's shapeRevision at which its shape was read.
@@ -60,13 +60,12 @@ package starlogo.search.table
         engine var hasWorldChanged:Vector.<Boolean> = new <Boolean>[false, false];
         private var _surfaceRevisions:Vector.<int> = new <int>[0, 0];
 
+        // By these rows: the copies that tests see while the ground and the edges are held.
+        private var _held:Vector.<WorldAgent> = new <WorldAgent>[null, null];
+
         // The rows that are being read whose bodies have changed, and their new shapes.
         private var _reshaped:NumberList = new NumberList();
         private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
-
-        // The rows whose level is coarser because they are far out. They need a finer level when they come back, so every search reads them again
-        // until then.
-        private var _farOut:NumberList = new NumberList();
 
         private var _modelShapes:ModelShapes;
 
@@ -111,7 +110,8 @@ package starlogo.search.table
             }
             loadingCount = takeShapes(_reshaped, _newShapes);
             places.acceptRead(list.rows.count);
-            moveExtents(_reshaped);
+            _rowExtents.moveRows(places.changed, places.last, shapes);
+            _rowExtents.assignLevels(_reshaped, shapes);
         }
 
         /**
@@ -137,6 +137,12 @@ package starlogo.search.table
             _rowExtents.moveRow(row, places.last);
         }
 
+        /** Whether all shapes that rows have had are spheres. */
+        public function get areSpheres():Boolean
+        {
+            return _modelShapes.areSpheres;
+        }
+
         /** Reads the agent of the ground or of the edges of the world into its row if the row has another one, or empties the row. */
         public function readWorldAgent(row:int, agent:WorldAgent):void
         {
@@ -160,9 +166,37 @@ package starlogo.search.table
             _surfaceRevisions[row] = surfaceRevision;
         }
 
+        /** Lets tests see the ground and the edges of the world as they are now, until <code>releaseWorld()</code>. */
+        public function holdWorld():void
+        {
+            for (var row:int = ListedAgents.GROUND_ROW; row <= ListedAgents.EDGES_ROW; row++)
+            {
+                var worldAgent:WorldAgent = list.agents[row] as WorldAgent;
+                if (worldAgent != null)
+                {
+                    _held[row] = worldAgent.hold(_held[row]);
+                    shapes[row].worldAgent = _held[row];
+                }
+            }
+        }
+
+        /** From now on tests see the ground and the edges as they are. */
+        public function releaseWorld():void
+        {
+            for (var row:int = ListedAgents.GROUND_ROW; row <= ListedAgents.EDGES_ROW; row++)
+            {
+                var worldAgent:WorldAgent = list.agents[row] as WorldAgent;
+                if (worldAgent != null && shapes[row].worldAgent === _held[row])
+                {
+                    worldAgent.release(_held[row]);
+                    shapes[row].worldAgent = worldAgent;
+                }
+            }
+        }
+
         /**
          * The body of an agent as it is now: that of its row, if the agent has not changed since, and else a body that is made. Its shape is null
-         * while the agent's model is loading. A row of the ground or of the edges may be held (HeldWorld), and is not of now then.
+         * while the agent's model is loading. A row of the ground or of the edges may be held, and is not of now then.
          */
         public function currentBodyOf(agent:Agent, made:Body):Body
         {
@@ -185,9 +219,10 @@ package starlogo.search.table
         public function bodyOf(row:int):Body
         {
             var body:Body = _bodies[row];
-            if (body.revision != places.last.revisions[row])
+            var revision:int = places.last.revisions[row];
+            if (body.revision != revision)
             {
-                body.follow(places.last, row);
+                body.follow(places.last, row, revision);
             }
             return body;
         }
@@ -317,17 +352,6 @@ package starlogo.search.table
             }
             last.revisions[row] = hasMotion ? seen : RowPlaces.NOT_SEEN;
             unplace(row);
-        }
-
-        private function moveExtents(reshaped:NumberList):void
-        {
-            _farOut.count = 0;
-            _rowExtents.moveRows(places.changed, places.last, shapes, _farOut);
-            _rowExtents.assignLevels(reshaped, shapes, _farOut);
-            for (var i:int = 0; i < _farOut.count; i++)
-            {
-                _bodyRevisions[_farOut.numbers[i]] = STALE;
-            }
         }
 
         // Finds the shapes of rows. All shapes are found before any row changes, because an error must change no row.

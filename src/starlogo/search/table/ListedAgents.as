@@ -3,6 +3,7 @@ package starlogo.search.table
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.geometry.HashTable;
+    import starlogo.search.Body;
     import starlogo.search.NumberList;
     import starlogo.search.textOf;
     import starlogo.search.warnOfNames;
@@ -30,9 +31,6 @@ package starlogo.search.table
 
         // In place of a rank: the agent of the row is not listed.
         private static const UNLISTED:int = -1;
-
-        // The rank of the oldest agent among those that are not listed. It is more than the number of agents in any list.
-        private static const FIRST_UNLISTED:int = 1 << 30;
 
         /** The rows of the agents, in the order of the list. */
         public var rows:NumberList = new NumberList();
@@ -100,13 +98,7 @@ package starlogo.search.table
                 return int.MAX_VALUE;
             }
             var row:int = rowOf(agent);
-            return row >= 0 ? ranks[row] : rankOfUnlisted(agent);
-        }
-
-        /** The rank of an agent that is in no list. */
-        public static function rankOfUnlisted(agent:Agent):int
-        {
-            return FIRST_UNLISTED + agent.idNumber;
+            return row >= 0 ? ranks[row] : Body.rankOfUnlisted(agent);
         }
 
         /** Whether the rows belong to the agents of a list, in its order. */

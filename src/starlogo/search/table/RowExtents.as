@@ -25,6 +25,10 @@ package starlogo.search.table
 
         private var _levels:BinLevels;
 
+        // Whether a row ever had a coarser level because it was far out. From then on each row that moves is assigned a level, so it gets a finer one
+        // when it comes back.
+        private var _wasOneFarOut:Boolean = false;
+
         /** @param levels the levels of extents; null if none are needed */
         public function RowExtents(levels:BinLevels)
         {
@@ -62,9 +66,8 @@ package starlogo.search.table
          * Moves the extents of rows to the places of their agents.
          *
          * @param shapes by row: the shape; null while it is loading
-         * @param farOut receives the rows whose level is coarser because they are far out
          */
-        public function moveRows(rows:NumberList, places:Points, shapes:Vector.<ModelShape>, farOut:NumberList):void
+        public function moveRows(rows:NumberList, places:Points, shapes:Vector.<ModelShape>):void
         {
             var numbers:Vector.<int> = rows.numbers;
             var xs:Vector.<Number> = places.x;
@@ -77,6 +80,10 @@ package starlogo.search.table
             var middleY:Vector.<Number> = extents.y;
             var middleZ:Vector.<Number> = extents.z;
             var maxDistanceSquared:Number = _levels == null ? Infinity : _levels.maxDistanceSquared;
+            if (_wasOneFarOut)
+            {
+                maxDistanceSquared = 0;
+            }
             var end:int = rows.count;
             for (var i:int = 0; i < end; i++)
             {
@@ -89,25 +96,25 @@ package starlogo.search.table
                 middleZ[row] = atZ;
                 if (atX * atX + atY * atY + atZ * atZ >= maxDistanceSquared)
                 {
-                    assignLevel(row, shapes, farOut);
+                    assignLevel(row, shapes);
                 }
             }
         }
 
         /** Finds the levels of rows. The arguments are those of moveRows. */
-        public function assignLevels(rows:NumberList, shapes:Vector.<ModelShape>, farOut:NumberList):void
+        public function assignLevels(rows:NumberList, shapes:Vector.<ModelShape>):void
         {
             for (var i:int = 0; i < rows.count; i++)
             {
-                assignLevel(rows.numbers[i], shapes, farOut);
+                assignLevel(rows.numbers[i], shapes);
             }
         }
 
-        private function assignLevel(row:int, shapes:Vector.<ModelShape>, farOut:NumberList):void
+        private function assignLevel(row:int, shapes:Vector.<ModelShape>):void
         {
             if (_levels != null && shapes[row] != null && _levels.assignLevel(extents, row))
             {
-                farOut.add(row);
+                _wasOneFarOut = true;
             }
         }
     }

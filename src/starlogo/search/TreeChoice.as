@@ -16,21 +16,21 @@ package starlogo.search
      *
      * @private
      */
-    public final class TreeShapes extends AgentShapes
+    public final class TreeChoice extends BaseShapeChoice
     {
-        // The kind of a model's shape that is its tree. The shapes of TightestShapes have lower kinds.
+        // The kind of a model's shape that is its tree. The shapes of TightestFitChoice have lower kinds.
         private static const TREE_KIND:int = BoundingStructure.KIND_COUNT;
 
         // A model of more triangles is probably a level.
         private static const MOST_TRIANGLES:int = 10000;
 
-        private var _fits:TightestShapes;
+        private var _fits:TightestFitChoice;
 
         /**
          * @param greatLand the models' hierarchies and structures
          * @param fits the shapes of agents that are not hierarchical; null if all agents have hierarchies
          */
-        public function TreeShapes(greatLand:GreatLand, fits:TightestShapes = null)
+        public function TreeChoice(greatLand:GreatLand, fits:TightestFitChoice = null)
         {
             super(greatLand);
             requireGiven("greatLand", greatLand);

@@ -9,9 +9,9 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * Says which shape each agent of a Collider has. This is the base class of ShapeChoice, which games extend.
+     * Chooses the shape of each agent's model for a Collider. Each of the engine's colliders has a subclass of its own. Games extend ShapeChoice.
      */
-    public class AgentShapes
+    public class BaseShapeChoice
     {
         /** @private For <code>system</code>: a collider of the game's own. */
         engine static const OWN:int = 0;
@@ -36,7 +36,7 @@ package starlogo.search
          *
          * @param greatLand the models; null if the shapes need no models
          */
-        public function AgentShapes(greatLand:GreatLand)
+        public function BaseShapeChoice(greatLand:GreatLand)
         {
             this.greatLand = greatLand;
         }
@@ -48,11 +48,14 @@ package starlogo.search
         }
 
         /**
-         * @private Gives a narrow phase the tests of pairs of the shapes. A game loads only the code of these tests. Shapes that only questions see
-         * give none: each kind of questions brings its own (SeenAgents.needTests).
+         * @private Gives a collider's narrow phase the tests of pairs of the shapes. A game loads only the code of these tests. Shapes that only
+         * questions see have none, because each kind of questions brings its own (SeenAgents.needTests).
+         *
+         * @throws ArgumentError if these shapes have none
          */
         engine function addTests(narrowPhase:NarrowPhase):void
         {
+            throw new ArgumentError("a Collider needs a ShapeChoice, not " + this + ", which gives no tests of its shapes");
         }
 
         /** @private Increased whenever data of any model is replaced, removed or posed. Shapes made from the data are then void. */

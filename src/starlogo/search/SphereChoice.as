@@ -14,10 +14,10 @@ package starlogo.search
      *
      * @private
      */
-    public final class SphereShapes extends AgentShapes
+    public final class SphereChoice extends BaseShapeChoice
     {
         /** @param greatLand the models that agents may have; null to allow any name */
-        public function SphereShapes(greatLand:GreatLand)
+        public function SphereChoice(greatLand:GreatLand)
         {
             super(greatLand);
         }

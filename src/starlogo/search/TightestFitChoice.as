@@ -15,10 +15,10 @@ package starlogo.search
      *
      * @private
      */
-    public final class TightestShapes extends AgentShapes
+    public final class TightestFitChoice extends BaseShapeChoice
     {
         /** @param greatLand the models' structures */
-        public function TightestShapes(greatLand:GreatLand)
+        public function TightestFitChoice(greatLand:GreatLand)
         {
             super(greatLand);
             requireGiven("greatLand", greatLand);

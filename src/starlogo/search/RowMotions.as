@@ -190,6 +190,11 @@ package starlogo.search
                 return;
             }
             sweptPairs++;
+            if (areSpheres && out == null)
+            {
+                _narrowPhase.sphereTests.findTimeOfRows(_table, a, b, motion);
+                return;
+            }
             var bodyA:Body = _table.bodyOf(a);
             var bodyB:Body = _table.bodyOf(b);
             _narrowPhase.testsOf(bodyA, bodyB).findFirst(bodyA, bodyB, motion, out);

@@ -108,7 +108,10 @@ package starlogo.search.pairs
             sweep(motion);
         }
 
-        /** Finds the time at which two rows first touch. It reads the columns of the table. With bodies, a frame of swept spheres takes half as long again. */
+        /**
+         * Finds the time at which two rows first touch. It reads the columns of the table, because with bodies a frame of swept spheres takes half as
+         * long again.
+         */
         public function findTimeOfRows(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
             setToRows(table, a, b);

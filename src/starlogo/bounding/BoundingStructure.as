@@ -53,8 +53,6 @@ package starlogo.bounding
          */
         engine static const NAMES:Vector.<String> = new <String>["sphere", "capsule", "box", "hull"];
 
-        private static var sRounded:RoundedHull = new RoundedHull();
-
         // The limits of coordinates and lengths. The tests of pairs multiply four of them.
         private static const LARGEST:Number = 1e70;
         private static const SMALLEST:Number = 1e-70;
@@ -259,9 +257,7 @@ package starlogo.bounding
         /** @private The largest coordinate of the structure's points along a direction, which is a unit vector. */
         engine function supportAlong(direction:Vector3D):Number
         {
-            // those of the kind HULL; each other kind has its own
-            roundedHullInto(sRounded);
-            return sRounded.supportAlong(direction);
+            throw new IllegalOperationError(this + " does not implement supportAlong");
         }
 
         /**
@@ -273,8 +269,7 @@ package starlogo.bounding
          */
         engine function farthestPoint(direction:Vector3D, least:Number, out:Vector3D):void
         {
-            roundedHullInto(sRounded);
-            sRounded.farthestPoint(direction, least, out);
+            throw new IllegalOperationError(this + " does not implement farthestPoint");
         }
 
         /**

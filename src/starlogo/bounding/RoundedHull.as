@@ -23,46 +23,5 @@ package starlogo.bounding
 
         /** The radius around the points' hull. */
         public var radius:Number = 0;
-
-        // A box around the points that count as the farthest.
-        private static var sLow:Vector3D = new Vector3D();
-        private static var sHigh:Vector3D = new Vector3D();
-
-        /** As BoundingStructure.supportAlong. */
-        public function supportAlong(direction:Vector3D):Number
-        {
-            var best:int = 0;
-            var most:Number = -Infinity;
-            for (var i:int = 0; i < points.length; i += 3)
-            {
-                var place:Number = points[i] * direction.x + points[int(i + 1)] * direction.y + points[int(i + 2)] * direction.z;
-                if (place > most)
-                {
-                    most = place;
-                    best = i;
-                }
-            }
-            return (center.x + points[best]) * direction.x + (center.y + points[int(best + 1)]) * direction.y
-                + (center.z + points[int(best + 2)]) * direction.z + radius;
-        }
-
-        /** As BoundingStructure.farthestPoint. */
-        public function farthestPoint(direction:Vector3D, least:Number, out:Vector3D):void
-        {
-            sLow.setTo(Infinity, Infinity, Infinity);
-            sHigh.setTo(-Infinity, -Infinity, -Infinity);
-            for (var i:int = 0; i < points.length; i += 3)
-            {
-                var x:Number = center.x + points[i];
-                var y:Number = center.y + points[int(i + 1)];
-                var z:Number = center.z + points[int(i + 2)];
-                if (x * direction.x + y * direction.y + z * direction.z + radius >= least)
-                {
-                    sLow.setTo(Math.min(sLow.x, x), Math.min(sLow.y, y), Math.min(sLow.z, z));
-                    sHigh.setTo(Math.max(sHigh.x, x), Math.max(sHigh.y, y), Math.max(sHigh.z, z));
-                }
-            }
-            out.setTo((sLow.x + sHigh.x) / 2, (sLow.y + sHigh.y) / 2, (sLow.z + sHigh.z) / 2);
-        }
     }
 }

@@ -5,7 +5,6 @@ package starlogo.bounding
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
-    import support.FurtherCapsule;
 
     use namespace engine;
 
@@ -53,10 +52,6 @@ package starlogo.bounding
             assertMiddle(new Box(new Vector3D(1, 2, 3), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 2, 3), along, 2, 2, 3);
             assertMiddle(new Capsule(new Vector3D(0, 1, 0), new Vector3D(0, 5, 0), 0.5), along, 0.5, 3, 0);
             assertMiddle(new Hull(new <Number>[0, 0, 0, 1, 0, 0, 1, 2, 0, 0, 2, 0]), along, 1, 1, 0);
-            // a structure of the kind HULL has it by its points; its radius does not count
-            var further:FurtherCapsule = new FurtherCapsule(new Capsule(new Vector3D(0, 1, 0), new Vector3D(0, 5, 0), 0.5));
-            assertNear("further", 0.5, further.supportAlong(along));
-            assertMiddle(further, along, 0, 3, 0);
         }
 
         private static function assertMiddle(structure:BoundingStructure, along:Vector3D, x:Number, y:Number, z:Number):void

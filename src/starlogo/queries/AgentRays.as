@@ -9,6 +9,7 @@ package starlogo.queries
     import starlogo.intersection.isAfter;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
+    import starlogo.queries.rays.Hits;
     import starlogo.queries.rays.RowRays;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;

@@ -14,6 +14,7 @@ package starlogo.queries
     import starlogo.queries.motion.SlideLimits;
     import starlogo.queries.motion.SlideResult;
     import starlogo.queries.motion.StartLift;
+    import starlogo.queries.rays.Hits;
     import starlogo.queries.trees.Collector;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
@@ -61,33 +62,39 @@ package starlogo.queries
             _hits = new Hits(seen, _found, ShapeHit);
         }
 
+        /** See AgentQueries.castShape. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
             return idle.readStructure(structure).cast(null, dx, dy, dz, filter, hit);
         }
 
+        /** See AgentQueries.castShapeAll. */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             return idle.readStructure(structure).castAll(null, dx, dy, dz, filter, out);
         }
 
+        /** See AgentQueries.castAgent. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
             return idle.readAgent(agent).cast(agent, dx, dy, dz, filter, hit);
         }
 
+        /** See AgentQueries.castAgentAll. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             return idle.readAgent(agent).castAll(agent, dx, dy, dz, filter, out);
         }
 
+        /** See AgentQueries.moveUntilTouch. */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
             return idle.move(agent, dx, dy, dz, filter, contact);
         }
 
+        /** See AgentQueries.slide. */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
             _seen.requireMovable(agent, "slide");

@@ -1,7 +1,8 @@
 // This room answers questions about agents in space: what is near, what touches, what a ray meets, how far something can go. A class for each
 // kind of questions (AgentPlaces, TouchQueries, DistanceQueries, AgentRays, MoveQueries, WalkQueries) searches the trees of a SeenAgents, tests
 // what it finds, and gives it to a Collector; AgentQueries has all questions, and passes them on. The folder trees/ has the trees and their
-// searches, rays/ how a ray meets a row, motion/ how a body moves among rows. Read this file first, then AgentRays for a ray, or Mover for a motion.
+// searches, rays/ how a ray meets a row, and the hits of rays and casts, motion/ how a body moves among rows. Read this file first, then AgentRays
+// for a ray, or Mover for a motion.
 package starlogo.queries
 {
     import flash.errors.IllegalOperationError;

@@ -40,22 +40,26 @@ package starlogo.queries
             _found = new Collector(seen);
         }
 
+        /** See AgentQueries.touching. */
         public function touching(agent:Agent, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
             return idle.findAt(agent, Collector.ALL, filter).list(out);
         }
 
+        /** See AgentQueries.touchesAny. */
         public function touchesAny(agent:Agent, filter:AgentFilter):Boolean
         {
             return idle.findAt(agent, 1, filter).end() > 0;
         }
 
+        /** See AgentQueries.touchesEdge. */
         public function touchesEdge(agent:Agent, bounds:WorldBounds):Boolean
         {
             requireGiven("bounds", bounds);
             return idle.isAtEdge(agent, bounds);
         }
 
+        /** See AgentQueries.wouldTouchAt. */
         public function wouldTouchAt(agent:Agent, x:Number, y:Number, z:Number, filter:AgentFilter):Boolean
         {
             requireInWorld("a place", x, y, z);
@@ -63,6 +67,7 @@ package starlogo.queries
             return idle.findDisplaced(agent, x, y, z, filter).end() > 0;
         }
 
+        /** See AgentQueries.overlapping. */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
             return idle.findAround(structure, filter).list(out);

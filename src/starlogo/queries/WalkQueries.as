@@ -147,6 +147,7 @@ package starlogo.queries
             // on the steepest slope the way is this long
             out.range = whole / out.cosine + Math.min(options.fall, size) / 2 + out.carry.length;
             out.piece.setTo(dx / out.pieces, dy / out.pieces, 0);
+            _planner.readBody(agent, out.turn, out.planned.body);
             findNear(out, 0);
             out.pieceLength = whole / out.pieces;
             out.extent = 2 * out.planned.body.largestHalf;
@@ -206,11 +207,10 @@ package starlogo.queries
             return _mover.meets(platform, _origin, _vector, walk.setup);
         }
 
-        // Finds the rows near the walk, and in some distance from these.
+        // Finds the rows near the walk, and up to a distance from it.
         private function findNear(walk:Walk, distance:Number):void
         {
             var options:WalkOptions = walk.options;
-            _planner.readBody(walk.agent, walk.turn, walk.planned.body);
             // the range has the way in it, whatever its direction
             _planner.planWithin(walk.agent, walk.range + distance, walk.pieces * options.stepHeight, walk.pieces * options.snap + options.fall,
                     options.filter, walk.planned);

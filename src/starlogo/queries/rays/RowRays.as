@@ -8,7 +8,6 @@ package starlogo.queries.rays
     import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayEntry;
     import starlogo.intersection.ray.rayStructure;
-    import starlogo.queries.Hits;
     import starlogo.queries.SeenAgents;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;

@@ -62,7 +62,7 @@ package starlogo.queries.trees
                 }
                 if (node < firstLeaf)
                 {
-                    waiting = open(node << 1, waiting);
+                    waiting = enqueueBoth(node << 1, waiting);
                 }
                 else
                 {
@@ -86,7 +86,7 @@ package starlogo.queries.trees
             setTo(tree, x, y, z, found);
             var filter:RowFilter = found.filter;
             var counted:int = 0;
-            var waiting:int = tree.count > 0 ? measure(1, 0) : 0;
+            var waiting:int = tree.count > 0 ? enqueue(1, 0) : 0;
             while (waiting > 0)
             {
                 waiting--;
@@ -97,7 +97,7 @@ package starlogo.queries.trees
                 }
                 else if (node < tree.firstLeaf)
                 {
-                    waiting = measure((node << 1) + 1, measure(node << 1, waiting));
+                    waiting = enqueue((node << 1) + 1, enqueue(node << 1, waiting));
                 }
                 else
                 {
@@ -170,7 +170,7 @@ package starlogo.queries.trees
             {
                 return 0;
             }
-            return _found.filter.askerRow < 0 ? measure(1, 0) : beginBeside(_tree.leafOf(_found.filter.askerRow));
+            return _found.filter.askerRow < 0 ? enqueue(1, 0) : beginBeside(_tree.leafOf(_found.filter.askerRow));
         }
 
         // Makes a leaf the next node, because it probably has the nearest rows. After it come the nodes beside the path from the root to the
@@ -186,7 +186,7 @@ package starlogo.queries.trees
             while (up > 0)
             {
                 up--;
-                waiting = measure(leaf >> up ^ 1, waiting);
+                waiting = enqueue(leaf >> up ^ 1, waiting);
             }
             _nodes[waiting] = leaf;
             _squares[waiting] = 0;
@@ -217,10 +217,10 @@ package starlogo.queries.trees
         }
 
         // Puts a node and its sibling on the waiting list, with the nearer one to be visited next. Returns how many nodes wait.
-        private function open(node:int, first:int):int
+        private function enqueueBoth(node:int, first:int):int
         {
-            var second:int = measure(node, first);
-            var waiting:int = measure(node + 1, second);
+            var second:int = enqueue(node, first);
+            var waiting:int = enqueue(node + 1, second);
             if (waiting == first + 2)
             {
                 var square:Number = _squares[first];
@@ -236,7 +236,7 @@ package starlogo.queries.trees
         }
 
         // Puts a node on the waiting list if its box is within the limit. Returns how many nodes wait.
-        private function measure(node:int, waiting:int):int
+        private function enqueue(node:int, waiting:int):int
         {
             var boxes:Vector.<Number> = _tree.nodeBoxes;
             var box:int = RowTree.PER_BOX * node;

@@ -1,10 +1,11 @@
-package starlogo.queries
+package starlogo.queries.rays
 {
     import starlogo.convex.ContactPoint;
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
-    import starlogo.queries.rays.TriangleOfHit;
+    import starlogo.queries.CastHit;
+    import starlogo.queries.SeenAgents;
     import starlogo.queries.trees.Collector;
     import starlogo.search.KeyedList;
 

@@ -120,10 +120,6 @@ package starlogo.queries
 
         private function count(asker:Agent, x:Number, y:Number, z:Number, radius:Number, filter:AgentFilter):int
         {
-            if (filter != null && filter.accepts != null)
-            {
-                return find(asker, x, y, z, radius, Collector.ALL, filter, 360).end();
-            }
             requireNotNegative("radius", radius);
             _found.begin(Collector.ALL, radius * radius, asker, filter);
             return _near.count(_seen.treeOfPlaces(), x, y, z, _found);

@@ -92,7 +92,7 @@ package starlogo.queries.motion
             out.copyFrom(_lift);
             out.displacement.copyFrom(_start);
             out.displacement.decrementBy(_from);
-            return out.displacement.x != 0 || out.displacement.y != 0 || out.displacement.z != 0;
+            return !_start.equals(_from);
         }
 
         /**
@@ -112,7 +112,7 @@ package starlogo.queries.motion
             out.fraction = 1;
             out.contact.setNormal(0, 0, 0);
             out.isDeep = _rest.count > 0;
-            out.isLifted = _start.x != _from.x || _start.y != _from.y || _start.z != _from.z;
+            out.isLifted = !_start.equals(_from);
             if (crossed >= 0)
             {
                 out.contact.copyFrom(_rest.planes[crossed]);

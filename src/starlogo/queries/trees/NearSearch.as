@@ -66,34 +66,34 @@ package starlogo.queries.trees
                 }
                 else
                 {
-                    visit(tree.starts[int(node - firstLeaf)], tree.starts[int(node + 1 - firstLeaf)], cone);
+                    visit(node - firstLeaf, cone, true);
                 }
             }
         }
 
         /**
-         * Counts the rows near a place, without the one that asks. If all rows count, a node that is wholly within the limit is counted without a
-         * look at its rows.
+         * Counts the rows near a place. If all rows count, a node that is wholly within the limit is counted without a look at its rows.
          *
          * @param tree a tree of places
          * @param x the place
          * @param y the place
          * @param z the place
-         * @param found says which rows count, and collects none. The filter's accepts is not asked
+         * @param found says which rows count. It collects them only if the filter's accepts has to be asked
          */
         public function count(tree:RowTree, x:Number, y:Number, z:Number, found:Collector):int
         {
             setTo(tree, x, y, z, found);
-            var filter:RowFilter = found.filter;
+            var asks:Boolean = found.filter.accepts != null;
+            var countsNodes:Boolean = !asks && !found.filter.excludes;
             var counted:int = 0;
             var waiting:int = tree.count > 0 ? enqueue(1, 0) : 0;
             while (waiting > 0)
             {
                 waiting--;
                 var node:int = _nodes[waiting];
-                if (!filter.excludes && isWithin(node))
+                if (countsNodes && isWithin(node))
                 {
-                    counted += tree.countIn(node);
+                    counted += tree.countIn(node, found.filter.askerRow);
                 }
                 else if (node < tree.firstLeaf)
                 {
@@ -101,11 +101,10 @@ package starlogo.queries.trees
                 }
                 else
                 {
-                    counted += countLeaf(node - tree.firstLeaf);
+                    counted += visit(node - tree.firstLeaf, null, asks);
                 }
             }
-            // the agent that asks was counted too
-            return filter.askerRow >= 0 && filter.admits(filter.askerRow) && tree.squareTo(filter.askerRow, x, y, z) <= found.limit ? counted - 1 : counted;
+            return asks ? found.end() : counted;
         }
 
         private function setTo(tree:RowTree, x:Number, y:Number, z:Number, found:Collector):void
@@ -126,41 +125,6 @@ package starlogo.queries.trees
             var toY:Number = Math.max(_y - boxes[int(box + 1)], boxes[int(box + 4)] - _y);
             var toZ:Number = Math.max(_z - boxes[int(box + 2)], boxes[int(box + 5)] - _z);
             return toX * toX + toY * toY + toZ * toZ <= _found.limit;
-        }
-
-        private function countLeaf(leaf:int):int
-        {
-            var filter:RowFilter = _found.filter;
-            var xs:Vector.<Number> = _tree.middles.x;
-            var ys:Vector.<Number> = _tree.middles.y;
-            var zs:Vector.<Number> = _tree.middles.z;
-            var x:Number = _x;
-            var y:Number = _y;
-            var z:Number = _z;
-            var limit:Number = _found.limit;
-            var counted:int = 0;
-            var passedOver:int = 0;
-            var end:int = _tree.starts[int(leaf + 1)];
-            for (var slot:int = _tree.starts[leaf]; slot < end; slot++)
-            {
-                var toX:Number = xs[slot] - x;
-                var toY:Number = ys[slot] - y;
-                var toZ:Number = zs[slot] - z;
-                if (toX * toX + toY * toY + toZ * toZ > limit)
-                {
-                    continue;
-                }
-                if (filter.admits(_tree.rows[slot]))
-                {
-                    counted++;
-                }
-                else
-                {
-                    passedOver++;
-                }
-            }
-            _tree.breeds.passOver(passedOver);
-            return counted;
         }
 
         // Puts the first nodes on the waiting list. Returns how many nodes wait.
@@ -277,8 +241,8 @@ package starlogo.queries.trees
             return waiting + 1;
         }
 
-        // Gives the collector the rows of a leaf that are within the limit.
-        private function visit(start:int, end:int, cone:Cone):void
+        // Finds the rows of a leaf that count and are within the limit, and gives them to the collector if it needs them. Returns how many they are.
+        private function visit(leaf:int, cone:Cone, collects:Boolean):int
         {
             var found:Collector = _found;
             var filter:RowFilter = found.filter;
@@ -289,19 +253,23 @@ package starlogo.queries.trees
             var atX:Number = _x;
             var atY:Number = _y;
             var atZ:Number = _z;
+            var asker:int = filter.askerRow;
+            var limit:Number = found.limit;
+            var counted:int = 0;
             var passedOver:int = 0;
-            for (var slot:int = start; slot < end; slot++)
+            var end:int = _tree.starts[int(leaf + 1)];
+            for (var slot:int = _tree.starts[leaf]; slot < end; slot++)
             {
                 var toX:Number = xs[slot] - atX;
                 var toY:Number = ys[slot] - atY;
                 var toZ:Number = zs[slot] - atZ;
                 var square:Number = toX * toX + toY * toY + toZ * toZ;
-                if (square > found.limit)
+                if (square > limit)
                 {
                     continue;
                 }
                 var row:int = _tree.rows[slot];
-                if (row == filter.askerRow)
+                if (row == asker)
                 {
                     continue;
                 }
@@ -310,12 +278,19 @@ package starlogo.queries.trees
                     passedOver++;
                     continue;
                 }
-                if (cone == null || cone.contains(places, slot))
+                if (cone != null && !cone.contains(places, slot))
+                {
+                    continue;
+                }
+                counted++;
+                if (collects)
                 {
                     found.add(row, square);
+                    limit = found.limit;
                 }
             }
             _tree.breeds.passOver(passedOver);
+            return counted;
         }
     }
 }

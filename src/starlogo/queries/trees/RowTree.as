@@ -111,18 +111,8 @@ package starlogo.queries.trees
             return firstLeaf + int(((_slots[row] + 1) * firstLeaf - 1) / count);
         }
 
-        /** The squared distance between a row's middle and a place. */
-        public function squareTo(row:int, x:Number, y:Number, z:Number):Number
-        {
-            var slot:int = _slots[row];
-            var toX:Number = middles.x[slot] - x;
-            var toY:Number = middles.y[slot] - y;
-            var toZ:Number = middles.z[slot] - z;
-            return toX * toX + toY * toY + toZ * toZ;
-        }
-
-        /** The number of rows in a node. */
-        public function countIn(node:int):int
+        /** The number of rows in a node, without a row that does not count; -1 if all count. */
+        public function countIn(node:int, except:int):int
         {
             var last:int = node;
             while (node < firstLeaf)
@@ -130,7 +120,9 @@ package starlogo.queries.trees
                 node = node << 1;
                 last = (last << 1) + 1;
             }
-            return starts[last + 1 - firstLeaf] - starts[node - firstLeaf];
+            var start:int = starts[node - firstLeaf];
+            var end:int = starts[last + 1 - firstLeaf];
+            return except >= 0 && _slots[except] >= start && _slots[except] < end ? end - start - 1 : end - start;
         }
 
         /**

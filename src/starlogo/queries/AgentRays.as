@@ -123,15 +123,10 @@ package starlogo.queries
             var rowA:int = _seen.rowOf(a);
             var rowB:int = _seen.rowOf(b);
             begin(1, from, towards, distance, filter);
-            for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
+            for (var row:int = _found.nextOf(_search); row >= 0 && !_found.canEnd; row = _found.nextOf(_search))
             {
                 if (row != rowA && row != rowB && _rowRays.findHit(row, _ray, _entry))
                 {
-                    if (_found.filter.accepts == null)
-                    {
-                        // any row will do
-                        return false;
-                    }
                     _found.add(row, _entry.distance);
                 }
             }

@@ -230,8 +230,8 @@ package starlogo.queries.trees
             return _rows.numbers[index];
         }
 
-        /** The agent of a row of the answer. */
-        public function agentAt(index:int):Agent
+        // The agent of a row of the answer.
+        private function agentAt(index:int):Agent
         {
             return _seen.table.list.agents[rowAt(index)];
         }

@@ -29,8 +29,8 @@ package starlogo.queries.trees
         private var _sets:Vector.<int> = new Vector.<int>();
         private var _since:int = -1;
 
-        /** The set with one breed. */
-        public static function setOf(breed:int):int
+        // The set with one breed.
+        private static function setOf(breed:int):int
         {
             return 1 << breed % BITS;
         }

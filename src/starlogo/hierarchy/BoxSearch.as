@@ -119,7 +119,7 @@ package starlogo.hierarchy
          *
          * @param tree the tree
          * @param depth how many of its levels are visited
-         * @param test its <code>limit</code> must be the latest time; 0 if the box stands
+         * @param test its limit must be set, to 0 if the box stands
          */
         public function find(tree:BoxTree, depth:int, test:NodeTest):void
         {
@@ -231,7 +231,7 @@ package starlogo.hierarchy
          *
          * @param tree the tree
          * @param depth how many of its levels are visited
-         * @param test its <code>limit</code> must be the distance up to which nodes count
+         * @param test its limit must be set
          */
         public function findNear(tree:BoxTree, depth:int, test:NodeTest):void
         {

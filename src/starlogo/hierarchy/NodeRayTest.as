@@ -89,8 +89,12 @@ package starlogo.hierarchy
             if (rayBox(_ray, _box, _entry) && (_entry.distance < limit || _first < 0))
             {
                 _first = node;
-                // no node can be met before the ray's beginning
-                limit = _entry.distance > _ray.from ? _entry.distance : -Infinity;
+                limit = _entry.distance;
+                if (!(limit > _ray.from))
+                {
+                    // no node can be met before the ray's beginning
+                    endSearch();
+                }
             }
         }
     }

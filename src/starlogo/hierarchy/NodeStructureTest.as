@@ -72,8 +72,12 @@ package starlogo.hierarchy
             {
                 _found.time = sweep.time;
                 _found.a = node;
-                // no node can be touched earlier than at the beginning
-                limit = sweep.time > 0 ? sweep.time : -Infinity;
+                limit = sweep.time;
+                if (!(limit > 0))
+                {
+                    // no node can be touched earlier than at the beginning
+                    endSearch();
+                }
             }
         }
     }

@@ -17,6 +17,9 @@ package starlogo.solid
     {
         private var _boxes:BoxSearch = new BoxSearch();
 
+        // Whether the current ray has met a node.
+        private var _isHit:Boolean = false;
+
         /** Whether a ray from the point along one of the six directions of the axes meets no node without children. */
         public function hasOpenSide(point:Vector3D, tree:BoxTree):Boolean
         {
@@ -26,9 +29,10 @@ package starlogo.solid
             for (var i:int = 5; i >= 0; i--)
             {
                 _boxes.setAxis(i >> 1, (i & 1) == 0 ? -1 : 1);
+                _isHit = false;
                 limit = Infinity;
                 _boxes.find(tree, BoxTree.NO_LIMIT, this);
-                if (limit > 0)
+                if (!_isHit)
                 {
                     return true;
                 }
@@ -39,7 +43,8 @@ package starlogo.solid
         /** @inheritDoc */
         override public function testNode(tree:BoxTree, node:int):void
         {
-            limit = -Infinity;
+            _isHit = true;
+            endSearch();
         }
     }
 }

@@ -81,10 +81,11 @@ package starlogo.solid
             searchTriangles(model, ray, out);
             for (var i:int = first; i < out.count; i++)
             {
+                var slot:int = out.triangles[i];
                 _entry.begin(ray);
-                setNormal(model.mesh, out.triangles[i], ray, _entry);
+                setNormal(model.mesh, slot, ray, _entry);
                 out.setNormal(i, _entry);
-                out.triangles[i] = model.boxTree.order[out.triangles[i]];
+                out.triangles[i] = model.boxTree.order[slot];
             }
             return true;
         }
@@ -98,14 +99,14 @@ package starlogo.solid
         private function findTriangle(model:ModelTree, ray:Ray, out:RayEntry):Boolean
         {
             searchTriangles(model, ray, null);
-            var found:int = _triangles.triangle;
-            if (found < 0)
+            var slot:int = _triangles.slot;
+            if (slot < 0)
             {
                 return false;
             }
-            out.triangle = model.boxTree.order[found];
-            out.distance = _triangles.limit;
-            setNormal(model.mesh, found, ray, out);
+            out.triangle = model.boxTree.order[slot];
+            out.distance = _triangles.distance;
+            setNormal(model.mesh, slot, ray, out);
             return true;
         }
 
@@ -119,9 +120,9 @@ package starlogo.solid
         }
 
         // Sets the normal to that of a triangle, against the ray. A triangle without area has none; then it stays the opposite of the ray's direction.
-        private function setNormal(mesh:TriangleMesh, index:int, ray:Ray, out:RayEntry):void
+        private function setNormal(mesh:TriangleMesh, slot:int, ray:Ray, out:RayEntry):void
         {
-            _face.setTriangle(mesh.corners, 9 * index);
+            _face.setTriangle(mesh.corners, 9 * slot);
             if (_face.doubleArea > 0)
             {
                 out.setNormal(ray, _face.x, _face.y, _face.z);

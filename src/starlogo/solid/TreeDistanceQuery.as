@@ -65,8 +65,8 @@ package starlogo.solid
         public function nearestTriangle(pair:TreePair):int
         {
             _pose.relate(pair.placementA, pair.placementB);
-            var found:int = _triangles.find(pair.a, pair.structureB, _pose, _measured);
-            return found < 0 ? -1 : pair.a.boxTree.order[found];
+            var slot:int = _triangles.find(pair.a, pair.structureB, _pose, _measured);
+            return slot < 0 ? -1 : pair.a.boxTree.order[slot];
         }
 
         // Finds the distance and the closest points in the first model's space.

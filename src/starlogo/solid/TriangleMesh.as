@@ -8,7 +8,7 @@ package starlogo.solid
 
     use namespace engine;
 
-    /** A model's triangles, for exact tests: their corners, planes and extents, in the order of the tree. */
+    /** A model's triangles, for exact tests: their corners, planes and extents by slot, which is the order of the tree. */
     internal final class TriangleMesh
     {
         /** The boxes around the triangles. */
@@ -50,10 +50,10 @@ package starlogo.solid
         }
 
         /**
-         * Writes the corners of a range of triangles, in the tree's order.
+         * Writes the corners of a range of triangles.
          *
-         * @param first the first triangle's number in this order
-         * @param end the number after the last one
+         * @param first the first triangle's slot
+         * @param end the slot after the last one
          * @param welded for each vertex, the vertex whose place it has; null for its own
          * @param out receives nine numbers for each triangle
          * @param to the index of the first

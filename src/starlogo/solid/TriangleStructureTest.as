@@ -138,8 +138,12 @@ package starlogo.solid
                 {
                     _found.time = _sweep.time;
                     _found.a = i;
-                    // no triangle can be touched earlier than at the beginning
-                    limit = _sweep.time > 0 ? _sweep.time : -Infinity;
+                    limit = _sweep.time;
+                    if (!(limit > 0))
+                    {
+                        // no triangle can be touched earlier than at the beginning
+                        endSearch();
+                    }
                 }
             }
         }
@@ -159,21 +163,21 @@ package starlogo.solid
         /**
          * Finds the contact of a triangle that is touched, in the model's space. The model and the structure are those of the last search.
          *
-         * @param triangle its number in the tree's order
+         * @param slot the triangle's slot
          * @param motion of the structure, which is where it is at the motion's time
          * @param out receives the contact, with a normal from the triangle to the structure
          */
-        public function findContact(triangle:int, motion:RelativeMotion, out:ContactPoint):void
+        public function findContact(slot:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            _pair.setTriangle(_mesh.corners, 9 * triangle);
+            _pair.setTriangle(_mesh.corners, 9 * slot);
             _pair.findContact(motion, out);
         }
 
         // Finds when the structure first comes to a triangle's plane; it cannot touch the triangle before.
-        private function findEarliest(triangle:int):void
+        private function findEarliest(slot:int):void
         {
             var planes:Vector.<Number> = _mesh.planes;
-            var at:int = 4 * triangle;
+            var at:int = 4 * slot;
             _normal.x = planes[at];
             _normal.y = planes[int(at + 1)];
             _normal.z = planes[int(at + 2)];

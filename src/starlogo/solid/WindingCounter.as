@@ -24,7 +24,7 @@ package starlogo.solid
         /** The corners of the triangles that were moved when seams were welded: nine numbers each. */
         internal var places:Vector.<Number> = new Vector.<Number>();
 
-        /** For each triangle, the index of its first number in <code>places</code>, or -1. Null if all vertices of each seam are at one place. */
+        /** For each slot, the index of its triangle's first number in <code>places</code>, or -1. Null if all vertices of each seam are at one place. */
         internal var placesAt:Vector.<int> = null;
 
         /** How often each shell winds around the point of the last <code>count()</code>. */
@@ -72,7 +72,7 @@ package starlogo.solid
         }
 
         /**
-         * Moves the corners of triangles whose vertices are welded to others. Must be called for all triangles in their order.
+         * Moves the corners of triangles whose vertices are welded to others. Must be called for all slots in their order.
          *
          * @param welded for each vertex, the vertex whose place it has
          */
@@ -94,12 +94,12 @@ package starlogo.solid
         }
 
         // Whether the corners behind the moved ones are not those of a triangle.
-        private function isElsewhere(triangle:int):Boolean
+        private function isElsewhere(slot:int):Boolean
         {
             for (var k:int = 0; k < 9; k++)
             {
                 var place:Number = places[int(_placeCount + k)];
-                var corner:Number = mesh.corners[int(9 * triangle + k)];
+                var corner:Number = mesh.corners[int(9 * slot + k)];
                 if (place != corner)
                 {
                     return true;
@@ -109,9 +109,9 @@ package starlogo.solid
         }
 
         /** One more than the number of a triangle's shell, negative if the triangle is reversed; 0 if two of its corners are at one place. */
-        public function sideOf(triangle:int):int
+        public function sideOf(slot:int):int
         {
-            return surface.signedShells[mesh.tree.order[triangle]];
+            return surface.signedShells[mesh.tree.order[slot]];
         }
 
         /**
@@ -179,14 +179,14 @@ package starlogo.solid
         }
 
         // Adds a triangle to its shell's winding number if the ray crosses it.
-        private function cross(triangle:int):void
+        private function cross(slot:int):void
         {
             var points:Vector.<Number> = mesh.corners;
-            var at:int = 9 * triangle;
-            if (placesAt != null && placesAt[triangle] >= 0)
+            var at:int = 9 * slot;
+            if (placesAt != null && placesAt[slot] >= 0)
             {
                 points = places;
-                at = placesAt[triangle];
+                at = placesAt[slot];
             }
             var b:Number = _b;
             var c:Number = _c;
@@ -211,7 +211,7 @@ package starlogo.solid
             {
                 return;
             }
-            var side:int = sideOf(triangle);
+            var side:int = sideOf(slot);
             var shell:int = side > 0 ? side - 1 : -side - 1;
             if (shell >= 0)
             {

@@ -32,7 +32,8 @@ package starlogo.solid
         private var _inverse:Placement = new Placement();
 
         /**
-         * Finds a point of a part of one model that is inside of the other. There is none if one of them has no triangles.
+         * Finds a point of a part of one model that is inside of the other. There is none if one of them has no triangles. The boxes of the two roots
+         * must overlap: otherwise the insides would be prepared in vain.
          *
          * @param pose the second model's pose in the first model's space
          * @return whether there is one
@@ -58,26 +59,8 @@ package starlogo.solid
                 return false;
             }
             isInSpaceOfSecond = true;
-            setInverse(pose.placement, _inverse);
+            _inverse.setInverse(pose.placement);
             return findPartInside(treeB, insideB, insideA, _inverse);
-        }
-
-        private static function setInverse(of:Placement, out:Placement):void
-        {
-            var size:Number = 1 / of.size;
-            out.size = size;
-            out.r00 = of.r00;
-            out.r01 = of.r10;
-            out.r02 = of.r20;
-            out.r10 = of.r01;
-            out.r11 = of.r11;
-            out.r12 = of.r21;
-            out.r20 = of.r02;
-            out.r21 = of.r12;
-            out.r22 = of.r22;
-            out.x = -(of.r00 * size) * of.x - of.r10 * size * of.y - of.r20 * size * of.z;
-            out.y = -(of.r01 * size) * of.x - of.r11 * size * of.y - of.r21 * size * of.z;
-            out.z = -(of.r02 * size) * of.x - of.r12 * size * of.y - of.r22 * size * of.z;
         }
 
         /**

@@ -67,7 +67,7 @@ package starlogo.solid
 
         private function shellOf(slot:int):int
         {
-            return Math.abs(_windingCounter.sideOf(slot)) - 1;
+            return Math.abs(_windingCounter.signedShellOf(slot)) - 1;
         }
 
         private function addVolumes(first:int, end:int):void
@@ -88,7 +88,7 @@ package starlogo.solid
                     var from:int = _corners[shell] - 1;
                     var volume:Number = _face.doubleArea * (_face.x * (corners[9 * slot] - corners[from])
                             + _face.y * (corners[9 * slot + 1] - corners[from + 1]) + _face.z * (corners[9 * slot + 2] - corners[from + 2]));
-                    _volumes[shell] += _windingCounter.sideOf(slot) > 0 ? volume : -volume;
+                    _volumes[shell] += _windingCounter.signedShellOf(slot) > 0 ? volume : -volume;
                 }
             }
         }
@@ -140,7 +140,7 @@ package starlogo.solid
             var corners:Vector.<Number> = _windingCounter.mesh.corners;
             var at:int = 9 * slot;
             var inwards:Number = INWARDS * _extremes.extentAt(_extremes.pointsAt[shell]);
-            inwards = _windingCounter.sideOf(slot) > 0 == _volumes[shell] > 0 ? -inwards : inwards;
+            inwards = _windingCounter.signedShellOf(slot) > 0 == _volumes[shell] > 0 ? -inwards : inwards;
             var share:Number = corner == 3 ? 1 / 3 : 0.01;
             var point:Vector.<Number> = new <Number>[inwards * _face.x, inwards * _face.y, inwards * _face.z];
             for (var axis:int = 0; axis < 3; axis++)

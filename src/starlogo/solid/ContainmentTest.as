@@ -3,8 +3,6 @@ package starlogo.solid
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
-    import starlogo.bounding.Capsule;
-    import starlogo.bounding.Sphere;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -75,28 +73,11 @@ package starlogo.solid
         {
             var structure:BoundingStructure = pose.place(inner);
             isInSpaceOfSecond = false;
-            if (structure.kind == BoundingStructure.SPHERE)
-            {
-                var sphere:Sphere = Sphere(structure);
-                innerPoint.copyFrom(sphere.center);
-                return outer.isInside(innerPoint, sphere.radius);
-            }
-            if (structure.kind == BoundingStructure.CAPSULE)
-            {
-                var capsule:Capsule = Capsule(structure);
-                innerPoint.copyFrom(capsule.start);
-                return outer.isInside(innerPoint, capsule.radius);
-            }
-            if (structure.kind == BoundingStructure.HULL)
-            {
-                // The origin of its points is inside of it.
-                _shape.setStructure(structure);
-                innerPoint.setTo(_shape.x, _shape.y, _shape.z);
-                return outer.isInside(innerPoint, 0);
-            }
-            var box:Box = Box(structure);
-            innerPoint.copyFrom(box.center);
-            return outer.isInside(innerPoint, Math.min(box.halfX, Math.min(box.halfY, box.halfZ)));
+            // The origin of its points is inside of it, and so is a ball around it.
+            _shape.setStructure(structure);
+            innerPoint.setTo(_shape.x, _shape.y, _shape.z);
+            var box:Box = structure as Box;
+            return outer.isInside(innerPoint, box == null ? _shape.radius : Math.min(box.halfX, Math.min(box.halfY, box.halfZ)));
         }
 
         // Finds a point of a part of the inner model that is inside of the outer one. Returns whether there is such a point. The pose is that of the

@@ -56,9 +56,9 @@ package starlogo.solid
             surface = knownSurface || new SurfaceTopology(tree.itemCount);
             if (knownMesh == null)
             {
-                sliced(mesh.placeCorners);
+                sliced(mesh.fillCorners);
             }
-            sliced(mesh.placePlanes);
+            sliced(mesh.fillPlanes);
             if (knownSurface == null || surface.widestSeam > 0)
             {
                 _welding = new Welding(tree.vertices);
@@ -162,10 +162,10 @@ package starlogo.solid
             for (var slot:int = first; slot < end; slot++)
             {
                 var part:int = surface.parts[_tree.order[slot]];
-                var side:int = _windingCounter.sideOf(slot);
-                if (side != 0)
+                var shell:int = _windingCounter.signedShellOf(slot);
+                if (shell != 0)
                 {
-                    _partOf[int(Math.abs(side) - 1)] = part;
+                    _partOf[int(Math.abs(shell) - 1)] = part;
                 }
                 _extremes.add(part, slot);
             }

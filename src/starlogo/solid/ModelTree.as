@@ -102,7 +102,7 @@ package starlogo.solid
             if (mesh == null)
             {
                 mesh = new TriangleMesh(boxTree);
-                mesh.placeCorners(0, boxTree.order.length);
+                mesh.fillCorners(0, boxTree.order.length);
             }
             return mesh;
         }

@@ -43,8 +43,8 @@ package starlogo.solid
             return Tolerances.PLANES * tree.radiusAboutOrigin;
         }
 
-        /** Places the corners of a range of triangles. Must be called for all triangles before anything else. */
-        public function placeCorners(first:int, end:int):void
+        /** Fills in the corners of a range of triangles. Must be called for all triangles before anything else. */
+        public function fillCorners(first:int, end:int):void
         {
             writeCorners(first, end, null, corners, 9 * first);
         }
@@ -84,39 +84,39 @@ package starlogo.solid
         /** Follows the tree, which has new boxes and vertices. */
         public function refit():void
         {
-            placeCorners(0, corners.length / 9);
+            fillCorners(0, corners.length / 9);
             if (planes != null)
             {
-                placePlanes(0, corners.length / 9);
+                fillPlanes(0, corners.length / 9);
             }
             if (extents != null)
             {
-                placeExtents();
+                fillExtents();
             }
         }
 
-        /** Returns the planes. If they are not placed yet, places them. */
+        /** Returns the planes. If they are not known yet, computes them. */
         public function preparePlanes():Vector.<Number>
         {
             if (planes == null)
             {
-                placePlanes(0, corners.length / 9);
+                fillPlanes(0, corners.length / 9);
             }
             return planes;
         }
 
-        /** Returns the extents. If they are not placed yet, places them. */
+        /** Returns the extents. If they are not known yet, computes them. */
         public function prepareExtents():Vector.<Number>
         {
             if (extents == null)
             {
                 extents = new Vector.<Number>(6 * corners.length / 9, true);
-                placeExtents();
+                fillExtents();
             }
             return extents;
         }
 
-        private function placeExtents():void
+        private function fillExtents():void
         {
             var count:int = corners.length / 9;
             for (var i:int = 0; i < count; i++)
@@ -125,8 +125,8 @@ package starlogo.solid
             }
         }
 
-        /** Places the planes of a range of triangles. Must be called for all triangles before the planes are read. */
-        public function placePlanes(first:int, end:int):void
+        /** Fills in the planes of a range of triangles. Must be called for all triangles before the planes are read. */
+        public function fillPlanes(first:int, end:int):void
         {
             planes ||= new Vector.<Number>(4 * corners.length / 9, true);
             var into:Vector.<Number> = planes;

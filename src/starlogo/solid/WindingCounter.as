@@ -22,10 +22,13 @@ package starlogo.solid
         public var surface:SurfaceTopology;
 
         /** The corners of the triangles that were moved when seams were welded: nine numbers each. */
-        internal var places:Vector.<Number> = new Vector.<Number>();
+        internal var weldedCorners:Vector.<Number> = new Vector.<Number>();
 
-        /** For each slot, the index of its triangle's first number in <code>places</code>, or -1. Null if all vertices of each seam are at one place. */
-        internal var placesAt:Vector.<int> = null;
+        /**
+         * For each slot, the index of its triangle's first number in <code>weldedCorners</code>, or -1. Null if all vertices of each seam are at one
+         * place.
+         */
+        internal var weldedAt:Vector.<int> = null;
 
         /** How often each shell winds around the point of the last <code>count()</code>. */
         public var windings:Vector.<int>;
@@ -41,8 +44,8 @@ package starlogo.solid
 
         private var _boxes:BoxSearch = new BoxSearch();
 
-        // How many numbers the places have.
-        private var _placeCount:int = 0;
+        // How many numbers they have.
+        private var _weldedCount:int = 0;
 
         // The axis of all rays, 0 for x, and the next two axes. It is the axis along which the model is shortest.
         private var _axis:int;
@@ -78,18 +81,18 @@ package starlogo.solid
          */
         public function weld(first:int, end:int, welded:Vector.<int>):void
         {
-            placesAt ||= new Vector.<int>(mesh.tree.itemCount, true);
-            for (var i:int = first; i < end; i++)
+            weldedAt ||= new Vector.<int>(mesh.tree.itemCount, true);
+            for (var slot:int = first; slot < end; slot++)
             {
                 // Writes each triangle after the moved ones, and keeps it if it is elsewhere than its corners.
-                mesh.writeCorners(i, i + 1, welded, places, _placeCount);
+                mesh.writeCorners(slot, slot + 1, welded, weldedCorners, _weldedCount);
                 var at:int = -1;
-                if (isElsewhere(i))
+                if (isElsewhere(slot))
                 {
-                    at = _placeCount;
-                    _placeCount += 9;
+                    at = _weldedCount;
+                    _weldedCount += 9;
                 }
-                placesAt[i] = at;
+                weldedAt[slot] = at;
             }
         }
 
@@ -98,9 +101,9 @@ package starlogo.solid
         {
             for (var k:int = 0; k < 9; k++)
             {
-                var place:Number = places[int(_placeCount + k)];
+                var welded:Number = weldedCorners[int(_weldedCount + k)];
                 var corner:Number = mesh.corners[int(9 * slot + k)];
-                if (place != corner)
+                if (welded != corner)
                 {
                     return true;
                 }
@@ -109,7 +112,7 @@ package starlogo.solid
         }
 
         /** One more than the number of a triangle's shell, negative if the triangle is reversed; 0 if two of its corners are at one place. */
-        public function sideOf(slot:int):int
+        public function signedShellOf(slot:int):int
         {
             return surface.signedShells[mesh.tree.order[slot]];
         }
@@ -183,10 +186,10 @@ package starlogo.solid
         {
             var points:Vector.<Number> = mesh.corners;
             var at:int = 9 * slot;
-            if (placesAt != null && placesAt[slot] >= 0)
+            if (weldedAt != null && weldedAt[slot] >= 0)
             {
-                points = places;
-                at = placesAt[slot];
+                points = weldedCorners;
+                at = weldedAt[slot];
             }
             var b:Number = _b;
             var c:Number = _c;
@@ -211,8 +214,8 @@ package starlogo.solid
             {
                 return;
             }
-            var side:int = sideOf(slot);
-            var shell:int = side > 0 ? side - 1 : -side - 1;
+            var signed:int = signedShellOf(slot);
+            var shell:int = signed > 0 ? signed - 1 : -signed - 1;
             if (shell >= 0)
             {
                 var winding:int = windings[shell];
@@ -220,7 +223,7 @@ package starlogo.solid
                 {
                     crossed[crossedCount++] = shell;
                 }
-                windings[shell] = side > 0 ? winding + crossing : winding - crossing;
+                windings[shell] = signed > 0 ? winding + crossing : winding - crossing;
             }
         }
 

@@ -25,9 +25,9 @@ package starlogo.solid
      */
     public final class ModelRayQuery
     {
-        private var _nodes:NodeRayTest = new NodeRayTest();
-        private var _boxes:BoxSearch = new BoxSearch();
-        private var _triangles:RayTriangleTest = new RayTriangleTest();
+        private var _nodeTest:NodeRayTest = new NodeRayTest();
+        private var _search:BoxSearch = new BoxSearch();
+        private var _triangleTest:RayTriangleTest = new RayTriangleTest();
         private var _start:Vector3D = new Vector3D();
 
         // The normal of the triangle that the ray meets.
@@ -56,7 +56,7 @@ package starlogo.solid
             {
                 return findTriangle(model, ray, out);
             }
-            return _nodes.findHit(model.boxTree, exact ? BoxTree.NO_LIMIT : depth, ray, out);
+            return _nodeTest.findHit(model.boxTree, exact ? BoxTree.NO_LIMIT : depth, ray, out);
         }
 
         /**
@@ -74,7 +74,7 @@ package starlogo.solid
             }
             if (!exact || !model.hasTriangles)
             {
-                _nodes.findAll(model.boxTree, exact ? BoxTree.NO_LIMIT : depth, ray, Tolerances.ROUNDING * model.boxTree.radiusAboutOrigin, out);
+                _nodeTest.findAll(model.boxTree, exact ? BoxTree.NO_LIMIT : depth, ray, Tolerances.ROUNDING * model.boxTree.radiusAboutOrigin, out);
                 return false;
             }
             var first:int = out.count;
@@ -99,13 +99,13 @@ package starlogo.solid
         private function findTriangle(model:ModelTree, ray:Ray, out:RayEntry):Boolean
         {
             searchTriangles(model, ray, null);
-            var slot:int = _triangles.slot;
+            var slot:int = _triangleTest.slot;
             if (slot < 0)
             {
                 return false;
             }
             out.triangle = model.boxTree.order[slot];
-            out.distance = _triangles.distance;
+            out.distance = _triangleTest.distance;
             setNormal(model.mesh, slot, ray, out);
             return true;
         }
@@ -114,9 +114,9 @@ package starlogo.solid
         private function searchTriangles(model:ModelTree, ray:Ray, all:RayCrossings):void
         {
             var mesh:TriangleMesh = model.prepareMesh();
-            _triangles.begin(ray, mesh.corners, model.boxTree.radiusAboutOrigin, all);
-            _boxes.setRay(ray);
-            _boxes.find(mesh.tree, BoxTree.NO_LIMIT, _triangles);
+            _triangleTest.begin(ray, mesh.corners, model.boxTree.radiusAboutOrigin, all);
+            _search.setRay(ray);
+            _search.find(mesh.tree, BoxTree.NO_LIMIT, _triangleTest);
         }
 
         // Sets the normal to that of a triangle, against the ray. A triangle without area has none; then it stays the opposite of the ray's direction.

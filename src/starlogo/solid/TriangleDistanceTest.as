@@ -16,7 +16,7 @@ package starlogo.solid
     internal final class TriangleDistanceTest extends NodeTest
     {
         // Finds the nodes near the structure's extents.
-        private var _boxes:BoxSearch;
+        private var _search:BoxSearch;
         private var _counts:TreeCounts;
 
         private var _mesh:TriangleMesh;
@@ -33,7 +33,7 @@ package starlogo.solid
         public function TriangleDistanceTest(counts:TreeCounts)
         {
             _counts = counts;
-            _boxes = new BoxSearch(counts);
+            _search = new BoxSearch(counts);
         }
 
         /**
@@ -52,8 +52,8 @@ package starlogo.solid
             _nearest = out;
             _slot = -1;
             limit = out.distance = Infinity;
-            _boxes.setExtents(_extents, 0);
-            _boxes.findNear(model.boxTree, BoxTree.NO_LIMIT, this);
+            _search.setExtents(_extents, 0);
+            _search.findNear(model.boxTree, BoxTree.NO_LIMIT, this);
             out.swap();
             return _slot;
         }

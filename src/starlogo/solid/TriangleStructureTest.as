@@ -26,7 +26,7 @@ package starlogo.solid
     internal final class TriangleStructureTest extends NodeTest
     {
         // Finds the nodes near the structure's extents.
-        private var _boxes:BoxSearch;
+        private var _search:BoxSearch;
         private var _counts:TreeCounts;
 
         private var _mesh:TriangleMesh;
@@ -54,7 +54,7 @@ package starlogo.solid
         public function TriangleStructureTest(counts:TreeCounts)
         {
             _counts = counts;
-            _boxes = new BoxSearch(counts);
+            _search = new BoxSearch(counts);
         }
 
         /**
@@ -72,7 +72,7 @@ package starlogo.solid
             limit = motion.isStill ? 0 : motion.latest;
             out.time = RelativeMotion.NEVER;
             _found = out;
-            _boxes.find(_mesh.tree, BoxTree.NO_LIMIT, this);
+            _search.find(_mesh.tree, BoxTree.NO_LIMIT, this);
         }
 
         private function begin(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
@@ -90,8 +90,8 @@ package starlogo.solid
             }
             var rounding:Number = Tolerances.EXTENTS * size;
             _radius = shape.radius + shape.margin + rounding;
-            _boxes.setExtents(_extents, shape.margin + rounding);
-            _boxes.setMotion(motion);
+            _search.setExtents(_extents, shape.margin + rounding);
+            _search.setMotion(motion);
             widen(0, motion.x);
             widen(2, motion.y);
             widen(4, motion.z);

@@ -42,7 +42,7 @@ package starlogo.solid
         /** How many entries are about that point. */
         public var crossedCount:int = 0;
 
-        private var _boxes:BoxSearch = new BoxSearch();
+        private var _search:BoxSearch = new BoxSearch();
 
         // How many numbers they have.
         private var _weldedCount:int = 0;
@@ -158,9 +158,9 @@ package starlogo.solid
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
             _isBackward = _a < mesh.tree.boxes[_axis];
             var margin:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.tree.radiusAboutOrigin;
-            _boxes.setPlace(x, y, z, margin);
-            _boxes.setAxis(_axis, _isBackward ? -1 : 1);
-            _boxes.find(mesh.tree, BoxTree.NO_LIMIT, this);
+            _search.setPlace(x, y, z, margin);
+            _search.setAxis(_axis, _isBackward ? -1 : 1);
+            _search.find(mesh.tree, BoxTree.NO_LIMIT, this);
             for (var i:int = 0; i < crossedCount; i++)
             {
                 var state:int = surface.shellStates[crossed[i]];

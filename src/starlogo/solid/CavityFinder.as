@@ -25,10 +25,10 @@ package starlogo.solid
         private var _windingCounter:WindingCounter;
         private var _balances:Vector.<int>;
 
-        // For each shell: its outermost points; 0, or one more than the index of a corner's first number; six times the volume; and 1 or -1 for its
-        // orientation, or 0 without a volume.
+        // For each shell: its outermost points; one more than the index of the corner from which its volume is measured, or 0 if it has none; six times
+        // the volume; and 1 or -1 for its orientation, or 0 without a volume.
         private var _extremes:PartExtremes;
-        private var _corners:Vector.<int>;
+        private var _origins:Vector.<int>;
         private var _volumes:Vector.<Number>;
         private var _orientations:Vector.<int>;
 
@@ -52,7 +52,7 @@ package starlogo.solid
             if (shells > 1)
             {
                 _extremes = new PartExtremes(windingCounter.mesh.corners, shells);
-                _corners = new Vector.<int>(shells, true);
+                _origins = new Vector.<int>(shells, true);
                 _volumes = new Vector.<Number>(shells, true);
                 _orientations = new Vector.<int>(shells, true);
                 _around = new Vector.<Vector.<int>>(shells, true);
@@ -80,12 +80,12 @@ package starlogo.solid
                 {
                     continue;
                 }
-                _corners[shell] ||= 9 * slot + 1;
+                _origins[shell] ||= 9 * slot + 1;
                 _extremes.add(shell, slot);
                 _face.setTriangle(corners, 9 * slot);
                 if (_face.doubleArea > 0)
                 {
-                    var from:int = _corners[shell] - 1;
+                    var from:int = _origins[shell] - 1;
                     var volume:Number = _face.doubleArea * (_face.x * (corners[9 * slot] - corners[from])
                             + _face.y * (corners[9 * slot + 1] - corners[from + 1]) + _face.z * (corners[9 * slot + 2] - corners[from + 2]));
                     _volumes[shell] += _windingCounter.signedShellOf(slot) > 0 ? volume : -volume;

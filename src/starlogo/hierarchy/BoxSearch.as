@@ -19,9 +19,9 @@ package starlogo.hierarchy
         private static const LATEST:Number = 1e90;
 
         // How much larger boxes are on each side, as a fraction of the tree's radius: a little more than sqrt(2.2e-16), where 2.2e-16 is a Number's
-        // rounding error. Where a line enters a sphere of radius r at a distance d from its middle, is a root of r * r - d * d. If d is nearly r,
-        // rounding changes it by sqrt(2.2e-16) r. So the test of a node may find a touch so much before the box meets the node. Smaller: such a
-        // touch may be missed. Larger: nodes are tested in vain.
+        // rounding error. A line at a distance d from the middle of a sphere of radius r enters it sqrt(r * r - d * d) before its nearest point. If d
+        // is nearly r, rounding changes that by up to sqrt(2.2e-16) r. So the test of a node may find a touch so much before the box meets the node.
+        // Smaller: such a touch may be missed. Larger: nodes are tested in vain.
         private static const SLACK:Number = 1.5e-8;
 
         /** The middle of the box at time 0. */

@@ -192,19 +192,20 @@ package starlogo.solid
             return hasFound;
         }
 
-        // Adds a crossing. The ray may pass a gap beside the place that is tested. On a steep triangle the place is then farther off along the ray.
-        private function addCrossing(slot:int, crossing:Number, isEdgeOn:Boolean, sum:Number, spread:Number):void
+        // Adds the crossing of the triangle in a slot. The ray may pass a gap beside the place that is tested. On a steep triangle the place is then
+        // farther off along the ray.
+        private function addCrossing(crossed:int, crossing:Number, isEdgeOn:Boolean, sum:Number, spread:Number):void
         {
             var slack:Number = Tolerances.ROUNDING * Math.abs(crossing);
             if (isEdgeOn)
             {
                 slack += 4 * EDGE_ON * _margin;
-                _all.add(crossing, slack, Math.max(_last, crossing) + slack, RayCrossings.EDGE_ON, slot);
+                _all.add(crossing, slack, Math.max(_last, crossing) + slack, RayCrossings.EDGE_ON, crossed);
             }
             else
             {
                 slack += 4 * _margin * (1 + spread / Math.abs(sum));
-                _all.add(crossing, slack, crossing, sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES, slot);
+                _all.add(crossing, slack, crossing, sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES, crossed);
             }
         }
 

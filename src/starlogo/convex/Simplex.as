@@ -16,9 +16,6 @@ package starlogo.convex
         private var _ofA:Vector.<int> = new Vector.<int>(4, true);
         private var _ofB:Vector.<int> = new Vector.<int>(4, true);
 
-        // The corner that was added last, or -1.
-        private var _newest:int = -1;
-
         public function Simplex()
         {
             nearest = new NearestPlace(corners);
@@ -41,8 +38,8 @@ package starlogo.convex
             {
                 writeCorner(cores, count);
             }
-            _newest = -1;
-            reduce(false);
+            // any part may be the nearest
+            reduceWith(-1, false);
         }
 
         /** Adds the difference of two points, given as the indices of their first numbers. Returns false if it is a corner already. */
@@ -58,20 +55,25 @@ package starlogo.convex
             _ofA[count] = ofA;
             _ofB[count] = ofB;
             writeCorner(cores, count);
-            _newest = count;
             count++;
             return true;
         }
 
         /**
-         * Finds the place nearest to the origin, and drops the corners that have no share of it.
+         * Finds the place nearest to the origin after a corner was added, and drops the corners that have no share of it.
          *
          * @param isApart whether it is known that the cores are apart
          * @return whether the origin is inside of the simplex
          */
         public function reduce(isApart:Boolean):Boolean
         {
-            if (nearest.find(count, _newest, isApart))
+            return reduceWith(count - 1, isApart);
+        }
+
+        // Reduces the simplex. See NearestPlace.find() for the newest corner.
+        private function reduceWith(newest:int, isApart:Boolean):Boolean
+        {
+            if (nearest.find(count, newest, isApart))
             {
                 return true;
             }

@@ -2,7 +2,7 @@ package starlogo
 {
     import flash.utils.ByteArray;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.geometry.requireGiven;
+    import starlogo.data.requireGiven;
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.libraries.FitSettings;
     import starlogo.libraries.FitStore;

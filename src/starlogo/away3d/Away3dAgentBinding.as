@@ -3,8 +3,8 @@ package starlogo.away3d
     import away3d.core.base.Object3D;
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.data.areSameNumbers;
     import starlogo.engine;
-    import starlogo.geometry.areSameNumbers;
     import starlogo.geometry.Tolerances;
 
     use namespace engine;

@@ -11,7 +11,7 @@ package starlogo.blocks
     import starlogo.collision.CombinationCollider;
     import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
-    import starlogo.geometry.requireGiven;
+    import starlogo.data.requireGiven;
 
     /**
      * The blocks that react to collisions and choose how they are found: "on collision with", "when touching starts", "when touching ends",

@@ -3,8 +3,8 @@ package starlogo.blocks
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.collision.Contact;
+    import starlogo.data.requireGiven;
     import starlogo.geometry.Trigonometry;
-    import starlogo.geometry.requireGiven;
 
     /**
      * The blocks that tell how two agents touch: "side that was hit", "touch point", "touch speed", "push away from". In a collision block they

@@ -1,9 +1,9 @@
 package starlogo.blocks
 {
     import starlogo.agents.Agent;
+    import starlogo.data.HashTable;
+    import starlogo.data.requireGiven;
     import starlogo.debug.CollisionLines;
-    import starlogo.geometry.HashTable;
-    import starlogo.geometry.requireGiven;
 
     /**
      * The block "show bounding structures". It says which agents' structures are shown, and returns lines to draw: the shapes that the

@@ -3,8 +3,8 @@ package starlogo.blocks
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
     import starlogo.collision.Contact;
+    import starlogo.data.requireGiven;
     import starlogo.geometry.Trigonometry;
-    import starlogo.geometry.requireGiven;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
 

@@ -1,7 +1,7 @@
 package starlogo.blocks
 {
     import starlogo.agents.Agent;
-    import starlogo.geometry.requireGiven;
+    import starlogo.data.requireGiven;
 
     /**
      * The blocks that set how an agent or a breed collides: "set hierarchical", "set collision depth", "collide as" (thesis §7.1 to §7.3),

@@ -2,8 +2,8 @@ package starlogo.blocks
 {
     import starlogo.agents.Agent;
     import starlogo.collision.Collision;
+    import starlogo.data.requireGiven;
     import starlogo.geometry.Trigonometry;
-    import starlogo.geometry.requireGiven;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.Footing;
     import starlogo.queries.ShapeHit;

@@ -5,10 +5,10 @@ package starlogo.bounding
     import flash.errors.IllegalOperationError;
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.requireGiven;
 
     use namespace engine;
 

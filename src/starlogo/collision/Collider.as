@@ -4,8 +4,8 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.geometry.requireGiven;
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;

@@ -10,8 +10,8 @@ package starlogo.collision
     import starlogo.agents.AgentPredicate;
     import starlogo.agents.Breeds;
     import starlogo.collision.snapshots.Snapshots;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.geometry.requireGiven;
     import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.HandlerTable;
     import starlogo.handlers.TouchTracker;

@@ -64,8 +64,7 @@ package starlogo.convex
         /**
          * Finds when a moving shape first touches another one.
          *
-         * @param motion the motion of a, and the earliest and the latest time that count; receives the time: 0 if they touch at the beginning, or
-         *     RelativeMotion.NEVER
+         * @param motion the motion of a; receives the time: 0 if they touch at the beginning, or RelativeMotion.NEVER
          */
         public function findTime(a:ConvexShape, b:ConvexShape, motion:RelativeMotion):void
         {

@@ -77,18 +77,18 @@ package starlogo.convex
                 {
                     return;
                 }
-                if (_simplex.reduce(out.separation > _simplex.rounding))
+                if (_simplex.reduce(out.separation > _simplex.nearest.rounding))
                 {
                     keep(cores, out);
                     return;
                 }
                 // If rounding hides which part of the simplex is nearest, no step can come nearer.
-                if (_simplex.squaredDistance == Infinity)
+                if (_simplex.nearest.squaredDistance == Infinity)
                 {
                     return;
                 }
                 keep(cores, out);
-                if (_least <= _simplex.rounding * _simplex.rounding)
+                if (_least <= _simplex.nearest.rounding * _simplex.nearest.rounding)
                 {
                     return;
                 }
@@ -130,7 +130,7 @@ package starlogo.convex
             }
             // The simplex is in the plane through its nearest point. No corner is beyond that plane if this one is not.
             var w:Vector.<Number> = _simplex.corners;
-            if (_simplex.count > 0 && separation >= x * w[0] + y * w[1] + z * w[2] - _simplex.rounding)
+            if (_simplex.count > 0 && separation >= x * w[0] + y * w[1] + z * w[2] - _simplex.nearest.rounding)
             {
                 return false;
             }
@@ -141,22 +141,22 @@ package starlogo.convex
         // the points has that direction, which is the more precise one.
         private function keep(cores:CorePair, out:CoreWitness):void
         {
-            var simplex:Simplex = _simplex;
-            _along.x = simplex.alongX;
-            _along.y = simplex.alongY;
-            _along.z = simplex.alongZ;
-            if (simplex.squaredDistance < _least)
+            var nearest:NearestPlace = _simplex.nearest;
+            _along.x = nearest.alongX;
+            _along.y = nearest.alongY;
+            _along.z = nearest.alongZ;
+            if (nearest.squaredDistance < _least)
             {
-                _least = simplex.squaredDistance;
+                _least = nearest.squaredDistance;
                 out.distance = Math.sqrt(_least);
                 var squared:Number = _along.x * _along.x + _along.y * _along.y + _along.z * _along.z;
                 // of a vector as short as rounding nothing may be left across an edge
                 var factor:Number = squared > 0 ? Math.sqrt(_least / squared) : 0;
                 var gap:CoreGap = out.gap;
-                gap.x = factor > 0 ? factor * _along.x : simplex.x;
-                gap.y = factor > 0 ? factor * _along.y : simplex.y;
-                gap.z = factor > 0 ? factor * _along.z : simplex.z;
-                simplex.writePoint(cores, gap);
+                gap.x = factor > 0 ? factor * _along.x : nearest.x;
+                gap.y = factor > 0 ? factor * _along.y : nearest.y;
+                gap.z = factor > 0 ? factor * _along.z : nearest.z;
+                _simplex.writePoint(cores, gap);
             }
         }
     }

@@ -209,7 +209,7 @@ package starlogo.convex
             _along.setTo(0, 0, 0);
             setToSegment(cores.second);
             setToSegment(cores.first);
-            turnUpwards();
+            turnUpwards(_along);
             var up:int = cores.isSwapped ? -1 : 1;
             _along.x *= up;
             _along.y *= up;
@@ -239,34 +239,6 @@ package starlogo.convex
                     _along.setTo(x, y, z);
                 }
             }
-        }
-
-        // Replaces the direction by a unit vector perpendicular to it that points upwards as far as possible. If the direction is vertical, the new one
-        // is along x; if it is 0, along z.
-        private function turnUpwards():void
-        {
-            var along:Vector3D = _along;
-            var x:Number = along.x;
-            var y:Number = along.y;
-            var z:Number = along.z;
-            var squared:Number = x * x + y * y + z * z;
-            if (!(squared > 0))
-            {
-                along.setTo(0, 0, 1);
-                return;
-            }
-            if (x * x + y * y > Tolerances.UPRIGHT * squared)
-            {
-                along.setTo(-x * z / squared, -y * z / squared, 1 - z * z / squared);
-            }
-            else
-            {
-                along.setTo(1 - x * x / squared, -x * y / squared, -x * z / squared);
-            }
-            var length:Number = Math.sqrt(along.x * along.x + along.y * along.y + along.z * along.z);
-            along.x /= length;
-            along.y /= length;
-            along.z /= length;
         }
 
         // Tries a displacement along the direction, and the one against it. The direction gets a length of 1 unless both are too long. If it is 0,

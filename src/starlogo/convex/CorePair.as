@@ -39,7 +39,7 @@ package starlogo.convex
          */
         public var timeLeft:Number = Infinity;
 
-        // That vector at time 0.
+        // The vector from the second shape's origin to the first one's at time 0.
         private var _startX:Number = 0;
         private var _startY:Number = 0;
         private var _startZ:Number = 0;

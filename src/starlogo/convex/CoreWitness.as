@@ -12,7 +12,10 @@ package starlogo.convex
          */
         public var distance:Number = 0;
 
-        /** A unit vector from the second core to the first along which the cores are apart, and how far they are apart along it: at most the distance. */
+        /**
+         * A unit vector from the second core to the first along which the cores are apart, and how far they are apart along it, which is at most the
+         * distance.
+         */
         public var normalX:Number = 0;
         public var normalY:Number = 0;
         public var normalZ:Number = 1;

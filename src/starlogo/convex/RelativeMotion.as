@@ -4,7 +4,13 @@ package starlogo.convex
 
     /**
      * A sweep of one shape against another that stands still, as a record: the straight motion from time 0 to time 1, without rotation or
-     * growth, and the time of impact that a test writes. If both move, it is the first shape's motion minus the second's.
+     * growth, and a moment of it. If both move, it is the first shape's motion minus the second's.
+     *
+     * <p>The moment says how far the shape has come: <code>time</code>. A test that finds when two shapes first touch moves it to that moment, and a
+     * contact is found there.</p>
+     *
+     * <p>Whoever asks when two shapes first touch may set <code>earliest</code> and <code>latest</code>. They only spare work, and each test may use
+     * or ignore them. So if the shapes first touch after the latest time, a test gives that time or NEVER.</p>
      *
      * @private
      */
@@ -26,16 +32,13 @@ package starlogo.convex
         public var y:Number = 0;
         public var z:Number = 0;
 
-        /**
-         * The time of impact: when the shapes first touch, from 0 to 1, or NEVER. For contacts it is an input: the time at which they
-         * touch.
-         */
+        /** The moment, from 0 to 1. A test of when two shapes first touch sets it to NEVER if they do not. */
         public var time:Number;
 
-        /** A time before which the shapes certainly do not touch; 0 if none is known. A search that begins there takes fewer steps. */
+        /** A time before which the shapes are known not to touch; 0 if none is known. */
         public var earliest:Number = 0;
 
-        /** The latest time of impact that counts, from 0 to 1. A test may still find a later one. */
+        /** The latest time of impact that whoever asks needs, from 0 to 1. */
         public var latest:Number = 1;
 
         /** The margin of the motion (see Touching): its rounding error. Set by <code>findMargin()</code>. */

@@ -8,9 +8,9 @@ package starlogo.debug
     import starlogo.collision.BinCollider;
     import starlogo.collision.Collider;
     import starlogo.collision.CollisionSystem;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.requireGiven;
     import starlogo.models.Model;
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.ModelShape;

@@ -9,9 +9,9 @@ package starlogo.debug
     import starlogo.bounding.RoundedHull;
     import starlogo.bounding.Cylinder;
     import starlogo.bounding.Sphere;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.geometry.PointTable;
-    import starlogo.geometry.requireGiven;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.TerrainSurface;

@@ -15,8 +15,8 @@ package starlogo.diagnostics
     import flash.utils.getTimer;
     import starlogo.collision.Collision;
     import starlogo.collision.CollisionStatistics;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.geometry.requireGiven;
 
     use namespace engine;
 

@@ -6,8 +6,8 @@ package starlogo.diagnostics
     import starlogo.collision.Collider;
     import starlogo.collision.CollisionStatistics;
     import starlogo.collision.CollisionSystem;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.geometry.requireGiven;
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;

@@ -3,7 +3,7 @@ package starlogo.fitting
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
-    import starlogo.geometry.requireGiven;
+    import starlogo.data.requireGiven;
 
     /**
      * Base class of fitters that put a structure along the longest axis of a box (thesis §3.4.3). Another fitter finds the box, so it

@@ -221,27 +221,27 @@ package starlogo.geometry
         // Replaces the indices of vertices by positions among the hull's corners, and the apex by -1.
         private function numberCorners(corners:Vector.<int>):void
         {
-            var place:Vector.<int> = new Vector.<int>(apex + 1);
+            var positions:Vector.<int> = new Vector.<int>(apex + 1);
             var end:int = apex;
             var count:int = corners.length;
             var i:int;
             for (i = 0; i < count; i++)
             {
-                place[corners[i]] = 1;
+                positions[corners[i]] = 1;
             }
-            place[end] = -1;
+            positions[end] = -1;
             for (i = 0; i < end; i++)
             {
-                if (place[i] == 1)
+                if (positions[i] == 1)
                 {
-                    place[i] = indices.length;
+                    positions[i] = indices.length;
                     indices.push(i);
                     points.push(_vertices[3 * i], _vertices[3 * i + 1], _vertices[3 * i + 2]);
                 }
             }
             for (i = 0; i < count; i++)
             {
-                corners[i] = place[corners[i]];
+                corners[i] = positions[corners[i]];
             }
             triangles = dimension == 3 ? corners : triangles;
         }

@@ -93,6 +93,25 @@ package starlogo.geometry
             r22 = other.r22;
         }
 
+        /** @private Sets it to the inverse of another placement: what that one moves into the world, this one moves back. */
+        engine function setInverse(other:Placement):void
+        {
+            size = 1 / other.size;
+            isUnrotated = other.isUnrotated;
+            r00 = other.r00;
+            r01 = other.r10;
+            r02 = other.r20;
+            r10 = other.r01;
+            r11 = other.r11;
+            r12 = other.r21;
+            r20 = other.r02;
+            r21 = other.r12;
+            r22 = other.r22;
+            x = -(r00 * size) * other.x - r01 * size * other.y - r02 * size * other.z;
+            y = -(r10 * size) * other.x - r11 * size * other.y - r12 * size * other.z;
+            z = -(r20 * size) * other.x - r21 * size * other.y - r22 * size * other.z;
+        }
+
         /**
          * Sets the rotation: roll about x, then pitch about y, then heading about z, all about the world's axes.
          * Whole quarter turns are exact.

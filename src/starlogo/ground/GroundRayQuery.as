@@ -57,13 +57,13 @@ package starlogo.ground
                 if (testTriangle())
                 {
                     isHit = true;
-                    _box.latest = _test.limit;
+                    _box.latest = _test.distance;
                     _outside.setTriangle(_triangles.triangle.corners, 0);
                 }
             }
             if (isHit)
             {
-                out.distance = _test.limit;
+                out.distance = _test.distance;
                 out.setNormal(ray, _outside.x, _outside.y, _outside.z);
             }
             return isHit;

@@ -4,8 +4,8 @@ package starlogo.handlers
 {
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
+    import starlogo.data.HashTable;
     import starlogo.engine;
-    import starlogo.geometry.HashTable;
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
     import starlogo.search.textOf;

@@ -1,8 +1,8 @@
 package starlogo.handlers
 {
     import starlogo.agents.Agent;
+    import starlogo.data.HashTable;
     import starlogo.engine;
-    import starlogo.geometry.HashTable;
     import starlogo.search.FoundPairs;
     import starlogo.search.KeyedList;
     import starlogo.search.NumberList;

@@ -18,8 +18,10 @@ package starlogo.hierarchy
         private static const SLOWEST:Number = 1e100;
         private static const LATEST:Number = 1e90;
 
-        // How much larger boxes are on each side, as a fraction of the tree's radius. It is the root of a Number's rounding error, so it is more than the
-        // error of a distance that is the root of a difference. Larger: nodes are tested in vain.
+        // How much larger boxes are on each side, as a fraction of the tree's radius: a little more than sqrt(2.2e-16), where 2.2e-16 is a Number's
+        // rounding error. A line at a distance d from the middle of a sphere of radius r enters it sqrt(r * r - d * d) before its nearest point. If d
+        // is nearly r, rounding changes that by up to sqrt(2.2e-16) r. So the test of a node may find a touch so much before the box meets the node.
+        // Smaller: such a touch may be missed. Larger: nodes are tested in vain.
         private static const SLACK:Number = 1.5e-8;
 
         /** The middle of the box at time 0. */
@@ -119,7 +121,7 @@ package starlogo.hierarchy
          *
          * @param tree the tree
          * @param depth how many of its levels are visited
-         * @param test its <code>limit</code> must be the latest time; 0 if the box stands
+         * @param test its limit must be set, to 0 if the box stands
          */
         public function find(tree:BoxTree, depth:int, test:NodeTest):void
         {
@@ -231,7 +233,7 @@ package starlogo.hierarchy
          *
          * @param tree the tree
          * @param depth how many of its levels are visited
-         * @param test its <code>limit</code> must be the distance up to which nodes count
+         * @param test its limit must be set
          */
         public function findNear(tree:BoxTree, depth:int, test:NodeTest):void
         {

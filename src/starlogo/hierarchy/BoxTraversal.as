@@ -181,15 +181,7 @@ package starlogo.hierarchy
                         if (dividesA)
                         {
                             axis = treeA.axisOf(a);
-                            side = z;
-                            if (axis == 0)
-                            {
-                                side = x;
-                            }
-                            else if (axis == 1)
-                            {
-                                side = y;
-                            }
+                            side = axis == 0 ? x : (axis == 1 ? y : z);
                             near = treeA.left[a];
                             far = near + 1;
                             if (side > 0)
@@ -208,18 +200,7 @@ package starlogo.hierarchy
                         if (isDeep ? !bEnds : !dividesA)
                         {
                             axis = treeB.axisOf(b);
-                            if (axis == 0)
-                            {
-                                side = m00 * x + m10 * y + m20 * z;
-                            }
-                            else if (axis == 1)
-                            {
-                                side = m01 * x + m11 * y + m21 * z;
-                            }
-                            else
-                            {
-                                side = m02 * x + m12 * y + m22 * z;
-                            }
+                            side = axis == 0 ? m00 * x + m10 * y + m20 * z : (axis == 1 ? m01 * x + m11 * y + m21 * z : m02 * x + m12 * y + m22 * z);
                             near = treeB.left[b];
                             far = near + 1;
                             if (side < 0)

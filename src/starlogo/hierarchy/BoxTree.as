@@ -47,7 +47,10 @@ package starlogo.hierarchy
         /** The model's triangles, three vertex indices each; null if the vertices are the items. */
         public var triangles:Vector.<uint>;
 
-        /** The indices of the items. The items of a node stand side by side. */
+        /**
+         * The items in the order of the tree, in which the items of a node stand side by side. An index into this list is a slot. An entry is an
+         * item's index in the model: that of a triangle or a vertex.
+         */
         public var order:Vector.<int> = null;
 
         /** Six numbers for each node: the middle of its box (x, y, z), and half of the box's extents. */
@@ -56,10 +59,10 @@ package starlogo.hierarchy
         /** For each node, its left child, which is on the low side of the split. The right child is the next node. 0 if the node has no children. */
         public var left:Vector.<int> = new Vector.<int>();
 
-        /** For each node, the index of its first item in the order. */
+        /** For each node, the slot of its first item. */
         public var first:Vector.<int> = new Vector.<int>();
 
-        /** For each node, the index after its last item in the order. */
+        /** For each node, the slot after its last item. */
         public var end:Vector.<int> = new Vector.<int>();
 
         /**
@@ -200,8 +203,8 @@ package starlogo.hierarchy
         /**
          * Writes the extents of some items together: minX, maxX, minY, maxY, minZ, maxZ.
          *
-         * @param from index of the first of them in the order
-         * @param to index after the last of them
+         * @param from the slot of the first of them
+         * @param to the slot after the last of them
          * @param out receives the extents
          * @param at index at which they begin
          */
@@ -283,30 +286,30 @@ package starlogo.hierarchy
         engine function refitting(extents:Vector.<Number>):StepSequence
         {
             var count:int = left.length;
-            return new StepSequence().slices(count, NODES_PER_STEP, function(first:int, end:int):void
+            return new StepSequence().slices(count, NODES_PER_STEP, function(from:int, to:int):void
                 {
-                    measureNodes(count - end, count - first, extents);
+                    measureNodes(count - to, count - from, extents);
                 }).call(function():void
                 {
                     measureRadiusAboutOrigin(extents);
-                }).slices(count, NODES_PER_STEP, function(first:int, end:int):void
+                }).slices(count, NODES_PER_STEP, function(from:int, to:int):void
                 {
-                    encloseNodes(first, end, extents);
+                    encloseNodes(from, to, extents);
                 }).call(measureRadius);
         }
 
         // Children come after their parents.
-        private function measureNodes(first:int, end:int, extents:Vector.<Number>):void
+        private function measureNodes(from:int, to:int, extents:Vector.<Number>):void
         {
-            for (var node:int = end - 1; node >= first; node--)
+            for (var node:int = to - 1; node >= from; node--)
             {
                 measure(node, extents);
             }
         }
 
-        private function encloseNodes(first:int, end:int, extents:Vector.<Number>):void
+        private function encloseNodes(from:int, to:int, extents:Vector.<Number>):void
         {
-            for (var node:int = first; node < end; node++)
+            for (var node:int = from; node < to; node++)
             {
                 enclose(node, extents, 6 * node);
             }
@@ -328,7 +331,7 @@ package starlogo.hierarchy
          * For makers of trees: gives a node two children. They have no boxes yet.
          *
          * @param axis the axis along which it is split
-         * @param middle the index in the order of the right child's first item
+         * @param middle the slot of the right child's first item
          * @param isBelow whether the node is a leaf, or below one
          * @return the left child
          */

@@ -12,7 +12,7 @@ package starlogo.hierarchy
         /** The time: 0 if they touch at the beginning, at most 1, or RelativeMotion.NEVER if they do not touch. Then there are no parts. */
         public var time:Number = RelativeMotion.NEVER;
 
-        /** The part of the first model: a node, or the number of a triangle in the tree's order if triangles decide. */
+        /** The part of the first model: a node, or the slot of a triangle if triangles decide. */
         public var a:int = 0;
 
         /** The part of the second model; without meaning if a structure stands for it. */

@@ -12,7 +12,7 @@ package starlogo.hierarchy
     public final class NodeDistanceTest extends NodeTest
     {
         // Finds the nodes near the structure.
-        private var _boxes:BoxSearch;
+        private var _search:BoxSearch;
 
         private var _structure:BoundingStructure;
         private var _measured:ClosestPoints = new ClosestPoints();
@@ -23,7 +23,7 @@ package starlogo.hierarchy
         /** @param counts counts the nodes that are visited */
         public function NodeDistanceTest(counts:TreeCounts)
         {
-            _boxes = new BoxSearch(counts);
+            _search = new BoxSearch(counts);
         }
 
         /**
@@ -38,17 +38,17 @@ package starlogo.hierarchy
         {
             _structure = pose.placeWidened(structure);
             _structure.extentsInto(_extents);
-            _boxes.setExtents(_extents, 0);
+            _search.setExtents(_extents, 0);
             _nearest = out;
             limit = out.distance = Infinity;
-            _boxes.findNear(tree, depth, this);
+            _search.findNear(tree, depth, this);
         }
 
         /** @inheritDoc */
         override public function testNode(tree:BoxTree, node:int):void
         {
             PairTable.findClosest(tree.writeBox(node, _box), _structure, _measured);
-            BoxDistanceTraversal.reduce(_measured, tree.levelOf(node), 0, tree.radius + _boxes.halfX + _boxes.halfY + _boxes.halfZ);
+            BoxDistanceTraversal.reduce(_measured, tree.levelOf(node), 0, tree.radius + _search.halfX + _search.halfY + _search.halfZ);
             if (_measured.distance < limit)
             {
                 limit = _measured.distance;

@@ -24,7 +24,7 @@ package starlogo.hierarchy
         private var _entry:RayEntry = new RayEntry();
         private var _all:RayCrossings = null;
         private var _slack:Number = 0;
-        private var _boxes:BoxSearch = new BoxSearch();
+        private var _search:BoxSearch = new BoxSearch();
         private var _box:Box = BoxTree.newBox();
 
         // The node that the ray meets first, or -1.
@@ -47,7 +47,7 @@ package starlogo.hierarchy
          */
         public function findHit(tree:BoxTree, depth:int, ray:Ray, out:RayEntry):Boolean
         {
-            search(tree, depth, ray, 0, null);
+            visit(tree, depth, ray, 0, null);
             return _first >= 0 && rayBox(_ray, tree.writeBox(_first, _box), out);
         }
 
@@ -62,19 +62,19 @@ package starlogo.hierarchy
          */
         public function findAll(tree:BoxTree, depth:int, ray:Ray, slack:Number, out:RayCrossings):void
         {
-            search(tree, depth, ray, slack, out);
+            visit(tree, depth, ray, slack, out);
         }
 
         // Visits the nodes that a ray meets. Without crossings, only the first node is wanted.
-        private function search(tree:BoxTree, depth:int, ray:Ray, slack:Number, all:RayCrossings):void
+        private function visit(tree:BoxTree, depth:int, ray:Ray, slack:Number, all:RayCrossings):void
         {
             _ray.copyFrom(ray);
             _slack = slack;
             _all = all;
             _first = -1;
             limit = ray.to;
-            _boxes.setRay(ray);
-            _boxes.find(tree, depth, this);
+            _search.setRay(ray);
+            _search.find(tree, depth, this);
         }
 
         /** @inheritDoc */
@@ -89,8 +89,12 @@ package starlogo.hierarchy
             if (rayBox(_ray, _box, _entry) && (_entry.distance < limit || _first < 0))
             {
                 _first = node;
-                // no node can be met before the ray's beginning
-                limit = _entry.distance > _ray.from ? _entry.distance : -Infinity;
+                limit = _entry.distance;
+                if (!(limit > _ray.from))
+                {
+                    // no node can be met before the ray's beginning
+                    endSearch();
+                }
             }
         }
     }

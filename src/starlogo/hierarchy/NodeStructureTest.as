@@ -17,7 +17,7 @@ package starlogo.hierarchy
     public final class NodeStructureTest extends NodeTest
     {
         // Finds the nodes near the structure.
-        private var _boxes:BoxSearch;
+        private var _search:BoxSearch;
 
         private var _structure:BoundingStructure;
         private var _sweep:RelativeMotion = new RelativeMotion();
@@ -28,7 +28,7 @@ package starlogo.hierarchy
         /** @param counts counts the nodes that are visited */
         public function NodeStructureTest(counts:TreeCounts)
         {
-            _boxes = new BoxSearch(counts);
+            _search = new BoxSearch(counts);
         }
 
         /**
@@ -49,9 +49,9 @@ package starlogo.hierarchy
             out.time = RelativeMotion.NEVER;
             limit = motion.isStill ? 0 : motion.latest;
             _structure.extentsInto(_extents);
-            _boxes.setExtents(_extents, 0);
-            _boxes.setMotion(motion);
-            _boxes.find(tree, depth, this);
+            _search.setExtents(_extents, 0);
+            _search.setMotion(motion);
+            _search.find(tree, depth, this);
         }
 
         /** @inheritDoc */
@@ -72,8 +72,12 @@ package starlogo.hierarchy
             {
                 _found.time = sweep.time;
                 _found.a = node;
-                // no node can be touched earlier than at the beginning
-                limit = sweep.time > 0 ? sweep.time : -Infinity;
+                limit = sweep.time;
+                if (!(limit > 0))
+                {
+                    // no node can be touched earlier than at the beginning
+                    endSearch();
+                }
             }
         }
     }

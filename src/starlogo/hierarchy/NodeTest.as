@@ -3,17 +3,25 @@ package starlogo.hierarchy
     import flash.errors.IllegalOperationError;
 
     /**
-     * Tests the nodes of a tree that decide, in the order in which a motion or a ray may meet them, or from the nearest on. Abstract.
+     * Tests the nodes of a tree that decide. A BoxSearch calls it for each node, in the order in which its box may meet them, or from the nearest
+     * on. Abstract.
      *
      * @private
      */
     public class NodeTest
     {
         /**
-         * How far along the motion or the ray nodes are tested, or how far away: where the nearest node so far is met. Before the first one, the
-         * end. A test that needs no more nodes sets it to -Infinity.
+         * How far the search goes. In <code>BoxSearch.find()</code> it is a multiple of the box's motion: a time, or a distance if the motion has
+         * length 1. In <code>BoxSearch.findNear()</code> it is a distance from the box. Nodes beyond it are not tested. Whoever begins a search
+         * sets it. A test that has found something makes it less, so that only better nodes follow.
          */
         public var limit:Number = 0;
+
+        /** Ends the search: no node is within the limit any more. */
+        protected final function endSearch():void
+        {
+            limit = -Infinity;
+        }
 
         /**
          * Tests a node: its box, or its items.

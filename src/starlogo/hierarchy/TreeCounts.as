@@ -10,7 +10,10 @@ package starlogo.hierarchy
         /** The number of pairs of nodes visited, or of nodes and shapes. */
         public var nodeVisits:int = 0;
 
-        /** The number of pairs of triangles, or of a triangle and a structure, tested or measured. */
+        /**
+         * The number of pairs of triangles, or of a triangle and a structure, tested or measured. Pairs whose extents are apart do not count. Nor
+         * do pairs of a triangle and a structure that the triangle's plane, or an axis, keeps apart.
+         */
         public var triangleTests:int = 0;
     }
 }

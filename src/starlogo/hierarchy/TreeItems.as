@@ -15,7 +15,7 @@ package starlogo.hierarchy
         /** The extents of all items together after <code>measure()</code>. */
         public var bounds:Vector.<Number> = new <Number>[Infinity, -Infinity, Infinity, -Infinity, Infinity, -Infinity];
 
-        /** After a division, the index in the order at which the second group begins. */
+        /** After a division, the slot at which the second group begins. */
         public var middle:int;
 
         /** The extents of the first group of the last division. */
@@ -84,8 +84,8 @@ package starlogo.hierarchy
          * Begins a division: the items whose centre is below a splitting point move before the others. The extents of both groups are
          * computed at the same time, so that an item is read once for each level.
          *
-         * @param first index of the first item in the order
-         * @param end index after the last item
+         * @param first the slot of the first item
+         * @param end the slot after the last item
          * @param axis 0, 1 or 2
          * @param split twice the coordinate of the splitting point
          */
@@ -103,8 +103,8 @@ package starlogo.hierarchy
         /**
          * Begins a division at the midpoint of the axis along which the centres of some items are spread most.
          *
-         * @param first index of the first item in the order
-         * @param end index after the last item
+         * @param first the slot of the first item
+         * @param end the slot after the last item
          * @return false if all centres are in one place, because then no division is possible
          */
         public function beginWhereCentresSpread(first:int, end:int):Boolean
@@ -213,10 +213,10 @@ package starlogo.hierarchy
             return rest > 0;
         }
 
-        // Twice the centre of an item's extents along an axis.
-        private function sumAlong(axis:int, place:int):Number
+        // Twice the centre of the extents of the item in a slot, along an axis.
+        private function sumAlong(axis:int, slot:int):Number
         {
-            var at:int = 6 * _tree.order[place] + 2 * axis;
+            var at:int = 6 * _tree.order[slot] + 2 * axis;
             return _extents[at] + _extents[int(at + 1)];
         }
 

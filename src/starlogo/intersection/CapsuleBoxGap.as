@@ -108,7 +108,7 @@ package starlogo.intersection
             // The comparison is false for NaN too.
             share = share > 0 ? (share < 1 ? share : 1) : 0;
             _share = share;
-            out.setFromBox(_x + share * _alongX, _y + share * _alongY, _z + share * _alongZ, box);
+            BoxGap.measure(_x + share * _alongX, _y + share * _alongY, _z + share * _alongZ, box, out);
         }
 
         /** @inheritDoc */
@@ -122,8 +122,7 @@ package starlogo.intersection
             out.x *= _signX;
             out.y *= _signY;
             out.z *= _signZ;
-            var box:Box = b as Box;
-            out.rotateFrom(box.axisX, box.axisY, box.axisZ);
+            BoxGap.turn(b as Box, out);
         }
 
         private function setSegment(capsule:Capsule, box:Box):void

@@ -44,8 +44,8 @@ package starlogo.intersection
         override public function find(b:BoundingStructure, localMotion:RelativeMotion, out:CoreGap):void
         {
             var time:Number = localMotion.time;
-            out.setFromBox(localMotion.startX + time * localMotion.x, localMotion.startY + time * localMotion.y, localMotion.startZ + time * localMotion.z,
-                    b as Box);
+            BoxGap.measure(localMotion.startX + time * localMotion.x, localMotion.startY + time * localMotion.y, localMotion.startZ + time * localMotion.z,
+                    b as Box, out);
         }
 
         /** @inheritDoc */
@@ -55,8 +55,7 @@ package starlogo.intersection
             out.pointX = center.x;
             out.pointY = center.y;
             out.pointZ = center.z;
-            var box:Box = b as Box;
-            out.rotateFrom(box.axisX, box.axisY, box.axisZ);
+            BoxGap.turn(b as Box, out);
         }
     }
 }

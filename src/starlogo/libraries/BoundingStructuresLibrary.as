@@ -4,13 +4,13 @@ package starlogo.libraries
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.fitting.CapsuleFitter;
     import starlogo.fitting.Fitter;
     import starlogo.fitting.HullFitter;
     import starlogo.fitting.NaiveSphereFitter;
     import starlogo.fitting.OrientedBoxFitter;
-    import starlogo.geometry.requireGiven;
     import starlogo.steps.finish;
 
     use namespace engine;

@@ -1,9 +1,9 @@
 package starlogo.libraries
 {
     import flash.utils.ByteArray;
+    import starlogo.data.Fingerprint;
     import starlogo.engine;
     import starlogo.fitting.Fitter;
-    import starlogo.geometry.Fingerprint;
     import starlogo.models.cooked.CookedFile;
 
     use namespace engine;

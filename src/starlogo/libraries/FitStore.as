@@ -1,9 +1,9 @@
 package starlogo.libraries
 {
     import flash.utils.ByteArray;
+    import starlogo.data.Fingerprint;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.geometry.Fingerprint;
-    import starlogo.geometry.requireGiven;
     import starlogo.libraries.cooked.CookedTree;
     import starlogo.models.Model;
     import starlogo.models.cooked.CookedFile;

@@ -2,8 +2,8 @@ package starlogo.libraries
 {
     import flash.utils.ByteArray;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.data.Fingerprint;
     import starlogo.engine;
-    import starlogo.geometry.Fingerprint;
     import starlogo.geometry.VertexBounds;
     import starlogo.hierarchy.BoxTree;
     import starlogo.libraries.cooked.CookedStructures;

@@ -3,8 +3,8 @@
 // file first, then ModelReader and obj/ObjReader, and ModelLoader with loading/ModelLoad for loading.
 package starlogo.models
 {
+    import starlogo.data.areSameNumbers;
     import starlogo.engine;
-    import starlogo.geometry.areSameNumbers;
     import starlogo.geometry.VertexBounds;
     import starlogo.geometry.VertexData;
 

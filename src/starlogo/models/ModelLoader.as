@@ -8,7 +8,7 @@ package starlogo.models
     import flash.net.URLLoader;
     import flash.utils.ByteArray;
     import flash.utils.getTimer;
-    import starlogo.geometry.requireGiven;
+    import starlogo.data.requireGiven;
     import starlogo.models.loading.ModelLoad;
     import starlogo.models.loading.ModelManifest;
 

@@ -3,9 +3,9 @@ package starlogo.models
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
     import flash.utils.ByteArray;
+    import starlogo.data.areSameNumbers;
     import starlogo.engine;
     import starlogo.geometry.AffineTransform;
-    import starlogo.geometry.areSameNumbers;
 
     use namespace engine;
 

@@ -2,9 +2,9 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.requireGiven;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.Cone;
     import starlogo.queries.trees.NearSearch;

@@ -3,8 +3,8 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.collision.Contact;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.geometry.requireGiven;
     import starlogo.search.pairs.StructurePairTests;
     import starlogo.search.pairs.TreePairTests;
 

@@ -2,8 +2,8 @@ package starlogo.queries
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.collision.QuerySource;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.geometry.requireGiven;
     import starlogo.models.Model;
     import starlogo.search.NarrowPhase;
 

@@ -9,9 +9,9 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.broadphase.Points;
     import starlogo.collision.QuerySource;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.requireGiven;
     import starlogo.queries.trees.RowTree;
     import starlogo.search.Body;
     import starlogo.search.ModelShapes;

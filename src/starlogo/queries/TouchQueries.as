@@ -3,8 +3,8 @@ package starlogo.queries
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.geometry.requireGiven;
     import starlogo.geometry.requireInWorld;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;

@@ -1,8 +1,8 @@
 package starlogo.search
 {
     import starlogo.agents.Breeds;
+    import starlogo.data.HashTable;
     import starlogo.engine;
-    import starlogo.geometry.HashTable;
     import starlogo.search.table.AgentTable;
 
     use namespace engine;

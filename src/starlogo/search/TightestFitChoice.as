@@ -2,8 +2,8 @@ package starlogo.search
 {
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.geometry.requireGiven;
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.search.pairs.StructurePairTests;
 

@@ -15,20 +15,24 @@ package starlogo.solid
      */
     internal final class AxisEscapeTest extends NodeTest
     {
-        private var _boxes:BoxSearch = new BoxSearch();
+        private var _search:BoxSearch = new BoxSearch();
+
+        // Whether the current ray has met a node.
+        private var _isHit:Boolean = false;
 
         /** Whether a ray from the point along one of the six directions of the axes meets no node without children. */
         public function hasOpenSide(point:Vector3D, tree:BoxTree):Boolean
         {
             // Corners may move when seams are welded.
             var margin:Number = 8 * Tolerances.WELDING * (tree.radius + Math.abs(tree.boxes[0]) + Math.abs(tree.boxes[1]) + Math.abs(tree.boxes[2]));
-            _boxes.setPlace(point.x, point.y, point.z, margin);
+            _search.setPlace(point.x, point.y, point.z, margin);
             for (var i:int = 5; i >= 0; i--)
             {
-                _boxes.setAxis(i >> 1, (i & 1) == 0 ? -1 : 1);
+                _search.setAxis(i >> 1, (i & 1) == 0 ? -1 : 1);
+                _isHit = false;
                 limit = Infinity;
-                _boxes.find(tree, BoxTree.NO_LIMIT, this);
-                if (limit > 0)
+                _search.find(tree, BoxTree.NO_LIMIT, this);
+                if (!_isHit)
                 {
                     return true;
                 }
@@ -39,7 +43,8 @@ package starlogo.solid
         /** @inheritDoc */
         override public function testNode(tree:BoxTree, node:int):void
         {
-            limit = -Infinity;
+            _isHit = true;
+            endSearch();
         }
     }
 }

@@ -25,10 +25,10 @@ package starlogo.solid
         private var _windingCounter:WindingCounter;
         private var _balances:Vector.<int>;
 
-        // For each shell: its outermost points; 0, or one more than the index of a corner; six times the volume; and 1 or -1 for its orientation,
-        // or 0 without a volume.
+        // For each shell: its outermost points; one more than the index of the corner from which its volume is measured, or 0 if it has none; six times
+        // the volume; and 1 or -1 for its orientation, or 0 without a volume.
         private var _extremes:PartExtremes;
-        private var _corners:Vector.<int>;
+        private var _origins:Vector.<int>;
         private var _volumes:Vector.<Number>;
         private var _orientations:Vector.<int>;
 
@@ -52,7 +52,7 @@ package starlogo.solid
             if (shells > 1)
             {
                 _extremes = new PartExtremes(windingCounter.mesh.corners, shells);
-                _corners = new Vector.<int>(shells, true);
+                _origins = new Vector.<int>(shells, true);
                 _volumes = new Vector.<Number>(shells, true);
                 _orientations = new Vector.<int>(shells, true);
                 _around = new Vector.<Vector.<int>>(shells, true);
@@ -65,30 +65,30 @@ package starlogo.solid
             return shell >= 0 && _windingCounter.surface.shellStates[shell] == SurfaceTopology.SOLID;
         }
 
-        private function shellOf(triangle:int):int
+        private function shellOf(slot:int):int
         {
-            return Math.abs(_windingCounter.sideOf(triangle)) - 1;
+            return Math.abs(_windingCounter.signedShellOf(slot)) - 1;
         }
 
         private function addVolumes(first:int, end:int):void
         {
             var corners:Vector.<Number> = _windingCounter.mesh.corners;
-            for (var i:int = first; i < end; i++)
+            for (var slot:int = first; slot < end; slot++)
             {
-                var shell:int = shellOf(i);
+                var shell:int = shellOf(slot);
                 if (!isSolid(shell))
                 {
                     continue;
                 }
-                _corners[shell] ||= 9 * i + 1;
-                _extremes.add(shell, i);
-                _face.setTriangle(corners, 9 * i);
+                _origins[shell] ||= 9 * slot + 1;
+                _extremes.add(shell, slot);
+                _face.setTriangle(corners, 9 * slot);
                 if (_face.doubleArea > 0)
                 {
-                    var from:int = _corners[shell] - 1;
-                    var volume:Number = _face.doubleArea * (_face.x * (corners[9 * i] - corners[from])
-                            + _face.y * (corners[9 * i + 1] - corners[from + 1]) + _face.z * (corners[9 * i + 2] - corners[from + 2]));
-                    _volumes[shell] += _windingCounter.sideOf(i) > 0 ? volume : -volume;
+                    var from:int = _origins[shell] - 1;
+                    var volume:Number = _face.doubleArea * (_face.x * (corners[9 * slot] - corners[from])
+                            + _face.y * (corners[9 * slot + 1] - corners[from + 1]) + _face.z * (corners[9 * slot + 2] - corners[from + 2]));
+                    _volumes[shell] += _windingCounter.signedShellOf(slot) > 0 ? volume : -volume;
                 }
             }
         }
@@ -112,17 +112,17 @@ package starlogo.solid
         // Tests four points of each triangle: its middle, and points near its corners. Triangles that count as segments have no inner side.
         private function testSome(first:int, end:int):void
         {
-            for (var i:int = first; i < end; i++)
+            for (var slot:int = first; slot < end; slot++)
             {
-                _face.setTriangle(_windingCounter.mesh.corners, 9 * i);
+                _face.setTriangle(_windingCounter.mesh.corners, 9 * slot);
                 if (_face.isFlat)
                 {
                     continue;
                 }
-                var shell:int = shellOf(i);
+                var shell:int = shellOf(slot);
                 for (var corner:int = 3; corner >= 0 && isSolid(shell) && isUndecided(shell); corner--)
                 {
-                    countAround(shell, i, corner);
+                    countAround(shell, slot, corner);
                     _around[shell] = takeAround(shell, _around[shell]);
                 }
             }
@@ -135,12 +135,12 @@ package starlogo.solid
         }
 
         // Counts the windings around a point of _face that is a little inside of its shell.
-        private function countAround(shell:int, triangle:int, corner:int):void
+        private function countAround(shell:int, slot:int, corner:int):void
         {
             var corners:Vector.<Number> = _windingCounter.mesh.corners;
-            var at:int = 9 * triangle;
+            var at:int = 9 * slot;
             var inwards:Number = INWARDS * _extremes.extentAt(_extremes.pointsAt[shell]);
-            inwards = _windingCounter.sideOf(triangle) > 0 == _volumes[shell] > 0 ? -inwards : inwards;
+            inwards = _windingCounter.signedShellOf(slot) > 0 == _volumes[shell] > 0 ? -inwards : inwards;
             var share:Number = corner == 3 ? 1 / 3 : 0.01;
             var point:Vector.<Number> = new <Number>[inwards * _face.x, inwards * _face.y, inwards * _face.z];
             for (var axis:int = 0; axis < 3; axis++)

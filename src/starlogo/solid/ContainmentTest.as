@@ -3,8 +3,6 @@ package starlogo.solid
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
-    import starlogo.bounding.Capsule;
-    import starlogo.bounding.Sphere;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -32,7 +30,8 @@ package starlogo.solid
         private var _inverse:Placement = new Placement();
 
         /**
-         * Finds a point of a part of one model that is inside of the other. There is none if one of them has no triangles.
+         * Finds a point of a part of one model that is inside of the other. There is none if one of them has no triangles. The boxes of the two roots
+         * must overlap: otherwise the insides would be prepared in vain.
          *
          * @param pose the second model's pose in the first model's space
          * @return whether there is one
@@ -58,26 +57,8 @@ package starlogo.solid
                 return false;
             }
             isInSpaceOfSecond = true;
-            setInverse(pose.placement, _inverse);
+            _inverse.setInverse(pose.placement);
             return findPartInside(treeB, insideB, insideA, _inverse);
-        }
-
-        private static function setInverse(of:Placement, out:Placement):void
-        {
-            var size:Number = 1 / of.size;
-            out.size = size;
-            out.r00 = of.r00;
-            out.r01 = of.r10;
-            out.r02 = of.r20;
-            out.r10 = of.r01;
-            out.r11 = of.r11;
-            out.r12 = of.r21;
-            out.r20 = of.r02;
-            out.r21 = of.r12;
-            out.r22 = of.r22;
-            out.x = -(of.r00 * size) * of.x - of.r10 * size * of.y - of.r20 * size * of.z;
-            out.y = -(of.r01 * size) * of.x - of.r11 * size * of.y - of.r21 * size * of.z;
-            out.z = -(of.r02 * size) * of.x - of.r12 * size * of.y - of.r22 * size * of.z;
         }
 
         /**
@@ -92,28 +73,11 @@ package starlogo.solid
         {
             var structure:BoundingStructure = pose.place(inner);
             isInSpaceOfSecond = false;
-            if (structure.kind == BoundingStructure.SPHERE)
-            {
-                var sphere:Sphere = Sphere(structure);
-                innerPoint.copyFrom(sphere.center);
-                return outer.isInside(innerPoint, sphere.radius);
-            }
-            if (structure.kind == BoundingStructure.CAPSULE)
-            {
-                var capsule:Capsule = Capsule(structure);
-                innerPoint.copyFrom(capsule.start);
-                return outer.isInside(innerPoint, capsule.radius);
-            }
-            if (structure.kind == BoundingStructure.HULL)
-            {
-                // The origin of its points is inside of it.
-                _shape.setStructure(structure);
-                innerPoint.setTo(_shape.x, _shape.y, _shape.z);
-                return outer.isInside(innerPoint, 0);
-            }
-            var box:Box = Box(structure);
-            innerPoint.copyFrom(box.center);
-            return outer.isInside(innerPoint, Math.min(box.halfX, Math.min(box.halfY, box.halfZ)));
+            // The origin of its points is inside of it, and so is a ball around it.
+            _shape.setStructure(structure);
+            innerPoint.setTo(_shape.x, _shape.y, _shape.z);
+            var box:Box = structure as Box;
+            return outer.isInside(innerPoint, box == null ? _shape.radius : Math.min(box.halfX, Math.min(box.halfY, box.halfZ)));
         }
 
         // Finds a point of a part of the inner model that is inside of the outer one. Returns whether there is such a point. The pose is that of the

@@ -1,6 +1,6 @@
 package starlogo.solid
 {
-    import starlogo.geometry.HashTable;
+    import starlogo.data.HashTable;
     import starlogo.steps.StepSequence;
 
     /**

@@ -8,7 +8,7 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Prepares a model for exact tests, in steps: the corners and planes of its triangles in the order of the tree; the surface that they make;
+     * Prepares a model for exact tests, in steps: the corners and planes of its triangles by slot; the surface that they make;
      * what counts its windings; and the outermost points of its parts.
      *
      * <p>The surface takes most of the work, unless it is known already: which vertices are at the same place, to within Tolerances.WELDING, which
@@ -56,9 +56,9 @@ package starlogo.solid
             surface = knownSurface || new SurfaceTopology(tree.itemCount);
             if (knownMesh == null)
             {
-                sliced(mesh.placeCorners);
+                sliced(mesh.fillCorners);
             }
-            sliced(mesh.placePlanes);
+            sliced(mesh.fillPlanes);
             if (knownSurface == null || surface.widestSeam > 0)
             {
                 _welding = new Welding(tree.vertices);
@@ -106,14 +106,14 @@ package starlogo.solid
         private function numberSets(first:int, end:int, sets:DisjointSets, numbers:Vector.<int>):void
         {
             surface.widestSeam = _welding.widestSeam;
-            for (var i:int = first; i < end; i++)
+            for (var triangle:int = first; triangle < end; triangle++)
             {
-                var root:int = sets.rootOf(_welding.welded[_tree.triangles[3 * i]]);
+                var root:int = sets.rootOf(_welding.welded[_tree.triangles[3 * triangle]]);
                 if (numbers[root] == 0)
                 {
                     numbers[root] = ++surface.partNumberEnd;
                 }
-                surface.parts[i] = numbers[root] - 1;
+                surface.parts[triangle] = numbers[root] - 1;
             }
         }
 
@@ -159,15 +159,15 @@ package starlogo.solid
 
         private function addToParts(first:int, end:int):void
         {
-            for (var i:int = first; i < end; i++)
+            for (var slot:int = first; slot < end; slot++)
             {
-                var part:int = surface.parts[_tree.order[i]];
-                var side:int = _windingCounter.sideOf(i);
-                if (side != 0)
+                var part:int = surface.parts[_tree.order[slot]];
+                var shell:int = _windingCounter.signedShellOf(slot);
+                if (shell != 0)
                 {
-                    _partOf[int(Math.abs(side) - 1)] = part;
+                    _partOf[int(Math.abs(shell) - 1)] = part;
                 }
-                _extremes.add(part, i);
+                _extremes.add(part, slot);
             }
         }
 
@@ -196,9 +196,9 @@ package starlogo.solid
 
         private function numberParts(first:int, end:int):void
         {
-            for (var i:int = first; i < end; i++)
+            for (var triangle:int = first; triangle < end; triangle++)
             {
-                surface.parts[i] = _joined.rootOf(surface.parts[i]);
+                surface.parts[triangle] = _joined.rootOf(surface.parts[triangle]);
             }
         }
 

@@ -25,9 +25,9 @@ package starlogo.solid
      */
     public final class ModelRayQuery
     {
-        private var _nodes:NodeRayTest = new NodeRayTest();
-        private var _boxes:BoxSearch = new BoxSearch();
-        private var _triangles:RayTriangleTest = new RayTriangleTest();
+        private var _nodeTest:NodeRayTest = new NodeRayTest();
+        private var _search:BoxSearch = new BoxSearch();
+        private var _triangleTest:RayTriangleTest = new RayTriangleTest();
         private var _start:Vector3D = new Vector3D();
 
         // The normal of the triangle that the ray meets.
@@ -56,7 +56,7 @@ package starlogo.solid
             {
                 return findTriangle(model, ray, out);
             }
-            return _nodes.findHit(model.boxTree, exact ? BoxTree.NO_LIMIT : depth, ray, out);
+            return _nodeTest.findHit(model.boxTree, exact ? BoxTree.NO_LIMIT : depth, ray, out);
         }
 
         /**
@@ -74,17 +74,18 @@ package starlogo.solid
             }
             if (!exact || !model.hasTriangles)
             {
-                _nodes.findAll(model.boxTree, exact ? BoxTree.NO_LIMIT : depth, ray, Tolerances.ROUNDING * model.boxTree.radiusAboutOrigin, out);
+                _nodeTest.findAll(model.boxTree, exact ? BoxTree.NO_LIMIT : depth, ray, Tolerances.ROUNDING * model.boxTree.radiusAboutOrigin, out);
                 return false;
             }
             var first:int = out.count;
             searchTriangles(model, ray, out);
             for (var i:int = first; i < out.count; i++)
             {
+                var slot:int = out.triangles[i];
                 _entry.begin(ray);
-                setNormal(model.mesh, out.triangles[i], ray, _entry);
+                setNormal(model.mesh, slot, ray, _entry);
                 out.setNormal(i, _entry);
-                out.triangles[i] = model.boxTree.order[out.triangles[i]];
+                out.triangles[i] = model.boxTree.order[slot];
             }
             return true;
         }
@@ -98,14 +99,14 @@ package starlogo.solid
         private function findTriangle(model:ModelTree, ray:Ray, out:RayEntry):Boolean
         {
             searchTriangles(model, ray, null);
-            var found:int = _triangles.triangle;
-            if (found < 0)
+            var slot:int = _triangleTest.slot;
+            if (slot < 0)
             {
                 return false;
             }
-            out.triangle = model.boxTree.order[found];
-            out.distance = _triangles.limit;
-            setNormal(model.mesh, found, ray, out);
+            out.triangle = model.boxTree.order[slot];
+            out.distance = _triangleTest.distance;
+            setNormal(model.mesh, slot, ray, out);
             return true;
         }
 
@@ -113,15 +114,15 @@ package starlogo.solid
         private function searchTriangles(model:ModelTree, ray:Ray, all:RayCrossings):void
         {
             var mesh:TriangleMesh = model.prepareMesh();
-            _triangles.begin(ray, mesh.corners, model.boxTree.radiusAboutOrigin, all);
-            _boxes.setRay(ray);
-            _boxes.find(mesh.tree, BoxTree.NO_LIMIT, _triangles);
+            _triangleTest.begin(ray, mesh.corners, model.boxTree.radiusAboutOrigin, all);
+            _search.setRay(ray);
+            _search.find(mesh.tree, BoxTree.NO_LIMIT, _triangleTest);
         }
 
         // Sets the normal to that of a triangle, against the ray. A triangle without area has none; then it stays the opposite of the ray's direction.
-        private function setNormal(mesh:TriangleMesh, index:int, ray:Ray, out:RayEntry):void
+        private function setNormal(mesh:TriangleMesh, slot:int, ray:Ray, out:RayEntry):void
         {
-            _face.setTriangle(mesh.corners, 9 * index);
+            _face.setTriangle(mesh.corners, 9 * slot);
             if (_face.doubleArea > 0)
             {
                 out.setNormal(ray, _face.x, _face.y, _face.z);

@@ -102,7 +102,7 @@ package starlogo.solid
             if (mesh == null)
             {
                 mesh = new TriangleMesh(boxTree);
-                mesh.placeCorners(0, boxTree.order.length);
+                mesh.fillCorners(0, boxTree.order.length);
             }
             return mesh;
         }
@@ -124,7 +124,7 @@ package starlogo.solid
         }
 
         /**
-         * @private Returns the corners of the triangles, in the order of the tree: nine numbers each. If they are not prepared, prepares them.
+         * @private Returns the corners of the triangles by slot: nine numbers each. If they are not prepared, prepares them.
          *     Only for models with triangles.
          */
         engine function prepareCorners():Vector.<Number>

@@ -13,15 +13,15 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Two models' triangles in one space: those of the first model as they are, and those of one node of the second model, moved. A triangle of each
-     * is a shape, and ConvexPair decides about the two.
+     * Two models' triangles in one space: those of the first model as they are, by slot, and those of one node of the second model, moved, by their
+     * index in the node. A triangle of each is a shape, and ConvexPair decides about the two.
      */
     internal final class MovedTriangles
     {
         public var meshA:TriangleMesh = null;
         public var meshB:TriangleMesh = null;
 
-        /** The corners of the triangles of the node of the last <code>move()</code>: nine numbers each. */
+        /** The corners of the triangles of the node of the last <code>move()</code>, by index: nine numbers each. */
         public var moved:Vector.<Number> = new Vector.<Number>();
 
         /** The extents of these triangles: minX, maxX, minY, maxY, minZ, maxZ of each. */
@@ -109,31 +109,31 @@ package starlogo.solid
          * Whether a triangle of the first model may touch the second model's current triangle until the motion's latest time. Quick tests of extents
          * and planes. If the extents are near, it counts the pair. The first model's planes must be prepared.
          *
-         * @param first the first model's triangle
-         * @param second the triangle of the last <code>setSecond()</code>
+         * @param slot the first model's triangle
+         * @param index the second model's triangle, which is that of the last <code>setSecond()</code>
          * @param motion of the second model; RelativeMotion.NONE if it stands
          */
-        public function mayTouch(first:int, second:int, motion:RelativeMotion):Boolean
+        public function mayTouch(slot:int, index:int, motion:RelativeMotion):Boolean
         {
             var ofA:Vector.<Number> = meshA.extents;
             var ofB:Vector.<Number> = _extentsOfB;
-            var at:int = 6 * first;
+            var at:int = 6 * slot;
             if (ofA[at] > ofB[1] || ofA[int(at + 1)] < ofB[0] || ofA[int(at + 2)] > ofB[3] || ofA[int(at + 3)] < ofB[2] || ofA[int(at + 4)] > ofB[5]
                     || ofA[int(at + 5)] < ofB[4])
             {
                 return false;
             }
             counts.triangleTests++;
-            return !stayApart(first, second, motion);
+            return !stayApart(slot, index, motion);
         }
 
         // Whether the second model's triangle stays on one side of the plane of the first one's.
-        private function stayApart(first:int, second:int, motion:RelativeMotion):Boolean
+        private function stayApart(slot:int, index:int, motion:RelativeMotion):Boolean
         {
             var planes:Vector.<Number> = meshA.planes;
             var corners:Vector.<Number> = moved;
-            var at:int = 4 * first;
-            var corner:int = 9 * second;
+            var at:int = 4 * slot;
+            var corner:int = 9 * index;
             var x:Number = planes[at];
             var y:Number = planes[int(at + 1)];
             var z:Number = planes[int(at + 2)];
@@ -147,7 +147,7 @@ package starlogo.solid
             return p > low && q > low && r > low || p < high && q < high && r < high;
         }
 
-        /** Sets the shapes of a triangle of each model, by their numbers in the trees' orders, without a margin. */
+        /** Sets the shapes of a triangle of each model, by their slots, without a margin. */
         public function setPair(first:int, second:int):void
         {
             setFirst(first);
@@ -157,24 +157,24 @@ package starlogo.solid
         }
 
         /** Sets the shape of the first model's triangle. */
-        public function setFirst(triangle:int):void
+        public function setFirst(slot:int):void
         {
-            a.setTriangle(meshA.corners, 9 * triangle);
+            a.setTriangle(meshA.corners, 9 * slot);
         }
 
         /**
          * Sets the shape of the second model's triangle. It has the margin of both.
          *
-         * @param triangle its number in the node
+         * @param index its index in the node
          * @param motion of the second model; RelativeMotion.NONE if it stands. Its latest time may become earlier afterwards
          */
-        public function setSecond(triangle:int, motion:RelativeMotion):void
+        public function setSecond(index:int, motion:RelativeMotion):void
         {
-            b.setTriangle(moved, 9 * triangle);
+            b.setTriangle(moved, 9 * index);
             b.margin += _tolerance;
-            widen(6 * triangle, 0, motion.latest * motion.x);
-            widen(6 * triangle, 2, motion.latest * motion.y);
-            widen(6 * triangle, 4, motion.latest * motion.z);
+            widen(6 * index, 0, motion.latest * motion.x);
+            widen(6 * index, 2, motion.latest * motion.y);
+            widen(6 * index, 4, motion.latest * motion.z);
         }
 
         // Writes the extents of the second model's triangle and of its motion along an axis.

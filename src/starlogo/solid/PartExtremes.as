@@ -15,7 +15,7 @@ package starlogo.solid
         private var _corners:Vector.<Number>;
 
         /**
-         * @param corners the corners of the triangles, nine numbers each
+         * @param corners the corners of the triangles by slot, nine numbers each
          * @param count greater than any group's number
          */
         public function PartExtremes(corners:Vector.<Number>, count:int)
@@ -29,13 +29,13 @@ package starlogo.solid
         }
 
         /** Adds a triangle to a group. */
-        public function add(group:int, triangle:int):void
+        public function add(group:int, slot:int):void
         {
             if (pointsAt[group] < 0)
             {
-                beginGroup(group, 9 * triangle);
+                beginGroup(group, 9 * slot);
             }
-            for (var corner:int = 9 * triangle; corner < 9 * triangle + 9; corner += 3)
+            for (var corner:int = 9 * slot; corner < 9 * slot + 9; corner += 3)
             {
                 extendGroup(pointsAt[group], corner);
             }

@@ -27,8 +27,11 @@ package starlogo.solid
         // counts, because its normal is against the ray.
         private static const EDGE_ON:Number = 16;
 
-        /** The index of the nearest triangle so far, or -1. */
-        public var triangle:int = -1;
+        /** The slot of the first triangle that the ray meets, of those tested so far; -1 if it meets none. Not set if all are wanted. */
+        public var slot:int = -1;
+
+        /** Where the ray meets that triangle: a distance, as the ray counts them. Without meaning if there is none. */
+        public var distance:Number = 0;
 
         private var _ray:Ray = null;
         private var _all:RayCrossings = null;
@@ -63,7 +66,7 @@ package starlogo.solid
          * Begins with a ray.
          *
          * @param ray in the space of the triangles; the object is kept
-         * @param corners nine numbers for each triangle; kept
+         * @param corners nine numbers for each triangle, by slot; kept
          * @param radius of a sphere around all triangles
          * @param all receives the crossings with all triangles, without normals; kept. Null if the first triangle is wanted
          */
@@ -73,7 +76,7 @@ package starlogo.solid
             _all = all;
             _corners = corners;
             limit = _latest = ray.to;
-            triangle = -1;
+            slot = -1;
             var absX:Number = Math.abs(ray.directionX);
             var absY:Number = Math.abs(ray.directionY);
             var absZ:Number = Math.abs(ray.directionZ);
@@ -116,8 +119,8 @@ package starlogo.solid
          * <p>For each one, it shears the corners as seen from the line, finds the sides on which the ray passes the edges, and finds where
          * the ray crosses the plane.</p>
          *
-         * @param first the first triangle's number
-         * @param end the number after the last one
+         * @param first the first triangle's slot
+         * @param end the slot after the last one
          * @return whether one of them is the nearest so far, or was added to all crossings
          */
         public function testTriangles(first:int, end:int):Boolean
@@ -163,7 +166,7 @@ package starlogo.solid
                 var crossing:Number = isEdgeOn ? passEdges(9 * i) : _stretch * (sideA * aZ + sideB * bZ + sideC * cZ) / sum;
                 var slack:Number = isEdgeOn ? Tolerances.ROUNDING * Math.abs(crossing) + 4 * EDGE_ON * _margin : 0;
                 // NaN is skipped too
-                if (!(crossing >= _ray.from && crossing <= _latest) || (triangle >= 0 && crossing + slack >= _latest))
+                if (!(crossing >= _ray.from && crossing <= _latest) || (slot >= 0 && crossing + slack >= _latest))
                 {
                     continue;
                 }
@@ -183,25 +186,26 @@ package starlogo.solid
                     continue;
                 }
                 _latest = Math.min(crossing + slack, _ray.to);
-                limit = crossing;
-                triangle = i;
+                limit = distance = crossing;
+                slot = i;
             }
             return hasFound;
         }
 
-        // Adds a crossing. The ray may pass a gap beside the place that is tested. On a steep triangle the place is then farther off along the ray.
-        private function addCrossing(index:int, crossing:Number, isEdgeOn:Boolean, sum:Number, spread:Number):void
+        // Adds the crossing of the triangle in a slot. The ray may pass a gap beside the place that is tested. On a steep triangle the place is then
+        // farther off along the ray.
+        private function addCrossing(crossed:int, crossing:Number, isEdgeOn:Boolean, sum:Number, spread:Number):void
         {
             var slack:Number = Tolerances.ROUNDING * Math.abs(crossing);
             if (isEdgeOn)
             {
                 slack += 4 * EDGE_ON * _margin;
-                _all.add(crossing, slack, Math.max(_last, crossing) + slack, RayCrossings.EDGE_ON, index);
+                _all.add(crossing, slack, Math.max(_last, crossing) + slack, RayCrossings.EDGE_ON, crossed);
             }
             else
             {
                 slack += 4 * _margin * (1 + spread / Math.abs(sum));
-                _all.add(crossing, slack, crossing, sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES, index);
+                _all.add(crossing, slack, crossing, sum > 0 ? RayCrossings.ENTERS : RayCrossings.LEAVES, crossed);
             }
         }
 

@@ -59,10 +59,10 @@ package starlogo.solid
             return true;
         }
 
-        private function add(triangle:int, side:int):void
+        private function add(triangle:int, signedShell:int):void
         {
-            _surface.signedShells[triangle] = side;
-            balances[int(balances.length - 1)] += side > 0 ? 1 : -1;
+            _surface.signedShells[triangle] = signedShell;
+            balances[int(balances.length - 1)] += signedShell > 0 ? 1 : -1;
             _queue.push(triangle);
         }
 
@@ -78,17 +78,17 @@ package starlogo.solid
                     shellStates[shell] = SurfaceTopology.OPEN;
                     continue;
                 }
-                var side:int = _surface.signedShells[triangle];
+                var signedShell:int = _surface.signedShells[triangle];
                 if (_edges.beginOf(edge) == _edges.beginOf(partner))
                 {
-                    side = -side;
+                    signedShell = -signedShell;
                 }
                 var neighbour:int = partner / 3;
                 if (_surface.signedShells[neighbour] == 0)
                 {
-                    add(neighbour, side);
+                    add(neighbour, signedShell);
                 }
-                else if (_surface.signedShells[neighbour] != side && shellStates[shell] == SurfaceTopology.SOLID)
+                else if (_surface.signedShells[neighbour] != signedShell && shellStates[shell] == SurfaceTopology.SOLID)
                 {
                     shellStates[shell] = SurfaceTopology.ONE_SIDED;
                 }

@@ -20,12 +20,12 @@ package starlogo.solid
     {
         private var _overlaps:TreeOverlapQuery;
         private var _pose:RelativePose = new RelativePose();
-        private var _boxes:BoxDistanceTraversal;
+        private var _traversal:BoxDistanceTraversal;
 
         // What decides about nodes.
-        private var _trianglePairs:TrianglePairDistance;
-        private var _nodes:NodeDistanceTest;
-        private var _triangles:TriangleDistanceTest;
+        private var _trianglePairDistance:TrianglePairDistance;
+        private var _nodeTest:NodeDistanceTest;
+        private var _triangleTest:TriangleDistanceTest;
         private var _measured:ClosestPoints = new ClosestPoints();
 
         /**
@@ -35,10 +35,10 @@ package starlogo.solid
         public function TreeDistanceQuery(overlaps:TreeOverlapQuery, counts:TreeCounts)
         {
             _overlaps = overlaps;
-            _boxes = new BoxDistanceTraversal(counts);
-            _trianglePairs = new TrianglePairDistance(counts);
-            _nodes = new NodeDistanceTest(counts);
-            _triangles = new TriangleDistanceTest(counts);
+            _traversal = new BoxDistanceTraversal(counts);
+            _trianglePairDistance = new TrianglePairDistance(counts);
+            _nodeTest = new NodeDistanceTest(counts);
+            _triangleTest = new TriangleDistanceTest(counts);
         }
 
         /**
@@ -65,8 +65,8 @@ package starlogo.solid
         public function nearestTriangle(pair:TreePair):int
         {
             _pose.relate(pair.placementA, pair.placementB);
-            var found:int = _triangles.find(pair.a, pair.structureB, _pose, _measured);
-            return found < 0 ? -1 : pair.a.boxTree.order[found];
+            var slot:int = _triangleTest.find(pair.a, pair.structureB, _pose, _measured);
+            return slot < 0 ? -1 : pair.a.boxTree.order[slot];
         }
 
         // Finds the distance and the closest points in the first model's space.
@@ -76,16 +76,16 @@ package starlogo.solid
             var b:ModelTree = pair.b;
             if (b != null)
             {
-                var decider:NodePairSearch = pair.isExact ? _trianglePairs.begin(a, b, _pose, out) : null;
-                _boxes.findClosest(_pose, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider, out);
+                var decider:NodePairSearch = pair.isExact ? _trianglePairDistance.begin(a, b, _pose, out) : null;
+                _traversal.findClosest(_pose, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider, out);
             }
             else if (pair.isExact)
             {
-                _triangles.find(a, pair.structureB, _pose, out);
+                _triangleTest.find(a, pair.structureB, _pose, out);
             }
             else
             {
-                _nodes.find(a.boxTree, pair.depthA, pair.structureB, _pose, out);
+                _nodeTest.find(a.boxTree, pair.depthA, pair.structureB, _pose, out);
             }
         }
     }

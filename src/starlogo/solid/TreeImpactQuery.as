@@ -39,12 +39,12 @@ package starlogo.solid
         // The nodes or triangles that touch first.
         private var _touch:FirstTouch = new FirstTouch();
 
-        private var _boxes:SweptBoxTraversal;
+        private var _traversal:SweptBoxTraversal;
 
         // What decides about nodes.
-        private var _trianglePairs:TrianglePairSweep;
-        private var _nodes:NodeStructureTest;
-        private var _triangles:TriangleStructureTest;
+        private var _trianglePairSweep:TrianglePairSweep;
+        private var _nodeTest:NodeStructureTest;
+        private var _triangleTest:TriangleStructureTest;
 
         // For contacts: nodes.
         private var _boxA:Box = BoxTree.newBox();
@@ -59,10 +59,10 @@ package starlogo.solid
         {
             _pair = pair;
             _overlaps = overlaps;
-            _boxes = new SweptBoxTraversal(counts);
-            _trianglePairs = new TrianglePairSweep(counts);
-            _nodes = new NodeStructureTest(counts);
-            _triangles = new TriangleStructureTest(counts);
+            _traversal = new SweptBoxTraversal(counts);
+            _trianglePairSweep = new TrianglePairSweep(counts);
+            _nodeTest = new NodeStructureTest(counts);
+            _triangleTest = new TriangleStructureTest(counts);
         }
 
         /** @inheritDoc */
@@ -139,16 +139,16 @@ package starlogo.solid
             RelativePose.relateMotion(pair.placementA, motion, _motion);
             if (b != null)
             {
-                var decider:NodePairSearch = pair.isExact ? _trianglePairs.begin(a, b, _pose, _motion, _touch) : null;
-                _boxes.findTouch(_pose, _motion, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider, _touch);
+                var decider:NodePairSearch = pair.isExact ? _trianglePairSweep.begin(a, b, _pose, _motion, _touch) : null;
+                _traversal.findTouch(_pose, _motion, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider, _touch);
             }
             else if (pair.isExact)
             {
-                _triangles.findTouch(a, pair.structureB, _pose, _motion, _touch);
+                _triangleTest.findTouch(a, pair.structureB, _pose, _motion, _touch);
             }
             else
             {
-                _nodes.findTouch(a.boxTree, pair.depthA, pair.structureB, _pose, _motion, _touch);
+                _nodeTest.findTouch(a.boxTree, pair.depthA, pair.structureB, _pose, _motion, _touch);
             }
         }
 
@@ -162,11 +162,11 @@ package starlogo.solid
             }
             if (_pair.b == null)
             {
-                _triangles.findContact(_touch.a, _motion, out);
+                _triangleTest.findContact(_touch.a, _motion, out);
             }
             else
             {
-                _trianglePairs.findContact(_touch, _motion, out);
+                _trianglePairSweep.findContact(_touch, _motion, out);
             }
             moveToWorld(out, _pair.placementA, motion);
         }

@@ -30,22 +30,22 @@ package starlogo.solid
         // Transforms the second model into the first model's space.
         private var _pose:RelativePose = new RelativePose();
 
-        private var _boxes:BoxTraversal;
+        private var _traversal:BoxTraversal;
 
         // What decides about nodes.
-        private var _trianglePairs:TrianglePairTest;
-        private var _nodes:NodeStructureTest;
-        private var _triangles:TriangleStructureTest;
+        private var _trianglePairTest:TrianglePairTest;
+        private var _nodeTest:NodeStructureTest;
+        private var _triangleTest:TriangleStructureTest;
         private var _containment:ContainmentTest = new ContainmentTest();
         private var _touch:FirstTouch = new FirstTouch();
 
         /** @param counts counts what the query does */
         public function TreeOverlapQuery(counts:TreeCounts)
         {
-            _boxes = new BoxTraversal(counts);
-            _trianglePairs = new TrianglePairTest(counts);
-            _nodes = new NodeStructureTest(counts);
-            _triangles = new TriangleStructureTest(counts);
+            _traversal = new BoxTraversal(counts);
+            _trianglePairTest = new TrianglePairTest(counts);
+            _nodeTest = new NodeStructureTest(counts);
+            _triangleTest = new TriangleStructureTest(counts);
         }
 
         /** Whether two standing models overlap. */
@@ -65,10 +65,10 @@ package starlogo.solid
             {
                 return touchesStructure(pair) || findInside(pair);
             }
-            var decider:NodePairTest = pair.isExact ? _trianglePairs.begin(a, b, pose) : null;
+            var decider:NodePairTest = pair.isExact ? _trianglePairTest.begin(a, b, pose) : null;
             // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
-            return _boxes.find(pose, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider)
-                || _boxes.rootsOverlapped && findInside(pair);
+            return _traversal.find(pose, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider)
+                || _traversal.rootsOverlapped && findInside(pair);
         }
 
         // Whether a triangle or a node of the first model touches the structure that stands for the second one.
@@ -76,11 +76,11 @@ package starlogo.solid
         {
             if (pair.isExact)
             {
-                _triangles.findTouch(pair.a, pair.structureB, _pose, RelativeMotion.NONE, _touch);
+                _triangleTest.findTouch(pair.a, pair.structureB, _pose, RelativeMotion.NONE, _touch);
             }
             else
             {
-                _nodes.findTouch(pair.a.boxTree, pair.depthA, pair.structureB, _pose, RelativeMotion.NONE, _touch);
+                _nodeTest.findTouch(pair.a.boxTree, pair.depthA, pair.structureB, _pose, RelativeMotion.NONE, _touch);
             }
             return _touch.time == 0;
         }

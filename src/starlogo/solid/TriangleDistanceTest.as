@@ -16,7 +16,7 @@ package starlogo.solid
     internal final class TriangleDistanceTest extends NodeTest
     {
         // Finds the nodes near the structure's extents.
-        private var _boxes:BoxSearch;
+        private var _search:BoxSearch;
         private var _counts:TreeCounts;
 
         private var _mesh:TriangleMesh;
@@ -25,15 +25,15 @@ package starlogo.solid
         // The structure's extents: minX, maxX, minY, ...
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        // The closest points so far, and the index of the nearest triangle in the tree's order.
+        // The closest points so far, and the slot of the nearest triangle.
         private var _nearest:ClosestPoints;
-        private var _triangle:int = -1;
+        private var _slot:int = -1;
 
         /** @param counts counts the nodes that are visited and the triangles that are tested */
         public function TriangleDistanceTest(counts:TreeCounts)
         {
             _counts = counts;
-            _boxes = new BoxSearch(counts);
+            _search = new BoxSearch(counts);
         }
 
         /**
@@ -43,19 +43,19 @@ package starlogo.solid
          * @param structure in the space of another model
          * @param pose the other model's pose in the first one's space
          * @param out receives them, in the model's space
-         * @return the index of the nearest triangle in the tree's order
+         * @return the slot of the nearest triangle
          */
         public function find(model:ModelTree, structure:BoundingStructure, pose:RelativePose, out:ClosestPoints):int
         {
             _mesh = model.prepareMesh();
             _pair.setStructure(structure, pose.placement).extentsInto(_extents);
             _nearest = out;
-            _triangle = -1;
+            _slot = -1;
             limit = out.distance = Infinity;
-            _boxes.setExtents(_extents, 0);
-            _boxes.findNear(model.boxTree, BoxTree.NO_LIMIT, this);
+            _search.setExtents(_extents, 0);
+            _search.findNear(model.boxTree, BoxTree.NO_LIMIT, this);
             out.swap();
-            return _triangle;
+            return _slot;
         }
 
         /** @inheritDoc */
@@ -71,7 +71,7 @@ package starlogo.solid
                     if (_pair.findCloser(_nearest))
                     {
                         limit = _nearest.distance;
-                        _triangle = i;
+                        _slot = i;
                     }
                 }
             }

@@ -8,7 +8,7 @@ package starlogo.solid
 
     use namespace engine;
 
-    /** A model's triangles, for exact tests: their corners, planes and extents, in the order of the tree. */
+    /** A model's triangles, for exact tests: their corners, planes and extents by slot, which is the order of the tree. */
     internal final class TriangleMesh
     {
         /** The boxes around the triangles. */
@@ -43,17 +43,17 @@ package starlogo.solid
             return Tolerances.PLANES * tree.radiusAboutOrigin;
         }
 
-        /** Places the corners of a range of triangles. Must be called for all triangles before anything else. */
-        public function placeCorners(first:int, end:int):void
+        /** Fills in the corners of a range of triangles. Must be called for all triangles before anything else. */
+        public function fillCorners(first:int, end:int):void
         {
             writeCorners(first, end, null, corners, 9 * first);
         }
 
         /**
-         * Writes the corners of a range of triangles, in the tree's order.
+         * Writes the corners of a range of triangles.
          *
-         * @param first the first triangle's number in this order
-         * @param end the number after the last one
+         * @param first the first triangle's slot
+         * @param end the slot after the last one
          * @param welded for each vertex, the vertex whose place it has; null for its own
          * @param out receives nine numbers for each triangle
          * @param to the index of the first
@@ -84,39 +84,39 @@ package starlogo.solid
         /** Follows the tree, which has new boxes and vertices. */
         public function refit():void
         {
-            placeCorners(0, corners.length / 9);
+            fillCorners(0, corners.length / 9);
             if (planes != null)
             {
-                placePlanes(0, corners.length / 9);
+                fillPlanes(0, corners.length / 9);
             }
             if (extents != null)
             {
-                placeExtents();
+                fillExtents();
             }
         }
 
-        /** Returns the planes. If they are not placed yet, places them. */
+        /** Returns the planes. If they are not known yet, computes them. */
         public function preparePlanes():Vector.<Number>
         {
             if (planes == null)
             {
-                placePlanes(0, corners.length / 9);
+                fillPlanes(0, corners.length / 9);
             }
             return planes;
         }
 
-        /** Returns the extents. If they are not placed yet, places them. */
+        /** Returns the extents. If they are not known yet, computes them. */
         public function prepareExtents():Vector.<Number>
         {
             if (extents == null)
             {
                 extents = new Vector.<Number>(6 * corners.length / 9, true);
-                placeExtents();
+                fillExtents();
             }
             return extents;
         }
 
-        private function placeExtents():void
+        private function fillExtents():void
         {
             var count:int = corners.length / 9;
             for (var i:int = 0; i < count; i++)
@@ -125,8 +125,8 @@ package starlogo.solid
             }
         }
 
-        /** Places the planes of a range of triangles. Must be called for all triangles before the planes are read. */
-        public function placePlanes(first:int, end:int):void
+        /** Fills in the planes of a range of triangles. Must be called for all triangles before the planes are read. */
+        public function fillPlanes(first:int, end:int):void
         {
             planes ||= new Vector.<Number>(4 * corners.length / 9, true);
             var into:Vector.<Number> = planes;

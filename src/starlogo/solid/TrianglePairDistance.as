@@ -50,21 +50,21 @@ package starlogo.solid
             bounds.current = _points.distance;
         }
 
-        // Adds each triangle of a range of the first model, paired with a triangle of the second.
-        private function addTriangle(first:int, end:int, triangle:int):void
+        // Adds each of the first model's triangles in a range of slots, paired with a triangle of the second model's node.
+        private function addTriangle(first:int, end:int, index:int):void
         {
             var limit:Number = _points.distance * _points.distance;
             var isProjected:Boolean = false;
-            _triangles.setSecond(triangle, RelativeMotion.NONE);
+            _triangles.setSecond(index, RelativeMotion.NONE);
             for (var i:int = first; i < end; i++)
             {
-                if (squaredDistanceOfExtents(i, triangle) >= limit)
+                if (squaredDistanceOfExtents(i, index) >= limit)
                 {
                     continue;
                 }
                 if (!isProjected)
                 {
-                    projectTo(_triangles.moved, 9 * triangle);
+                    projectTo(_triangles.moved, 9 * index);
                     isProjected = true;
                 }
                 if (!isBeyond(_triangles.meshA.corners, 9 * i))
@@ -80,13 +80,13 @@ package starlogo.solid
             }
         }
 
-        // The squared distance of the extents of a triangle of the first model and one of the second.
-        private function squaredDistanceOfExtents(first:int, second:int):Number
+        // The squared distance of the extents of a triangle of the first model and one of the second model's node.
+        private function squaredDistanceOfExtents(slot:int, index:int):Number
         {
             var ofA:Vector.<Number> = _triangles.meshA.extents;
             var ofB:Vector.<Number> = _triangles.extents;
-            var a:int = 6 * first;
-            var b:int = 6 * second;
+            var a:int = 6 * slot;
+            var b:int = 6 * index;
             var squared:Number = 0;
             for (var end:int = a + 6; a < end; a += 2)
             {

@@ -57,16 +57,16 @@ package starlogo.solid
             }
         }
 
-        // If a triangle of the second model touches one of a range of the first model until the motion's latest time, and earlier than those of this
+        // If a triangle of the second model's node touches one of the first model's in a range of slots until the motion's latest time, and earlier than those of this
         // pair of nodes before, keeps the time as the current one of the bounds, and as the latest one. Returns whether it does.
-        private function keepEarlier(triangle:int, first:int, end:int, bounds:NodePairBounds):Boolean
+        private function keepEarlier(index:int, first:int, end:int, bounds:NodePairBounds):Boolean
         {
             var motion:RelativeMotion = _motion;
             var isEarlier:Boolean = false;
-            _triangles.setSecond(triangle, motion);
+            _triangles.setSecond(index, motion);
             for (var i:int = end - 1; i >= first && bounds.current > 0; i--)
             {
-                if (!_triangles.mayTouch(i, triangle, motion))
+                if (!_triangles.mayTouch(i, index, motion))
                 {
                     continue;
                 }

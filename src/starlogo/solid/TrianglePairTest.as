@@ -43,13 +43,13 @@ package starlogo.solid
             return false;
         }
 
-        // Whether a triangle of the second model touches a triangle in a range of the first.
-        private function touchesSome(triangle:int, first:int, end:int):Boolean
+        // Whether a triangle of the second model's node touches one of the first model's triangles in a range of slots.
+        private function touchesSome(index:int, first:int, end:int):Boolean
         {
-            _triangles.setSecond(triangle, RelativeMotion.NONE);
+            _triangles.setSecond(index, RelativeMotion.NONE);
             for (var i:int = first; i < end; i++)
             {
-                if (_triangles.mayTouch(i, triangle, RelativeMotion.NONE) && touches(i))
+                if (_triangles.mayTouch(i, index, RelativeMotion.NONE) && touches(i))
                 {
                     return true;
                 }
@@ -58,13 +58,13 @@ package starlogo.solid
         }
 
         // Whether the second model's triangle touches a triangle of the first.
-        private function touches(triangle:int):Boolean
+        private function touches(slot:int):Boolean
         {
-            if (TriangleSeparation.areApart(_triangles.meshA.corners, 9 * triangle, _triangles.b))
+            if (TriangleSeparation.areApart(_triangles.meshA.corners, 9 * slot, _triangles.b))
             {
                 return false;
             }
-            _triangles.setFirst(triangle);
+            _triangles.setFirst(slot);
             return _triangles.pair.areTouching(_triangles.a, _triangles.b);
         }
     }

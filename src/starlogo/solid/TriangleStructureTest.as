@@ -26,7 +26,7 @@ package starlogo.solid
     internal final class TriangleStructureTest extends NodeTest
     {
         // Finds the nodes near the structure's extents.
-        private var _boxes:BoxSearch;
+        private var _search:BoxSearch;
         private var _counts:TreeCounts;
 
         private var _mesh:TriangleMesh;
@@ -54,7 +54,7 @@ package starlogo.solid
         public function TriangleStructureTest(counts:TreeCounts)
         {
             _counts = counts;
-            _boxes = new BoxSearch(counts);
+            _search = new BoxSearch(counts);
         }
 
         /**
@@ -72,7 +72,7 @@ package starlogo.solid
             limit = motion.isStill ? 0 : motion.latest;
             out.time = RelativeMotion.NEVER;
             _found = out;
-            _boxes.find(_mesh.tree, BoxTree.NO_LIMIT, this);
+            _search.find(_mesh.tree, BoxTree.NO_LIMIT, this);
         }
 
         private function begin(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
@@ -90,8 +90,8 @@ package starlogo.solid
             }
             var rounding:Number = Tolerances.EXTENTS * size;
             _radius = shape.radius + shape.margin + rounding;
-            _boxes.setExtents(_extents, shape.margin + rounding);
-            _boxes.setMotion(motion);
+            _search.setExtents(_extents, shape.margin + rounding);
+            _search.setMotion(motion);
             widen(0, motion.x);
             widen(2, motion.y);
             widen(4, motion.z);
@@ -138,8 +138,12 @@ package starlogo.solid
                 {
                     _found.time = _sweep.time;
                     _found.a = i;
-                    // no triangle can be touched earlier than at the beginning
-                    limit = _sweep.time > 0 ? _sweep.time : -Infinity;
+                    limit = _sweep.time;
+                    if (!(limit > 0))
+                    {
+                        // no triangle can be touched earlier than at the beginning
+                        endSearch();
+                    }
                 }
             }
         }
@@ -159,21 +163,21 @@ package starlogo.solid
         /**
          * Finds the contact of a triangle that is touched, in the model's space. The model and the structure are those of the last search.
          *
-         * @param triangle its number in the tree's order
+         * @param slot the triangle's slot
          * @param motion of the structure, which is where it is at the motion's time
          * @param out receives the contact, with a normal from the triangle to the structure
          */
-        public function findContact(triangle:int, motion:RelativeMotion, out:ContactPoint):void
+        public function findContact(slot:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            _pair.setTriangle(_mesh.corners, 9 * triangle);
+            _pair.setTriangle(_mesh.corners, 9 * slot);
             _pair.findContact(motion, out);
         }
 
         // Finds when the structure first comes to a triangle's plane; it cannot touch the triangle before.
-        private function findEarliest(triangle:int):void
+        private function findEarliest(slot:int):void
         {
             var planes:Vector.<Number> = _mesh.planes;
-            var at:int = 4 * triangle;
+            var at:int = 4 * slot;
             _normal.x = planes[at];
             _normal.y = planes[int(at + 1)];
             _normal.z = planes[int(at + 2)];

@@ -22,10 +22,13 @@ package starlogo.solid
         public var surface:SurfaceTopology;
 
         /** The corners of the triangles that were moved when seams were welded: nine numbers each. */
-        internal var places:Vector.<Number> = new Vector.<Number>();
+        internal var weldedCorners:Vector.<Number> = new Vector.<Number>();
 
-        /** For each triangle, the index of its first number in <code>places</code>, or -1. Null if all vertices of each seam are at one place. */
-        internal var placesAt:Vector.<int> = null;
+        /**
+         * For each slot, the index of its triangle's first number in <code>weldedCorners</code>, or -1. Null if all vertices of each seam are at one
+         * place.
+         */
+        internal var weldedAt:Vector.<int> = null;
 
         /** How often each shell winds around the point of the last <code>count()</code>. */
         public var windings:Vector.<int>;
@@ -39,10 +42,10 @@ package starlogo.solid
         /** How many entries are about that point. */
         public var crossedCount:int = 0;
 
-        private var _boxes:BoxSearch = new BoxSearch();
+        private var _search:BoxSearch = new BoxSearch();
 
-        // How many numbers the places have.
-        private var _placeCount:int = 0;
+        // How many numbers they have.
+        private var _weldedCount:int = 0;
 
         // The axis of all rays, 0 for x, and the next two axes. It is the axis along which the model is shortest.
         private var _axis:int;
@@ -72,35 +75,35 @@ package starlogo.solid
         }
 
         /**
-         * Moves the corners of triangles whose vertices are welded to others. Must be called for all triangles in their order.
+         * Moves the corners of triangles whose vertices are welded to others. Must be called for all slots in their order.
          *
          * @param welded for each vertex, the vertex whose place it has
          */
         public function weld(first:int, end:int, welded:Vector.<int>):void
         {
-            placesAt ||= new Vector.<int>(mesh.tree.itemCount, true);
-            for (var i:int = first; i < end; i++)
+            weldedAt ||= new Vector.<int>(mesh.tree.itemCount, true);
+            for (var slot:int = first; slot < end; slot++)
             {
                 // Writes each triangle after the moved ones, and keeps it if it is elsewhere than its corners.
-                mesh.writeCorners(i, i + 1, welded, places, _placeCount);
+                mesh.writeCorners(slot, slot + 1, welded, weldedCorners, _weldedCount);
                 var at:int = -1;
-                if (isElsewhere(i))
+                if (isElsewhere(slot))
                 {
-                    at = _placeCount;
-                    _placeCount += 9;
+                    at = _weldedCount;
+                    _weldedCount += 9;
                 }
-                placesAt[i] = at;
+                weldedAt[slot] = at;
             }
         }
 
         // Whether the corners behind the moved ones are not those of a triangle.
-        private function isElsewhere(triangle:int):Boolean
+        private function isElsewhere(slot:int):Boolean
         {
             for (var k:int = 0; k < 9; k++)
             {
-                var place:Number = places[int(_placeCount + k)];
-                var corner:Number = mesh.corners[int(9 * triangle + k)];
-                if (place != corner)
+                var welded:Number = weldedCorners[int(_weldedCount + k)];
+                var corner:Number = mesh.corners[int(9 * slot + k)];
+                if (welded != corner)
                 {
                     return true;
                 }
@@ -109,9 +112,9 @@ package starlogo.solid
         }
 
         /** One more than the number of a triangle's shell, negative if the triangle is reversed; 0 if two of its corners are at one place. */
-        public function sideOf(triangle:int):int
+        public function signedShellOf(slot:int):int
         {
-            return surface.signedShells[mesh.tree.order[triangle]];
+            return surface.signedShells[mesh.tree.order[slot]];
         }
 
         /**
@@ -155,9 +158,9 @@ package starlogo.solid
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
             _isBackward = _a < mesh.tree.boxes[_axis];
             var margin:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.tree.radiusAboutOrigin;
-            _boxes.setPlace(x, y, z, margin);
-            _boxes.setAxis(_axis, _isBackward ? -1 : 1);
-            _boxes.find(mesh.tree, BoxTree.NO_LIMIT, this);
+            _search.setPlace(x, y, z, margin);
+            _search.setAxis(_axis, _isBackward ? -1 : 1);
+            _search.find(mesh.tree, BoxTree.NO_LIMIT, this);
             for (var i:int = 0; i < crossedCount; i++)
             {
                 var state:int = surface.shellStates[crossed[i]];
@@ -179,14 +182,14 @@ package starlogo.solid
         }
 
         // Adds a triangle to its shell's winding number if the ray crosses it.
-        private function cross(triangle:int):void
+        private function cross(slot:int):void
         {
             var points:Vector.<Number> = mesh.corners;
-            var at:int = 9 * triangle;
-            if (placesAt != null && placesAt[triangle] >= 0)
+            var at:int = 9 * slot;
+            if (weldedAt != null && weldedAt[slot] >= 0)
             {
-                points = places;
-                at = placesAt[triangle];
+                points = weldedCorners;
+                at = weldedAt[slot];
             }
             var b:Number = _b;
             var c:Number = _c;
@@ -211,8 +214,8 @@ package starlogo.solid
             {
                 return;
             }
-            var side:int = sideOf(triangle);
-            var shell:int = side > 0 ? side - 1 : -side - 1;
+            var signed:int = signedShellOf(slot);
+            var shell:int = signed > 0 ? signed - 1 : -signed - 1;
             if (shell >= 0)
             {
                 var winding:int = windings[shell];
@@ -220,7 +223,7 @@ package starlogo.solid
                 {
                     crossed[crossedCount++] = shell;
                 }
-                windings[shell] = side > 0 ? winding + crossing : winding - crossing;
+                windings[shell] = signed > 0 ? winding + crossing : winding - crossing;
             }
         }
 

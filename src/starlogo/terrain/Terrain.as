@@ -5,8 +5,8 @@ package starlogo.terrain
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
+    import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.geometry.requireGiven;
     import starlogo.geometry.requireInWorld;
     import starlogo.ground.GroundPoint;
     import starlogo.ground.HeightGrid;

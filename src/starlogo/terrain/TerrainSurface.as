@@ -1,7 +1,7 @@
 package starlogo.terrain
 {
+    import starlogo.data.requireGiven;
     import starlogo.engine;
-    import starlogo.geometry.requireGiven;
     import starlogo.ground.GroundBox;
     import starlogo.ground.GroundTriangles;
     import starlogo.ground.HeightGrid;

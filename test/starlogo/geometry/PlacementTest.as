@@ -154,6 +154,24 @@ package starlogo.geometry
             }
         }
 
+        [Test]
+        public function theInverseBringsPointsBack():void
+        {
+            var inverse:Placement = new Placement();
+            for (var i:int = 0; i < 500; i++)
+            {
+                var placement:Placement = i == 0 ? new Placement() : randomPlacement(i % 5 == 0 ? 90 : 1e-9);
+                var point:Vector3D = new Vector3D(_random.between(-1, 1), _random.between(-1, 1), _random.between(-1, 1));
+                var there:Vector3D = new Vector3D();
+                inverse.setInverse(placement);
+                assertEquals(placement.isUnrotated, inverse.isUnrotated);
+                placement.place(point, there);
+                inverse.place(there, there);
+                var error:Number = Vector3D.distance(point, there);
+                assertTrue(i + ": " + error, error <= ROUNDING * (1 + Math.abs(inverse.x) + Math.abs(inverse.y) + Math.abs(inverse.z)));
+            }
+        }
+
         // With angles that are multiples of a step, or nearly random.
         private function randomPlacement(step:Number):Placement
         {

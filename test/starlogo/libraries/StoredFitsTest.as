@@ -13,12 +13,12 @@ package starlogo.libraries
     import starlogo.bounding.Box;
     import starlogo.bounding.Sphere;
     import starlogo.collision.Collider;
+    import starlogo.data.Fingerprint;
+    import starlogo.data.areSameNumbers;
     import starlogo.engine;
     import starlogo.fitting.Fitter;
     import starlogo.fitting.HullFitter;
     import starlogo.fitting.MinimalCapsuleFitter;
-    import starlogo.geometry.Fingerprint;
-    import starlogo.geometry.areSameNumbers;
     import starlogo.libraries.cooked.CookedStructures;
     import starlogo.models.BuiltInModel;
     import starlogo.models.CookedModel;

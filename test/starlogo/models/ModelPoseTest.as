@@ -9,8 +9,8 @@ package starlogo.models
     import starlogo.agents.Agent;
     import starlogo.bounding.Box;
     import starlogo.collision.HierarchicalCollider;
+    import starlogo.data.areSameNumbers;
     import starlogo.engine;
-    import starlogo.geometry.areSameNumbers;
     import support.assertClose;
     import support.assertThrows;
     import support.landOf;

@@ -94,9 +94,9 @@ package starlogo.solid
                 triangles.begin(ray, mesh.corners, 1);
                 boxes.setRay(ray);
                 boxes.find(mesh.tree, int.MAX_VALUE, triangles);
-                if (!(triangles.triangle >= 0 && triangles.limit <= direction.length + 1e-12))
+                if (!(triangles.slot >= 0 && triangles.distance <= direction.length + 1e-12))
                 {
-                    assertTrue(model.name + ", " + i + (isFromInside ? " from inside, " : " from outside, ") + origin + " to " + new Vector3D(x, y, z) + ": " + triangles.limit, false);
+                    assertTrue(model.name + ", " + i + (isFromInside ? " from inside, " : " from outside, ") + origin + " to " + new Vector3D(x, y, z) + ": " + triangles.distance, false);
                 }
             }
         }

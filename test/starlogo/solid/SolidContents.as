@@ -21,7 +21,7 @@ package starlogo.solid
             var windings:WindingCounter = interior.windingCounter;
             var surface:SurfaceTopology = windings.surface;
             var mesh:TriangleMesh = windings.mesh;
-            return [interior.hasClosedShell, surface.signedShells, surface.shellStates, surface.widestSeam, windings.places, windings.placesAt, interior.leastPartExtent, interior.partPoints, mesh.corners,
+            return [interior.hasClosedShell, surface.signedShells, surface.shellStates, surface.widestSeam, windings.weldedCorners, windings.weldedAt, interior.leastPartExtent, interior.partPoints, mesh.corners,
                     mesh.prepareExtents(), mesh.preparePlanes(), axesOf(hierarchy.boxTree)].join("\n");
         }
 

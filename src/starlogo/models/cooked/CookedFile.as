@@ -2,7 +2,7 @@ package starlogo.models.cooked
 {
     import flash.utils.ByteArray;
     import flash.utils.Endian;
-    import starlogo.geometry.Fingerprint;
+    import starlogo.data.Fingerprint;
     import starlogo.models.FileLimits;
     import starlogo.steps.StepSequence;
 

@@ -3,8 +3,8 @@ package starlogo.models.cooked
     import flash.errors.EOFError;
     import flash.geom.Vector3D;
     import flash.utils.ByteArray;
+    import starlogo.data.Fingerprint;
     import starlogo.engine;
-    import starlogo.geometry.Fingerprint;
     import starlogo.models.FileLimits;
     import starlogo.models.Model;
     import starlogo.models.ModelError;

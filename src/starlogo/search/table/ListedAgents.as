@@ -1,8 +1,8 @@
 package starlogo.search.table
 {
     import starlogo.agents.Agent;
+    import starlogo.data.HashTable;
     import starlogo.engine;
-    import starlogo.geometry.HashTable;
     import starlogo.search.Body;
     import starlogo.search.NumberList;
     import starlogo.search.textOf;

@@ -1,4 +1,4 @@
-package starlogo.geometry
+package starlogo.data
 {
     /**
      * Throws an ArgumentError if an argument is null.

@@ -1,4 +1,4 @@
-package starlogo.geometry
+package starlogo.data
 {
     import flash.utils.ByteArray;
     import starlogo.steps.StepSequence;

@@ -1,4 +1,4 @@
-package starlogo.geometry
+package starlogo.data
 {
     /**
      * Whether two lists of numbers are the same to the last bit, including the sign of zeros.

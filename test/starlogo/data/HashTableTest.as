@@ -1,4 +1,4 @@
-package starlogo.geometry
+package starlogo.data
 {
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;

@@ -127,7 +127,7 @@ package starlogo.ground
         // Reads between which heights the triangles of the current square are. Walls go down to below the box.
         private function readHeights(level:int, column:int, row:int, isAtBorder:Boolean):void
         {
-            _path.search.grid.pyramid.findRange(level, column, row, column, row, _heights);
+            _path.search.grid.findRange(level, column, row, column, row, _heights);
             _heights.least += _path.corner.z;
             _heights.greatest += _path.corner.z;
             if (isAtBorder || _heights.hasHole)

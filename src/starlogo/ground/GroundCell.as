@@ -68,8 +68,7 @@ package starlogo.ground
                 _end = 2;
                 if (hasWalls)
                 {
-                    _wholePassage.to = _path.latest;
-                    _path.passOver(0, column, row, _wholePassage);
+                    _path.passOver(0, column, row, false, _wholePassage);
                     _end = 10;
                 }
             }

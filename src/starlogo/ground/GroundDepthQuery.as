@@ -123,13 +123,13 @@ package starlogo.ground
          */
         public function findExits(contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
-            var deepest:GroundDepth = contact.ground;
+            var ground:GroundDepth = contact.ground;
             var count:int = 0;
             _pieces.beginWhole(maxDistance);
             while (_pieces.next())
             {
                 _pieces.pair.findBehind(RelativeMotion.NONE, _tried);
-                if (_tried.depth >= -_pieces.triangle.margin && (!deepest.hasTriangle || isBehind(deepest)))
+                if (_tried.depth >= -_pieces.triangle.margin && (!ground.hasTriangle || isBehind(ground)))
                 {
                     count = addExit(exits, count);
                 }
@@ -223,19 +223,19 @@ package starlogo.ground
             return depth == 0 || _pieces.search.grid.leastExit(x, y, z, depth) >= LEAST_SHARE_PROVEN * depth;
         }
 
-        // Whether a triangle is not in front of the plane of the exit that was tried.
-        private function isBehind(deepest:GroundDepth):Boolean
+        // Whether the triangle of a contact is not in front of the plane of the exit that was tried.
+        private function isBehind(ground:GroundDepth):Boolean
         {
             var origin:Placement = _pieces.search.origin;
-            var x:Number = origin.x - deepest.x;
-            var y:Number = origin.y - deepest.y;
-            var z:Number = origin.z - deepest.z;
+            var x:Number = origin.x - ground.x;
+            var y:Number = origin.y - ground.y;
+            var z:Number = origin.z - ground.z;
             var slack:Number = IN_FRONT * _pieces.triangle.margin + x * _tried.normalX + y * _tried.normalY + z * _tried.normalZ;
             if (x != 0 || y != 0 || z != 0)
             {
                 slack += 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
             }
-            return _pieces.pair.isBehindPlane(deepest.corners, slack);
+            return _pieces.pair.isBehindPlane(ground.corners, slack);
         }
 
         // Adds the exit that was tried to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.

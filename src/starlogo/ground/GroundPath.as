@@ -23,11 +23,11 @@ package starlogo.ground
         /** How long the box passes along x or along y, with its own length. Read only. */
         public var length:Number = 0;
 
-        /** The latest time at the beginning of the search. The search's own may have become earlier since. Read only. */
-        public var latest:Number = 0;
-
         /** The search. Read only. */
         public var search:GroundSearch;
+
+        // The latest time at the beginning of the search. The search's own may have become earlier since.
+        private var _latest:Number = 0;
 
         // Half the box's lengths, with a margin for rounding; and the distance that rounding errors may hide.
         private var _half:Vector3D = new Vector3D();
@@ -45,12 +45,12 @@ package starlogo.ground
             var motion:RelativeMotion = search.motion;
             var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
             this.search = search;
-            latest = search.latest;
+            _latest = search.latest;
             corner.setTo(grid.x - search.origin.x - border, grid.y - search.origin.y - border, -search.origin.z);
-            var pathX:Number = latest * Math.abs(motion.x);
-            var pathY:Number = latest * Math.abs(motion.y);
+            var pathX:Number = _latest * Math.abs(motion.x);
+            var pathY:Number = _latest * Math.abs(motion.y);
             var rounding:Number = Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(corner.x) + Math.abs(box.y) + Math.abs(corner.y) + Math.abs(box.z)
-                    + Math.abs(corner.z) + grid.cellWidth + pathX + pathY + latest * Math.abs(motion.z));
+                    + Math.abs(corner.z) + grid.cellWidth + pathX + pathY + _latest * Math.abs(motion.z));
             _slack = FARTHER * rounding;
             _half.setTo(box.halfX + rounding, box.halfY + rounding, box.halfZ + rounding);
             length = Math.max(2 * _half.x + pathX, 2 * _half.y + pathY) + 2 * search.maxDistance;
@@ -85,15 +85,16 @@ package starlogo.ground
         /**
          * Finds the part of the motion in which the box is over a square, and the heights between which it is then.
          *
-         * @param passage its end is the latest time that counts; it receives the part and the heights
+         * @param isNarrowed whether the part ends with the search's latest time as it is now; otherwise, as it was at the beginning
+         * @param out receives the part and the heights
          */
-        public function passOver(level:int, column:int, row:int, passage:GroundPassage):void
+        public function passOver(level:int, column:int, row:int, isNarrowed:Boolean, out:GroundPassage):void
         {
             var box:GroundBox = search.box;
             var width:Number = widthAt(level);
             var motion:RelativeMotion = search.motion;
             var from:Number = 0;
-            var to:Number = passage.to;
+            var to:Number = isNarrowed ? search.latest : _latest;
             // the square of how far above or below the box something is near enough
             var squared:Number = search.maxDistance * search.maxDistance;
             for (var axis:int = 0; axis < 2; axis++)
@@ -118,15 +119,15 @@ package starlogo.ground
                     to = Math.min(to, Math.max(low, high));
                 }
             }
-            passage.from = from;
-            passage.to = to;
+            out.from = from;
+            out.to = to;
             var start:Number = box.z + from * motion.z;
             var end:Number = box.z + to * motion.z;
             // a triangle beside the box must be nearer in height to be near enough
             var up:Number = Math.sqrt(Math.max(0, squared));
             var bottom:Number = Math.min(start, end) - _half.z;
-            passage.low = Math.max(bottom - up, bottom + search.above + 2 * _slack);
-            passage.high = Math.max(start, end) + _half.z + up;
+            out.low = Math.max(bottom - up, bottom + search.above + 2 * _slack);
+            out.high = Math.max(start, end) + _half.z + up;
         }
 
         /** Narrows a passage over a square to the part in which the box is between the heights of the square. */

@@ -113,13 +113,13 @@ package starlogo.ground
          */
         public function begin(motion:RelativeMotion, maxDistance:Number):void
         {
-            beginAt(hasTree ? 0 : WHOLE, motion, maxDistance);
+            reset(hasTree ? 0 : WHOLE, motion, maxDistance);
         }
 
         /** Begins with the structure around the whole model as the only piece. It stands. */
         public function beginWhole(maxDistance:Number):void
         {
-            beginAt(WHOLE, RelativeMotion.NONE, maxDistance);
+            reset(WHOLE, RelativeMotion.NONE, maxDistance);
         }
 
         /** Begins with the structure around the whole model, and with the triangles at a point of the ground alone. */
@@ -128,6 +128,7 @@ package starlogo.ground
             var box:GroundBox = search.box;
             beginWhole(0);
             nextPiece();
+            // the piece stays, and its search begins again, at the point
             box.x = at.x - search.origin.x;
             box.y = at.y - search.origin.y;
             box.z = at.height - search.origin.z;
@@ -136,8 +137,8 @@ package starlogo.ground
             _triangles.begin(search);
         }
 
-        // Begins with a node.
-        private function beginAt(node:int, motion:RelativeMotion, maxDistance:Number):void
+        // Begins with a node as all that is to be visited.
+        private function reset(node:int, motion:RelativeMotion, maxDistance:Number):void
         {
             _triangles.stop();
             _first = _end = _nodeCount = 0;
@@ -184,7 +185,7 @@ package starlogo.ground
             }
             pair.setShapeToTriangle(_tree.prepareCorners(), 9 * _first, _relative);
             _first++;
-            beginPiece();
+            takeShape();
             return true;
         }
 
@@ -228,7 +229,7 @@ package starlogo.ground
         {
             if (node == WHOLE)
             {
-                beginStructure(_structure);
+                takeStructure(_structure);
                 return true;
             }
             var tree:BoxTree = _tree.boxTree;
@@ -236,7 +237,7 @@ package starlogo.ground
             tree.writeBox(node, _node);
             if (!isDivided && !_isExact)
             {
-                beginStructure(_node);
+                takeStructure(_node);
                 return true;
             }
             search.shape = null;
@@ -258,17 +259,17 @@ package starlogo.ground
             return true;
         }
 
-        // Begins with a structure of the model as the piece.
-        private function beginStructure(structure:BoundingStructure):void
+        // Makes a structure of the model the piece.
+        private function takeStructure(structure:BoundingStructure):void
         {
             pair.setStructure(structure, _relative);
             fitBoxTo(structure);
             search.shape = pair.shape;
-            beginPiece();
+            takeShape();
         }
 
-        // Begins with the pair's shape as the piece. The search's box is set.
-        private function beginPiece():void
+        // Makes the pair's shape the piece, and begins the search for the triangles near it. The search's box is set.
+        private function takeShape():void
         {
             _pieceMargin = pair.shape.margin + _margin;
             _point.x = pair.shape.x;

@@ -49,7 +49,7 @@ package starlogo.ground
          */
         public function enter(column:int, row:int, isAtBorder:Boolean, passage:GroundPassage):void
         {
-            var grid:HeightGrid = _path.search.grid;
+            var grid:HeightGrid = _path.grid;
             var at:int = row * grid.columns + column;
             leave();
             if (grid.isHole(at))
@@ -77,7 +77,7 @@ package starlogo.ground
         // Reads the heights of the corners. All corners of a column have one height.
         private function readTops(at:int):void
         {
-            var grid:HeightGrid = _path.search.grid;
+            var grid:HeightGrid = _path.grid;
             var heights:Vector.<Number> = grid.heights;
             var next:int = grid.isBlocky ? 0 : 1;
             var far:int = next * grid.columns;
@@ -118,7 +118,7 @@ package starlogo.ground
             }
             var low:Number = Math.min(corners[2], Math.min(corners[5], corners[8]));
             var high:Number = Math.max(corners[2], Math.max(corners[5], corners[8]));
-            out.size = _path.search.grid.cellWidth + high - low;
+            out.size = _path.grid.cellWidth + high - low;
             out.margin = Touching.marginOfSurface(out.size);
             return _passage.low <= high && _passage.high >= low;
         }
@@ -128,7 +128,7 @@ package starlogo.ground
         // below the box, because long triangles have larger rounding errors.
         private function writeWall(side:int, isUpper:Boolean, corners:Vector.<Number>):Boolean
         {
-            var grid:HeightGrid = _path.search.grid;
+            var grid:HeightGrid = _path.grid;
             var floor:Number = _path.search.floor;
             var end:int = (side + 1) & 3;
             var column:int = _column + TO_COLUMN[side];
@@ -166,7 +166,7 @@ package starlogo.ground
         private function put(corner:int, out:Vector.<Number>, to:int):void
         {
             var first:Vector3D = _path.corner;
-            var width:Number = _path.search.grid.cellWidth;
+            var width:Number = _path.grid.cellWidth;
             out[to] = first.x + (_column + ((corner + 1) >> 1 & 1)) * width;
             out[int(to + 1)] = first.y + (_row + (corner >> 1)) * width;
             out[int(to + 2)] = _tops[corner];

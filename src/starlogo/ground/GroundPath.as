@@ -23,8 +23,9 @@ package starlogo.ground
         /** How long the box passes along x or along y, with its own length. Read only. */
         public var length:Number = 0;
 
-        /** The search. Read only. */
+        /** The search, and its ground. Read only. */
         public var search:GroundSearch;
+        public var grid:HeightGrid;
 
         // The latest time at the beginning of the search. The search's own may have become earlier since.
         private var _latest:Number = 0;
@@ -40,7 +41,7 @@ package starlogo.ground
         /** Begins with a search, which is kept. */
         public function begin(search:GroundSearch):void
         {
-            var grid:HeightGrid = search.grid;
+            var grid:HeightGrid = this.grid = search.grid;
             var box:GroundBox = search.box;
             var motion:RelativeMotion = search.motion;
             var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
@@ -59,7 +60,7 @@ package starlogo.ground
         /** How wide the squares of a level are. */
         public function widthAt(level:int):Number
         {
-            return search.grid.cellWidth * (1 << level * HeightPyramid.SHIFT);
+            return grid.cellWidth * (1 << level * HeightPyramid.SHIFT);
         }
 
         /** Narrows a range of squares to those that the box may pass over in a passage. */

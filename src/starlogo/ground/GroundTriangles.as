@@ -81,8 +81,8 @@ package starlogo.ground
             var motion:RelativeMotion = _path.search.motion;
             range.firstColumn = firstColumn;
             range.firstRow = firstRow;
-            range.lastColumn = Math.min(firstColumn + most - 1, _path.search.grid.lastColumnAt(level));
-            range.lastRow = Math.min(firstRow + most - 1, _path.search.grid.lastRowAt(level));
+            range.lastColumn = Math.min(firstColumn + most - 1, _path.grid.lastColumnAt(level));
+            range.lastRow = Math.min(firstRow + most - 1, _path.grid.lastRowAt(level));
             _path.narrowRange(level, _passage, range);
             for (var row:int = range.firstRow; row <= range.lastRow; row++)
             {
@@ -108,7 +108,7 @@ package starlogo.ground
             {
                 return;
             }
-            var grid:HeightGrid = _path.search.grid;
+            var grid:HeightGrid = _path.grid;
             var isAtBorder:Boolean = column == 0 || row == 0 || column == grid.lastColumnAt(level) || row == grid.lastRowAt(level);
             if (level == 0)
             {
@@ -126,7 +126,7 @@ package starlogo.ground
         // Reads between which heights the triangles of the current square are. Walls go down to below the box.
         private function readHeights(level:int, column:int, row:int, isAtBorder:Boolean):void
         {
-            _path.search.grid.findRange(level, column, row, column, row, _heights);
+            _path.grid.findRange(level, column, row, column, row, _heights);
             _heights.least += _path.corner.z;
             _heights.greatest += _path.corner.z;
             if (isAtBorder || _heights.hasHole)

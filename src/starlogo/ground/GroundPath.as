@@ -41,11 +41,11 @@ package starlogo.ground
         /** Begins with a search, which is kept. */
         public function begin(search:GroundSearch):void
         {
-            var grid:HeightGrid = this.grid = search.grid;
+            this.search = search;
+            grid = search.grid;
             var box:GroundBox = search.box;
             var motion:RelativeMotion = search.motion;
             var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
-            this.search = search;
             _latest = search.latest;
             corner.setTo(grid.x - search.origin.x - border, grid.y - search.origin.y - border, -search.origin.z);
             var pathX:Number = _latest * Math.abs(motion.x);

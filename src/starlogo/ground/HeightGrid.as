@@ -126,13 +126,15 @@ package starlogo.ground
         /** The last column of a level's squares: see HeightPyramid. The squares of level 0 are the cells. */
         public function lastColumnAt(level:int):int
         {
-            return (isBlocky ? columns - 1 : columns - 2) >> level * HeightPyramid.SHIFT;
+            var lastColumn:int = isBlocky ? columns - 1 : columns - 2;
+            return lastColumn >> level * HeightPyramid.SHIFT;
         }
 
         /** The last row of a level's squares. */
         public function lastRowAt(level:int):int
         {
-            return (isBlocky ? rows - 1 : rows - 2) >> level * HeightPyramid.SHIFT;
+            var lastRow:int = isBlocky ? rows - 1 : rows - 2;
+            return lastRow >> level * HeightPyramid.SHIFT;
         }
 
         /** Makes the cell of a height a hole, or fills it. */

@@ -68,8 +68,7 @@ package starlogo.ground
                 _end = 2;
                 if (hasWalls)
                 {
-                    _wholePassage.to = _path.latest;
-                    _path.passOver(0, column, row, _wholePassage);
+                    _path.passOver(0, column, row, false, _wholePassage);
                     _end = 10;
                 }
             }
@@ -125,12 +124,12 @@ package starlogo.ground
         }
 
         // Writes half of the wall on a side, from one corner to the next. The half with the upper edge comes second. Returns false if there is
-        // no wall near the box. A wall begins at the top of the lower column. If the box has no floor, walls are cut a cell's width above and
+        // no wall near the box. A wall begins at the top of the lower column. If the search has no floor, walls are cut a cell's width above and
         // below the box, because long triangles have larger rounding errors.
         private function writeWall(side:int, isUpper:Boolean, corners:Vector.<Number>):Boolean
         {
             var grid:HeightGrid = _path.grid;
-            var floor:Number = _path.box.floor;
+            var floor:Number = _path.search.floor;
             var end:int = (side + 1) & 3;
             var column:int = _column + TO_COLUMN[side];
             var row:int = _row + TO_ROW[side];

@@ -9,8 +9,12 @@ package starlogo.ground
 
     use namespace engine;
 
-    /** Finds how deep a standing model is in the ground, and the planes behind which it is. */
-    internal final class GroundDepthQuery
+    /**
+     * Finds how deep a standing model is in the ground, and the planes behind which it is. GroundQuery sets the model.
+     *
+     * @private
+     */
+    public final class GroundDepthQuery
     {
         // Two exits have nearly the same direction if the cosine of their angle is larger.
         private static const SAME_EXIT:Number = 0.98;
@@ -30,6 +34,9 @@ package starlogo.ground
         // The contact with the last triangle that was tried.
         private var _tried:ContactPoint = new ContactPoint();
 
+        // Bounds of the heights around a place.
+        private var _around:HeightRange = new HeightRange();
+
         /** @param pieces of the model, where it stands */
         public function GroundDepthQuery(pieces:GroundPieces)
         {
@@ -37,12 +44,12 @@ package starlogo.ground
         }
 
         /**
-         * Finds the contact with the triangle that the model is deepest in.
+         * Finds the contact with the triangle that the model is deepest in. If the model meets none, it is wholly under the ground, and the contact
+         * lifts it up.
          *
-         * @param out receives the contact, in the world, with the triangle
-         * @return whether the model meets a triangle
+         * @param out receives the contact, in the world, and what is known of its depth
          */
-        public function find(out:ContactPoint):Boolean
+        public function findContact(out:ContactPoint):void
         {
             var ground:GroundDepth = out.clearGround();
             findDeepestBehind(out);
@@ -52,12 +59,30 @@ package starlogo.ground
             {
                 findDeepestOverlap(out);
             }
-            if (ground.hasTriangle)
+            if (!ground.hasTriangle)
             {
-                ground.provenDepth = ground.isSure || isDepthProven(out) ? out.depth : 0;
-                _pieces.moveToWorld(out);
+                findOuterContact(out);
+                return;
             }
-            return ground.hasTriangle;
+            ground.provenDepth = ground.isSure || isDepthProven(out) ? out.depth : 0;
+            _pieces.moveToWorld(out);
+        }
+
+        /** Finds the contact that lifts the model from its lowest place above all ground under it. */
+        public function findOuterContact(out:ContactPoint):void
+        {
+            var search:GroundSearch = _pieces.search;
+            var box:GroundBox = search.box;
+            _pieces.fitBox();
+            var low:Number = box.z - box.halfZ;
+            search.grid.findAround(box.x + search.origin.x, box.y + search.origin.y, box.halfX, box.halfY, _around);
+            out.setNormal(0, 0, 1);
+            out.depth = Math.max(0, _around.greatest - search.origin.z - low);
+            out.x = box.x;
+            out.y = box.y;
+            out.z = low + out.depth / 2;
+            out.clearGround();
+            _pieces.moveToWorld(out);
         }
 
         /** Whether a piece of the model overlaps the surface by more than a depth, or a point of it is as deep under the ground. */
@@ -88,22 +113,23 @@ package starlogo.ground
         }
 
         /**
-         * Finds the planes of triangles that the standing structure around the model is behind, as <code>GroundQuery.findExits()</code> does.
+         * Finds the planes of triangles that the standing structure around the model is behind: of planes with nearly the same direction, the one
+         * that it is least behind. If the contact has a triangle of the ground, only planes that this triangle is not in front of count.
          *
-         * @param deepest has the triangle that no plane may be behind, if there is one
+         * @param contact of the model and the ground, here or near here
          * @param maxDistance how far away triangles may be
          * @param exits receives the contacts that lead out of the planes
          * @return their number
          */
-        public function findExits(deepest:GroundDepth, maxDistance:Number, exits:Vector.<ContactPoint>):int
+        public function findExits(contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
+            var ground:GroundDepth = contact.ground;
             var count:int = 0;
-            _pieces.beginWhole(RelativeMotion.NONE, maxDistance);
-            _pieces.nextPiece();
-            while (_pieces.nextTriangle())
+            _pieces.beginWhole(maxDistance);
+            while (_pieces.next())
             {
                 _pieces.pair.findBehind(RelativeMotion.NONE, _tried);
-                if (_tried.depth >= -_pieces.triangle.margin && (!deepest.hasTriangle || isBehind(deepest)))
+                if (_tried.depth >= -_pieces.triangle.margin && (!ground.hasTriangle || isBehind(ground)))
                 {
                     count = addExit(exits, count);
                 }
@@ -121,16 +147,13 @@ package starlogo.ground
         {
             var deepest:Number = 0;
             _pieces.begin(RelativeMotion.NONE, 0);
-            while (_pieces.nextPiece())
+            while (_pieces.next())
             {
-                while (_pieces.nextTriangle())
+                var isFootInside:Boolean = _pieces.pair.findBehind(RelativeMotion.NONE, _tried);
+                if (isFootInside && !isNoDeeper(deepest) && isDepthProven(_tried) && isDeepest(deepest, out))
                 {
-                    var isFootInside:Boolean = _pieces.pair.findBehind(RelativeMotion.NONE, _tried);
-                    if (isFootInside && !isNoDeeper(deepest) && isDepthProven(_tried) && isDeepest(deepest, out))
-                    {
-                        deepest = _pieces.box.above = _tried.depth;
-                        keep(out);
-                    }
+                    deepest = _pieces.search.above = _tried.depth;
+                    keep(out);
                 }
             }
         }
@@ -140,18 +163,15 @@ package starlogo.ground
         {
             var deepest:Number = 0;
             _pieces.begin(RelativeMotion.NONE, 0);
-            while (_pieces.nextPiece())
+            while (_pieces.next())
             {
-                while (_pieces.nextTriangle())
+                // no overlap is deeper than the piece is behind the plane
+                _pieces.pair.findBehind(RelativeMotion.NONE, _tried);
+                if (!isNoDeeper(deepest) && findOverlap() && isDeepest(deepest, out))
                 {
-                    // no overlap is deeper than the piece is behind the plane
-                    _pieces.pair.findBehind(RelativeMotion.NONE, _tried);
-                    if (!isNoDeeper(deepest) && findOverlap() && isDeepest(deepest, out))
-                    {
-                        deepest = _tried.depth;
-                        _pieces.pair.leadOutside(RelativeMotion.NONE, _tried);
-                        keep(out);
-                    }
+                    deepest = _tried.depth;
+                    _pieces.pair.leadOutside(RelativeMotion.NONE, _tried);
+                    keep(out);
                 }
             }
         }
@@ -182,7 +202,7 @@ package starlogo.ground
         // Writes the last contact, with its triangle.
         private function keep(out:ContactPoint):void
         {
-            var origin:Placement = _pieces.box.origin;
+            var origin:Placement = _pieces.search.origin;
             var ground:GroundDepth = out.ground;
             out.copyFrom(_tried);
             ground.setTriangle(_pieces.triangle.corners, origin.x, origin.y, origin.z);
@@ -196,26 +216,26 @@ package starlogo.ground
             {
                 return false;
             }
-            var origin:Placement = _pieces.box.origin;
+            var origin:Placement = _pieces.search.origin;
             var x:Number = origin.x + contact.x - depth / 2 * contact.normalX;
             var y:Number = origin.y + contact.y - depth / 2 * contact.normalY;
             var z:Number = origin.z + contact.z - depth / 2 * contact.normalZ;
-            return depth == 0 || _pieces.grid.leastExit(x, y, z, depth) >= LEAST_SHARE_PROVEN * depth;
+            return depth == 0 || _pieces.search.grid.leastExit(x, y, z, depth) >= LEAST_SHARE_PROVEN * depth;
         }
 
-        // Whether a triangle is not in front of the plane of the exit that was tried.
-        private function isBehind(deepest:GroundDepth):Boolean
+        // Whether the triangle of a contact is not in front of the plane of the exit that was tried.
+        private function isBehind(ground:GroundDepth):Boolean
         {
-            var origin:Placement = _pieces.box.origin;
-            var x:Number = origin.x - deepest.x;
-            var y:Number = origin.y - deepest.y;
-            var z:Number = origin.z - deepest.z;
+            var origin:Placement = _pieces.search.origin;
+            var x:Number = origin.x - ground.x;
+            var y:Number = origin.y - ground.y;
+            var z:Number = origin.z - ground.z;
             var slack:Number = IN_FRONT * _pieces.triangle.margin + x * _tried.normalX + y * _tried.normalY + z * _tried.normalZ;
             if (x != 0 || y != 0 || z != 0)
             {
                 slack += 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
             }
-            return _pieces.pair.isBehindPlane(deepest.corners, slack);
+            return _pieces.pair.isBehindPlane(ground.corners, slack);
         }
 
         // Adds the exit that was tried to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.

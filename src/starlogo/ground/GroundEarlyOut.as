@@ -1,18 +1,17 @@
 package starlogo.ground
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
 
     use namespace engine;
 
     /**
-     * Decides about most agents, in a tenth of the time of a full test, whether they touch the ground. It knows of
+     * Decides about most agents, in a tenth of the time of a full test, whether they touch the ground. It knows the answer for
      *
      * <ul>
      * <li>agents whose middle is in the ground, if it is in the agent too</li>
-     * <li>spheres that reach into the ground under or beside their middle</li>
+     * <li>spheres that touch the ground under or beside their middle</li>
      * <li>agents that are higher above the ground than the steepest slope near them allows</li>
      * </ul>
      *
@@ -53,12 +52,11 @@ package starlogo.ground
          * Decides about an agent. Nothing is known about trees, about hulls whose extents have their middle in the ground, and about agents whose middle
          * is outside of the terrain or over a hole.
          *
-         * @param extents of agents, by row
-         * @param form the form of the agent
-         * @param row its row
+         * @param extents of the agent, in the world
+         * @param form of the agent
          * @return one of the three answers
          */
-        public function decide(extents:Extents, form:int, row:int):int
+        public function decide(extents:GroundBox, form:int):int
         {
             // nodes of a tree may extend beyond the tree's extents
             if (form > BoundingStructure.HULL)
@@ -66,11 +64,11 @@ package starlogo.ground
                 return UNKNOWN;
             }
             var isSphere:Boolean = form == BoundingStructure.SPHERE;
-            _under.x = extents.x[row];
-            _under.y = extents.y[row];
+            _under.x = extents.x;
+            _under.y = extents.y;
             _grid.findHeight(_under);
-            var above:Number = extents.z[row] - _under.height;
-            var inner:Number = isSphere ? extents.halfX[row] : 0;
+            var above:Number = extents.z - _under.height;
+            var inner:Number = isSphere ? extents.halfX : 0;
             if (above <= inner)
             {
                 // the middle of a hull's extents may be outside of the hull
@@ -82,25 +80,24 @@ package starlogo.ground
                 return UNKNOWN;
             }
             // the root of 1 + 2 s² is at most 1 + s²
-            var height:Number = isSphere ? inner + inner * _slope * _slope : extents.halfZ[row] + _slope * (extents.halfX[row] + extents.halfY[row]);
-            if (above > height * Tolerances.OUTER + _tolerance || isFar(extents, row, isSphere, above))
+            var height:Number = isSphere ? inner + inner * _slope * _slope : extents.halfZ + _slope * (extents.halfX + extents.halfY);
+            if (above > height * Tolerances.OUTER + _tolerance || isFar(extents, isSphere, above))
             {
                 return APART;
             }
-            return isSphere && !_grid.isBlocky && reachesSphere(extents, row) ? TOUCHING : UNKNOWN;
+            return isSphere && !_grid.isBlocky && touchesSphere(extents) ? TOUCHING : UNKNOWN;
         }
 
-        // Whether the agent of a row is above all heights near it, or higher than the slopes between them allow.
-        // Few heights are read.
-        private function isFar(extents:Extents, row:int, isSphere:Boolean, above:Number):Boolean
+        // Whether the agent is above all heights near it, or higher than the slopes between them allow. Few heights are read.
+        private function isFar(extents:GroundBox, isSphere:Boolean, above:Number):Boolean
         {
             var grid:HeightGrid = _grid;
             var width:Number = grid.cellWidth;
-            var halfX:Number = extents.halfX[row] * Tolerances.OUTER + _tolerance;
-            var halfY:Number = extents.halfY[row] * Tolerances.OUTER + _tolerance;
-            var halfZ:Number = extents.halfZ[row] * Tolerances.OUTER + _tolerance;
+            var halfX:Number = extents.halfX * Tolerances.OUTER + _tolerance;
+            var halfY:Number = extents.halfY * Tolerances.OUTER + _tolerance;
+            var halfZ:Number = extents.halfZ * Tolerances.OUTER + _tolerance;
             grid.findAround(_under.x, _under.y, halfX, halfY, _around);
-            if (extents.z[row] - halfZ > _around.greatest)
+            if (extents.z - halfZ > _around.greatest)
             {
                 return true;
             }
@@ -110,17 +107,17 @@ package starlogo.ground
             return !grid.isBlocky && above > height;
         }
 
-        // Whether sloping ground reaches up to the point of a sphere that is nearest to the plane under its middle.
-        private function reachesSphere(extents:Extents, row:int):Boolean
+        // Whether sloping ground is as high as the point of a sphere that is nearest to the plane under its middle.
+        private function touchesSphere(extents:GroundBox):Boolean
         {
             var grid:HeightGrid = _grid;
             var width:Number = grid.cellWidth;
             grid.findFall(_under);
-            var step:Number = extents.halfX[row] / Math.sqrt(_under.fallX * _under.fallX + _under.fallY * _under.fallY + width * width);
+            var step:Number = extents.halfX / Math.sqrt(_under.fallX * _under.fallX + _under.fallY * _under.fallY + width * width);
             _under.x -= step * _under.fallX;
             _under.y -= step * _under.fallY;
             grid.findHeight(_under);
-            return _under.height >= extents.z[row] - step * width;
+            return _under.height >= extents.z - step * width;
         }
     }
 }

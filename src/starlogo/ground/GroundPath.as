@@ -8,26 +8,27 @@ package starlogo.ground
     use namespace engine;
 
     /**
-     * Says over which squares of a HeightGrid a GroundBox passes in its motion: when, and between which heights. A square has a level, a column and a
-     * row. The squares of level 0 are the cells. A box also passes over a square if it comes as near as the box's <code>maxDistance</code>.
+     * Says over which squares of the ground the box of a GroundSearch passes in its motion: when, and between which heights. A square has a level, a
+     * column and a row. The squares of level 0 are the cells. A box also passes over a square if it comes as near as the search's
+     * <code>maxDistance</code>.
      */
     internal final class GroundPath
     {
         // How much farther than rounding errors a structure is from squares that are left out.
         private static const FARTHER:Number = 4;
 
-        /** Where the first cell begins, and the height 0, relative to the box's origin. Read only. */
+        /** Where the first cell begins, and the height 0, relative to the search's origin. Read only. */
         public var corner:Vector3D = new Vector3D();
 
         /** How long the box passes along x or along y, with its own length. Read only. */
         public var length:Number = 0;
 
-        /** The latest time at the beginning of the search. That of the box may have become earlier since. Read only. */
-        public var latest:Number = 0;
-
-        /** The grid and the box of the search. Read only. */
+        /** The search, and its ground. Read only. */
+        public var search:GroundSearch;
         public var grid:HeightGrid;
-        public var box:GroundBox;
+
+        // The latest time at the beginning of the search. The search's own may have become earlier since.
+        private var _latest:Number = 0;
 
         // Half the box's lengths, with a margin for rounding; and the distance that rounding errors may hide.
         private var _half:Vector3D = new Vector3D();
@@ -37,22 +38,23 @@ package starlogo.ground
         private var _least:Vector3D = new Vector3D();
         private var _greatest:Vector3D = new Vector3D();
 
-        /** Begins with a grid and a box. Both are kept. */
-        public function begin(grid:HeightGrid, box:GroundBox):void
+        /** Begins with a search, which is kept. */
+        public function begin(search:GroundSearch):void
         {
-            var motion:RelativeMotion = box.motion;
+            this.search = search;
+            grid = search.grid;
+            var box:GroundBox = search.box;
+            var motion:RelativeMotion = search.motion;
             var border:Number = grid.isBlocky ? grid.cellWidth / 2 : 0;
-            this.grid = grid;
-            this.box = box;
-            latest = box.latest;
-            corner.setTo(grid.x - box.origin.x - border, grid.y - box.origin.y - border, -box.origin.z);
-            var pathX:Number = latest * Math.abs(motion.x);
-            var pathY:Number = latest * Math.abs(motion.y);
+            _latest = search.latest;
+            corner.setTo(grid.x - search.origin.x - border, grid.y - search.origin.y - border, -search.origin.z);
+            var pathX:Number = _latest * Math.abs(motion.x);
+            var pathY:Number = _latest * Math.abs(motion.y);
             var rounding:Number = Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(corner.x) + Math.abs(box.y) + Math.abs(corner.y) + Math.abs(box.z)
-                    + Math.abs(corner.z) + grid.cellWidth + pathX + pathY + latest * Math.abs(motion.z));
+                    + Math.abs(corner.z) + grid.cellWidth + pathX + pathY + _latest * Math.abs(motion.z));
             _slack = FARTHER * rounding;
             _half.setTo(box.halfX + rounding, box.halfY + rounding, box.halfZ + rounding);
-            length = Math.max(2 * _half.x + pathX, 2 * _half.y + pathY) + 2 * box.maxDistance;
+            length = Math.max(2 * _half.x + pathX, 2 * _half.y + pathY) + 2 * search.maxDistance;
         }
 
         /** How wide the squares of a level are. */
@@ -64,15 +66,16 @@ package starlogo.ground
         /** Narrows a range of squares to those that the box may pass over in a passage. */
         public function narrowRange(level:int, passage:GroundPassage, range:SquareRange):void
         {
+            var box:GroundBox = search.box;
             var width:Number = widthAt(level);
-            var motion:RelativeMotion = box.motion;
-            var halfX:Number = _half.x + box.maxDistance;
+            var motion:RelativeMotion = search.motion;
+            var halfX:Number = _half.x + search.maxDistance;
             var start:Number = box.x - corner.x + passage.from * motion.x;
             var end:Number = box.x - corner.x + passage.to * motion.x;
             var last:int = range.lastColumn;
             range.lastColumn = Math.max(range.firstColumn - 1, Math.min(last, Math.floor((Math.max(start, end) + halfX) / width)));
             range.firstColumn = Math.max(range.firstColumn, Math.min(last + 1, Math.floor((Math.min(start, end) - halfX) / width)));
-            var halfY:Number = _half.y + box.maxDistance;
+            var halfY:Number = _half.y + search.maxDistance;
             start = box.y - corner.y + passage.from * motion.y;
             end = box.y - corner.y + passage.to * motion.y;
             last = range.lastRow;
@@ -83,16 +86,18 @@ package starlogo.ground
         /**
          * Finds the part of the motion in which the box is over a square, and the heights between which it is then.
          *
-         * @param passage its end is the latest time that counts; it receives the part and the heights
+         * @param isNarrowed whether the part ends with the search's latest time as it is now; otherwise, as it was at the beginning
+         * @param out receives the part and the heights
          */
-        public function passOver(level:int, column:int, row:int, passage:GroundPassage):void
+        public function passOver(level:int, column:int, row:int, isNarrowed:Boolean, out:GroundPassage):void
         {
+            var box:GroundBox = search.box;
             var width:Number = widthAt(level);
-            var motion:RelativeMotion = box.motion;
+            var motion:RelativeMotion = search.motion;
             var from:Number = 0;
-            var to:Number = passage.to;
+            var to:Number = isNarrowed ? search.latest : _latest;
             // the square of how far above or below the box something is near enough
-            var squared:Number = box.maxDistance * box.maxDistance;
+            var squared:Number = search.maxDistance * search.maxDistance;
             for (var axis:int = 0; axis < 2; axis++)
             {
                 var isX:Boolean = axis == 0;
@@ -105,7 +110,7 @@ package starlogo.ground
                 {
                     var off:Number = Math.max(0, Math.abs(at - begin - (square + 0.5) * width) - width / 2 - half);
                     squared -= off * off;
-                    to = off > box.maxDistance ? -1 : to;
+                    to = off > search.maxDistance ? -1 : to;
                 }
                 else
                 {
@@ -115,21 +120,22 @@ package starlogo.ground
                     to = Math.min(to, Math.max(low, high));
                 }
             }
-            passage.from = from;
-            passage.to = to;
+            out.from = from;
+            out.to = to;
             var start:Number = box.z + from * motion.z;
             var end:Number = box.z + to * motion.z;
             // a triangle beside the box must be nearer in height to be near enough
             var up:Number = Math.sqrt(Math.max(0, squared));
             var bottom:Number = Math.min(start, end) - _half.z;
-            passage.low = Math.max(bottom - up, bottom + box.above + 2 * _slack);
-            passage.high = Math.max(start, end) + _half.z + up;
+            out.low = Math.max(bottom - up, bottom + search.above + 2 * _slack);
+            out.high = Math.max(start, end) + _half.z + up;
         }
 
         /** Narrows a passage over a square to the part in which the box is between the heights of the square. */
         public function narrowPassage(heights:HeightRange, passage:GroundPassage):void
         {
-            var speed:Number = box.motion.z;
+            var box:GroundBox = search.box;
+            var speed:Number = search.motion.z;
             if (speed != 0)
             {
                 var low:Number = (heights.least - (box.z + _half.z)) / speed;
@@ -142,7 +148,7 @@ package starlogo.ground
         /** Whether the shape in the box stays farther away from a square than a triangle may be. The square is between two heights. */
         public function stayApart(level:int, column:int, row:int, heights:HeightRange):Boolean
         {
-            if (box.shape == null)
+            if (search.shape == null)
             {
                 return false;
             }
@@ -151,7 +157,7 @@ package starlogo.ground
             var y:Number = corner.y + row * width;
             _least.setTo(x - _slack, y - _slack, heights.least - _slack);
             _greatest.setTo(x + width + _slack, y + width + _slack, heights.greatest + _slack);
-            return _separation.stayApart(box, _least, _greatest);
+            return _separation.stayApart(search, _least, _greatest);
         }
     }
 }

@@ -15,35 +15,39 @@ package starlogo.ground
     use namespace engine;
 
     /**
-     * Goes through the convex pieces of a placed model, and for each piece through the triangles of the ground's surface near it. The model is
-     * a structure or a tree.
+     * Finds the pairs of a placed model's convex pieces and the triangles of the ground's surface near each. The model is a structure or a tree.
      *
-     * <p>A piece is a structure or a triangle. Nodes at the depth limit are pieces. Nodes that are divided only say, by their boxes, whether the
-     * surface is near. If it is not, the node is a piece without triangles.</p>
+     * <p>A structure is one piece. The pieces of a tree are its nodes at the depth limit, or its triangles. A node above them that the
+     * surface does not come near is a piece without triangles, in place of all pieces below it.</p>
+     *
+     * <p>One of the methods that begin comes first. Then <code>next()</code> goes through the pairs. If the pieces count too,
+     * <code>nextPiece()</code> goes through them, and <code>nextTriangle()</code> through the triangles near the current one.</p>
      */
     internal final class GroundPieces
     {
-        /** Tests the current piece and the triangle that <code>nextTriangle()</code> has found. Both are relative to the box's origin. */
+        // In the list of nodes: the structure around the whole model.
+        private static const WHOLE:int = -1;
+
+        /** The current piece and the current triangle. Both are relative to the search's origin. */
         public var pair:ConvexTrianglePair = new ConvexTrianglePair();
 
-        /** The box around the current piece or, for a triangle, around its node. Its limits may be narrowed. Its origin is the model's place. */
-        public var box:GroundBox = new GroundBox();
-
-        /** The ground. Read only. */
-        public var grid:HeightGrid;
+        /**
+         * The search for triangles near the current piece. Its origin is the place that the model was set to. Its box is around the piece or, for a
+         * triangle, around its node. Others may narrow its limits.
+         */
+        public var search:GroundSearch = new GroundSearch();
 
         private var _triangles:GroundTriangles = new GroundTriangles();
 
-        private var _model:ModelTree;
+        private var _tree:ModelTree;
         private var _structure:BoundingStructure;
         private var _depth:int;
         private var _isExact:Boolean;
 
-        // The model's placement at the current time. Its position is relative to the box's origin.
+        // The model's placement where it is tested, relative to the search's origin.
         private var _relative:Placement = new Placement();
 
-        // What is still to be visited: whether the structure is; the nodes, and their number; and the triangles of the last node, a range.
-        private var _isWhole:Boolean = false;
+        // What is still to be visited: nodes, and their number; and a range of the tree's triangles.
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _nodeCount:int = 0;
         private var _first:int = 0;
@@ -61,40 +65,40 @@ package starlogo.ground
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /** Sets the model and the ground, as <code>GroundQuery.setTo()</code> takes them. */
-        public function setTo(grid:HeightGrid, model:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
+        public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
         {
-            this.grid = grid;
-            _model = model;
+            search.grid = grid;
+            search.origin.x = placement.x;
+            search.origin.y = placement.y;
+            search.origin.z = placement.z;
+            _tree = tree;
             _structure = structure;
-            _relative.copyFrom(placement);
-            box.origin.x = placement.x;
-            box.origin.y = placement.y;
-            box.origin.z = placement.z;
-            _isExact = model != null && exact && model.hasTriangles;
+            _isExact = hasTree && exact && tree.hasTriangles;
             _depth = _isExact ? BoxTree.NO_LIMIT : depth;
             // The margin is as large as if another agent stood at the place of the touch.
             _margin = 2 * Touching.marginOfPlace(placement.x, placement.y, placement.z);
             if (_isExact)
             {
-                _margin += Touching.marginOfSurface(model.boxTree.radius * placement.size);
+                _margin += Touching.marginOfSurface(tree.boxTree.radius * placement.size);
             }
-            placeAt(RelativeMotion.NONE, 0);
-        }
-
-        /** The triangle that <code>nextTriangle()</code> has found. Read only. */
-        public function get triangle():GroundTriangle
-        {
-            return _triangles.triangle;
+            _relative.copyFrom(placement);
+            moveModelTo(RelativeMotion.NONE, 0);
         }
 
         /** Whether the model is a tree; otherwise it is a structure. */
         public function get hasTree():Boolean
         {
-            return _model != null;
+            return _tree != null;
         }
 
-        /** Moves the model to where the motion has brought it at a time. */
-        public function placeAt(motion:RelativeMotion, time:Number):void
+        /** The current triangle of the ground. Read only. */
+        public function get triangle():GroundTriangle
+        {
+            return _triangles.triangle;
+        }
+
+        /** Moves the model to where a motion has brought it at a time. Then a method begins. */
+        public function moveModelTo(motion:RelativeMotion, time:Number):void
         {
             _relative.x = motion.startX + time * motion.x;
             _relative.y = motion.startY + time * motion.y;
@@ -104,59 +108,71 @@ package starlogo.ground
         /**
          * Begins with all pieces.
          *
-         * @param motion of the pieces: triangles that they may meet count
+         * @param motion of the pieces from where they are: triangles that they may meet until its latest time count
          * @param maxDistance triangles count that are at most this far away
          */
         public function begin(motion:RelativeMotion, maxDistance:Number):void
         {
-            reset(motion, maxDistance);
-            if (hasTree)
-            {
-                addNode(0);
-            }
-            else
-            {
-                _isWhole = true;
-            }
+            reset(hasTree ? 0 : WHOLE, motion, maxDistance);
         }
 
-        /** Begins with the structure around all pieces as the only one. */
-        public function beginWhole(motion:RelativeMotion, maxDistance:Number):void
+        /** Begins with the structure around the whole model as the only piece. It stands. */
+        public function beginWhole(maxDistance:Number):void
         {
-            reset(motion, maxDistance);
-            _isWhole = true;
+            reset(WHOLE, RelativeMotion.NONE, maxDistance);
         }
 
-        /**
-         * Begins with the structure around all pieces as the only one, and with the triangles at a point of the ground. The piece is set: go on with
-         * <code>nextTriangle()</code>.
-         */
-        public function beginAt(at:GroundPoint):void
+        /** Begins with the structure around the whole model, and with the triangles at a point of the ground alone. */
+        public function beginAtPoint(at:GroundPoint):void
         {
-            reset(RelativeMotion.NONE, 0);
-            setPiece(_structure);
-            box.x = at.x - box.origin.x;
-            box.y = at.y - box.origin.y;
-            box.z = at.height - box.origin.z;
+            var box:GroundBox = search.box;
+            beginWhole(0);
+            nextPiece();
+            // the piece stays, and its search begins again, at the point
+            box.x = at.x - search.origin.x;
+            box.y = at.y - search.origin.y;
+            box.z = at.height - search.origin.z;
             box.halfX = box.halfY = box.halfZ = 0;
-            box.shape = null;
-            _triangles.begin(grid, box);
+            search.shape = null;
+            _triangles.begin(search);
         }
 
-        /**
-         * Goes on to the next piece. Returns false if there is none. The piece may be a node that no triangle is near: then only its middle is known, and
-         * the pair has no shape of it.
-         */
+        // Begins with a node as all that is to be visited.
+        private function reset(node:int, motion:RelativeMotion, maxDistance:Number):void
+        {
+            _triangles.stop();
+            _first = _end = _nodeCount = 0;
+            addNode(node);
+            search.motion = motion;
+            search.latest = motion.latest;
+            search.maxDistance = maxDistance;
+            search.above = -Infinity;
+        }
+
+        private function addNode(node:int):void
+        {
+            _nodes[_nodeCount] = node;
+            _nodeCount++;
+        }
+
+        /** Goes on to the next triangle near the piece, or near the next piece that has one. Returns false if there is none. */
+        public function next():Boolean
+        {
+            while (!nextTriangle())
+            {
+                if (!nextPiece())
+                {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        /** Goes on to the next piece. Returns false if there is none. */
         public function nextPiece():Boolean
         {
             while (_first == _end)
             {
-                if (_isWhole)
-                {
-                    _isWhole = false;
-                    beginPiece(_structure);
-                    return true;
-                }
                 if (_nodeCount == 0)
                 {
                     return false;
@@ -167,10 +183,9 @@ package starlogo.ground
                     return true;
                 }
             }
-            pair.setShapeToTriangle(_model.prepareCorners(), 9 * _first, _relative);
+            pair.setShapeToTriangle(_tree.prepareCorners(), 9 * _first, _relative);
             _first++;
-            finishPiece();
-            _triangles.begin(grid, box);
+            takeShape();
             return true;
         }
 
@@ -189,100 +204,84 @@ package starlogo.ground
         /** Whether a point of the piece is at least this deep under the ground. */
         public function isUnder(depth:Number):Boolean
         {
-            _ground.x = _point.x + box.origin.x;
-            _ground.y = _point.y + box.origin.y;
-            grid.findHeight(_ground);
-            return _ground.height - depth >= _point.z + box.origin.z;
+            _ground.x = _point.x + search.origin.x;
+            _ground.y = _point.y + search.origin.y;
+            search.grid.findHeight(_ground);
+            return _ground.height - depth >= _point.z + search.origin.z;
         }
 
-        /** Puts the box around the whole model. */
-        public function placeBox():void
+        /** Puts the search's box around the whole model. */
+        public function fitBox():void
         {
-            placeAround(_structure);
+            fitBoxTo(_structure);
         }
 
         /** Moves a contact of the piece and the triangle into the world. */
         public function moveToWorld(contact:ContactPoint):void
         {
-            contact.x += box.origin.x;
-            contact.y += box.origin.y;
-            contact.z += box.origin.z;
+            contact.x += search.origin.x;
+            contact.y += search.origin.y;
+            contact.z += search.origin.z;
         }
 
-        // Begins without a piece.
-        private function reset(motion:RelativeMotion, maxDistance:Number):void
-        {
-            _triangles.stop();
-            _nodeCount = _first = _end = 0;
-            _isWhole = false;
-            box.motion = motion;
-            box.latest = 1;
-            box.maxDistance = maxDistance;
-            box.above = -Infinity;
-        }
-
-        private function addNode(node:int):void
-        {
-            _nodes[_nodeCount] = node;
-            _nodeCount++;
-        }
-
-        // Begins with a node. Returns whether it is a piece.
+        // Visits a node: it becomes the piece, or its triangles or its children are visited next. Returns whether it is the piece.
         private function visit(node:int):Boolean
         {
-            var tree:BoxTree = _model.boxTree;
+            if (node == WHOLE)
+            {
+                takeStructure(_structure);
+                return true;
+            }
+            var tree:BoxTree = _tree.boxTree;
             var isDivided:Boolean = tree.stop[node] < _depth;
             tree.writeBox(node, _node);
             if (!isDivided && !_isExact)
             {
-                beginPiece(_node);
+                takeStructure(_node);
                 return true;
             }
-            box.shape = null;
-            placeAround(_node);
+            search.shape = null;
+            fitBoxTo(_node);
             if (!isDivided)
             {
                 _first = tree.first[node];
                 _end = tree.end[node];
                 return false;
             }
-            _triangles.begin(grid, box);
-            if (!_triangles.next())
+            _triangles.begin(search);
+            if (_triangles.next())
             {
-                _point.setTo(box.x, box.y, box.z);
-                return true;
+                addNode(tree.left[node] + 1);
+                addNode(tree.left[node]);
+                return false;
             }
-            _triangles.stop();
-            addNode(tree.left[node] + 1);
-            addNode(tree.left[node]);
-            return false;
+            _point.setTo(search.box.x, search.box.y, search.box.z);
+            return true;
         }
 
-        private function beginPiece(structure:BoundingStructure):void
-        {
-            setPiece(structure);
-            placeAround(structure);
-            box.shape = pair.shape;
-            _triangles.begin(grid, box);
-        }
-
-        private function setPiece(structure:BoundingStructure):void
+        // Makes a structure of the model the piece.
+        private function takeStructure(structure:BoundingStructure):void
         {
             pair.setStructure(structure, _relative);
-            finishPiece();
+            fitBoxTo(structure);
+            search.shape = pair.shape;
+            takeShape();
         }
 
-        private function finishPiece():void
+        // Makes the pair's shape the piece, and begins the search for the triangles near it. The search's box is set.
+        private function takeShape():void
         {
             _pieceMargin = pair.shape.margin + _margin;
             _point.x = pair.shape.x;
             _point.y = pair.shape.y;
             _point.z = pair.shape.z;
+            _triangles.begin(search);
         }
 
-        // Puts the box around a structure of the model.
-        private function placeAround(structure:BoundingStructure):void
+        // Puts the search's box around a structure of the model.
+        private function fitBoxTo(structure:BoundingStructure):void
         {
+            var box:GroundBox = search.box;
             structure.rotatedBoxInto(_relative, _extents);
             box.x = _extents[0] + _relative.x;
             box.y = _extents[1] + _relative.y;

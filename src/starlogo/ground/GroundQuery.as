@@ -14,7 +14,7 @@ package starlogo.ground
 
     /**
      * Tests a placed model against the ground: whether the two overlap, when and how they first touch, and how far they are apart. The model is
-     * a structure or a tree. The normals of contacts point out of the ground.
+     * a structure or a tree. The normals of contacts point out of the ground. <code>depths</code> says how deep the model is.
      *
      * <p>A connected piece that does not touch the ground's surface is wholly under the ground or wholly outside of it, so one point decides.
      * So each convex piece is tested against the triangles of the surface near it, and a point of it against the height of the ground.</p>
@@ -27,11 +27,12 @@ package starlogo.ground
     public final class GroundQuery extends ImpactQuery
     {
         private var _pieces:GroundPieces = new GroundPieces();
-        private var _depths:GroundDepthQuery = new GroundDepthQuery(_pieces);
 
-        // The motion of the search for the first touch, and bounds of the ground's heights.
+        /** Finds how deep the model is in the ground. */
+        public var depths:GroundDepthQuery = new GroundDepthQuery(_pieces);
+
+        // The motion of the search for the first touch.
         private var _sweep:RelativeMotion = new RelativeMotion();
-        private var _range:HeightRange = new HeightRange();
 
         // The point of the ground from which a search for the distance begins.
         private var _nearest:GroundPoint = new GroundPoint();
@@ -51,16 +52,10 @@ package starlogo.ground
             _pieces.setTo(grid, tree, structure, placement, depth, exact);
         }
 
-        /** Whether a piece of the model overlaps the surface by more than a depth, or a point of it is as deep under the ground. */
-        public function isDeeper(depth:Number):Boolean
-        {
-            return _depths.isDeeper(depth);
-        }
-
         /** @inheritDoc */
         override public function overlapsAt(motion:RelativeMotion, time:Number):Boolean
         {
-            _pieces.placeAt(motion, time);
+            _pieces.moveModelTo(motion, time);
             _pieces.begin(RelativeMotion.NONE, 0);
             while (_pieces.nextPiece())
             {
@@ -84,21 +79,19 @@ package starlogo.ground
         {
             var first:Number = RelativeMotion.NEVER;
             _sweep.copyVector(motion);
-            _pieces.placeAt(motion, 0);
+            _sweep.earliest = motion.earliest;
+            _pieces.moveModelTo(motion, 0);
             _pieces.begin(motion, 0);
-            while (first > 0 && _pieces.nextPiece())
+            while (first > 0 && _pieces.next())
             {
-                while (first > 0 && _pieces.nextTriangle())
+                findTime();
+                if (_sweep.time < first)
                 {
-                    findTime();
-                    if (_sweep.time < first)
+                    first = _pieces.search.latest = _sweep.time;
+                    if (out != null)
                     {
-                        first = _pieces.box.latest = _sweep.time;
-                        if (out != null)
-                        {
-                            _pieces.pair.findContact(_sweep, out);
-                            _pieces.pair.leadOutside(_sweep, out);
-                        }
+                        _pieces.pair.findContact(_sweep, out);
+                        _pieces.pair.leadOutside(_sweep, out);
                     }
                 }
             }
@@ -129,41 +122,8 @@ package starlogo.ground
                     return;
                 }
             }
-            _pieces.placeAt(motion, time);
-            if (!_depths.find(out))
-            {
-                findOuterContact(out);
-            }
-        }
-
-        /**
-         * Finds the planes of triangles that the standing structure around the model is behind: of planes with nearly the same direction, the one
-         * that it is least behind. If the contact has a triangle of the ground, only planes that this triangle is not in front of count.
-         *
-         * @param contact of the model and the ground, here or near here
-         * @param maxDistance how far away triangles may be
-         * @param exits receives the contacts that lead out of the planes
-         * @return their number
-         */
-        public function findExits(contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
-        {
-            return _depths.findExits(contact.ground, maxDistance, exits);
-        }
-
-        /** Finds the contact that lifts the model from its lowest place above all ground under it. */
-        public function findOuterContact(out:ContactPoint):void
-        {
-            var box:GroundBox = _pieces.box;
-            _pieces.placeBox();
-            var low:Number = box.z - box.halfZ;
-            _pieces.grid.findAround(box.x + box.origin.x, box.y + box.origin.y, box.halfX, box.halfY, _range);
-            out.setNormal(0, 0, 1);
-            out.depth = Math.max(0, _range.greatest - box.origin.z - low);
-            out.x = box.x;
-            out.y = box.y;
-            out.z = low + out.depth / 2;
-            out.clearGround();
-            _pieces.moveToWorld(out);
+            _pieces.moveModelTo(motion, time);
+            depths.findContact(out);
         }
 
         /**
@@ -174,53 +134,51 @@ package starlogo.ground
          */
         public function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
-            var box:GroundBox = _pieces.box;
+            var origin:Placement = _pieces.search.origin;
             findNearest(out);
             if (!_pieces.hasTree)
             {
-                _pieces.beginAt(_nearest);
+                _pieces.beginAtPoint(_nearest);
                 keepCloser(out);
             }
             _pieces.begin(RelativeMotion.NONE, out.distance);
-            while (_pieces.nextPiece())
-            {
-                keepCloser(out);
-            }
+            keepCloser(out);
             if (areTouching)
             {
                 // either the model's point is in the ground, or the surface's point is in the model
-                var isUnder:Boolean = _pieces.grid.heightAt(out.aX + box.origin.x, out.aY + box.origin.y) - box.origin.z >= out.aZ;
+                var isUnder:Boolean = _pieces.search.grid.heightAt(out.aX + origin.x, out.aY + origin.y) - origin.z >= out.aZ;
                 out.aX = out.bX = isUnder ? out.aX : out.bX;
                 out.aY = out.bY = isUnder ? out.aY : out.bY;
                 out.aZ = out.bZ = isUnder ? out.aZ : out.bZ;
             }
             out.settle(areTouching);
-            out.place(box.origin);
+            out.place(origin);
         }
 
         // Finds the point of the grid that is nearest to the model's middle, seen from above. The model is at most as far as its farthest point is
         // from there, so the distance begins with that.
         private function findNearest(out:ClosestPoints):void
         {
-            var box:GroundBox = _pieces.box;
-            _pieces.placeBox();
-            _nearest.x = box.x + box.origin.x;
-            _nearest.y = box.y + box.origin.y;
-            _pieces.grid.findNearest(_nearest);
-            var x:Number = Math.abs(_nearest.x - box.origin.x - box.x) + box.halfX;
-            var y:Number = Math.abs(_nearest.y - box.origin.y - box.y) + box.halfY;
-            var z:Number = Math.abs(_nearest.height - box.origin.z - box.z) + box.halfZ;
-            out.distance = Math.sqrt(x * x + y * y + z * z) * Tolerances.OUTER + Tolerances.SURFACES * _pieces.grid.cellWidth;
+            var search:GroundSearch = _pieces.search;
+            var box:GroundBox = search.box;
+            _pieces.fitBox();
+            _nearest.x = box.x + search.origin.x;
+            _nearest.y = box.y + search.origin.y;
+            search.grid.findNearest(_nearest);
+            var x:Number = Math.abs(_nearest.x - search.origin.x - box.x) + box.halfX;
+            var y:Number = Math.abs(_nearest.y - search.origin.y - box.y) + box.halfY;
+            var z:Number = Math.abs(_nearest.height - search.origin.z - box.z) + box.halfZ;
+            out.distance = Math.sqrt(x * x + y * y + z * z) * Tolerances.OUTER + Tolerances.SURFACES * search.grid.cellWidth;
         }
 
-        // Measures the distances of the piece and the triangles near it, and keeps the closest points.
+        // Finds the closest points of all pairs.
         private function keepCloser(out:ClosestPoints):void
         {
-            while (_pieces.nextTriangle())
+            while (_pieces.next())
             {
                 if (_pieces.pair.findCloser(out))
                 {
-                    _pieces.box.maxDistance = out.distance;
+                    _pieces.search.maxDistance = out.distance;
                 }
             }
         }
@@ -228,7 +186,7 @@ package starlogo.ground
         // Finds when the moving piece touches the triangle, until the latest time.
         private function findTime():void
         {
-            _sweep.latest = _pieces.box.latest;
+            _sweep.latest = _pieces.search.latest;
             _sweep.time = RelativeMotion.NEVER;
             if (!_pieces.pair.stayApart(_sweep))
             {

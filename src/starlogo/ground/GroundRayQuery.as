@@ -1,9 +1,9 @@
 package starlogo.ground
 {
-    import starlogo.agents.Agent;
     import starlogo.convex.FaceNormal;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayEntry;
@@ -19,9 +19,9 @@ package starlogo.ground
     public final class GroundRayQuery
     {
         // Longer than the distance of any two places of the world.
-        private static const FARTHEST:Number = 4 * Agent.LARGEST_COORDINATE;
+        private static const FARTHEST:Number = 4 * Placement.LARGEST_COORDINATE;
 
-        private var _box:GroundBox = new GroundBox();
+        private var _search:GroundSearch = new GroundSearch();
         private var _triangles:GroundTriangles = new GroundTriangles();
         private var _test:RayTriangleTest = new RayTriangleTest();
         private var _outside:FaceNormal = new FaceNormal();
@@ -33,7 +33,7 @@ package starlogo.ground
 
         public function GroundRayQuery()
         {
-            _box.motion = new RelativeMotion();
+            _search.motion = new RelativeMotion();
         }
 
         /**
@@ -57,7 +57,7 @@ package starlogo.ground
                 if (testTriangle())
                 {
                     isHit = true;
-                    _box.latest = _test.distance;
+                    _search.latest = _test.distance;
                     _outside.setTriangle(_triangles.triangle.corners, 0);
                 }
             }
@@ -112,16 +112,17 @@ package starlogo.ground
         // Begins to visit the triangles near a ray.
         private function begin(grid:HeightGrid, ray:Ray, all:RayCrossings):void
         {
-            _box.x = ray.x;
-            _box.y = ray.y;
-            _box.z = ray.z;
-            _box.motion.x = ray.directionX;
-            _box.motion.y = ray.directionY;
-            _box.motion.z = ray.directionZ;
-            _box.latest = FARTHEST;
-            _triangles.begin(grid, _box);
+            _search.box.x = ray.x;
+            _search.box.y = ray.y;
+            _search.box.z = ray.z;
+            _search.motion.x = ray.directionX;
+            _search.motion.y = ray.directionY;
+            _search.motion.z = ray.directionZ;
+            _search.latest = FARTHEST;
+            _search.grid = grid;
+            _triangles.begin(_search);
             // only now, so that the distance does not depend on where the ray ends
-            _box.latest = Math.min(ray.to, FARTHEST);
+            _search.latest = Math.min(ray.to, FARTHEST);
             grid.pyramid.findWhole(_whole);
             _largest = 3 * grid.cellWidth + _whole.greatest - _whole.least;
             _test.begin(ray, _triangles.triangle.corners, _largest, all);

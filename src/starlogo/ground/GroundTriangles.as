@@ -10,7 +10,7 @@ package starlogo.ground
      * ground, and for drawing it. If the box moves, they come nearly in the order in which it meets them.
      *
      * <p>The surface consists of the cells' tops and of upright walls. A wall between two columns goes down to the top of the lower one, every other
-     * wall to the box's floor. If the box has no floor, walls are cut a little above and below it.</p>
+     * wall to the search's floor. If there is none, walls are cut a little above and below it.</p>
      *
      * <p>A stack has the squares that are still to be visited. If the box comes to the heights of a square, its smaller squares take its
      * place. The smallest squares, of level 0, are the cells.</p>
@@ -37,18 +37,18 @@ package starlogo.ground
         private var _heights:HeightRange = new HeightRange();
         private var _range:SquareRange = new SquareRange();
 
-        /** Begins a search. The two objects are kept until it ends. */
-        public function begin(grid:HeightGrid, box:GroundBox):void
+        /** Begins a search, which is kept until it ends. */
+        public function begin(search:GroundSearch):void
         {
-            _path.begin(grid, box);
+            _path.begin(search);
             stop();
             var level:int = 0;
-            while (level < grid.pyramid.lastLevel && _path.length > FIRST_SQUARES * _path.widthAt(level))
+            while (level < search.grid.pyramid.lastLevel && _path.length > FIRST_SQUARES * _path.widthAt(level))
             {
                 level++;
             }
             _passage.from = 0;
-            _passage.to = box.latest;
+            _passage.to = search.latest;
             addSquares(level, 0, 0, int.MAX_VALUE);
         }
 
@@ -78,7 +78,7 @@ package starlogo.ground
         private function addSquares(level:int, firstColumn:int, firstRow:int, most:int):void
         {
             var range:SquareRange = _range;
-            var motion:RelativeMotion = _path.box.motion;
+            var motion:RelativeMotion = _path.search.motion;
             range.firstColumn = firstColumn;
             range.firstRow = firstRow;
             range.lastColumn = Math.min(firstColumn + most - 1, _path.grid.lastColumnAt(level));
@@ -103,8 +103,7 @@ package starlogo.ground
             var level:int = _squares[_top];
             var column:int = _squares[int(_top + 1)];
             var row:int = _squares[int(_top + 2)];
-            _passage.to = _path.box.latest;
-            _path.passOver(level, column, row, _passage);
+            _path.passOver(level, column, row, true, _passage);
             if (_passage.from > _passage.to)
             {
                 return;
@@ -127,7 +126,7 @@ package starlogo.ground
         // Reads between which heights the triangles of the current square are. Walls go down to below the box.
         private function readHeights(level:int, column:int, row:int, isAtBorder:Boolean):void
         {
-            _path.grid.pyramid.findRange(level, column, row, column, row, _heights);
+            _path.grid.findRange(level, column, row, column, row, _heights);
             _heights.least += _path.corner.z;
             _heights.greatest += _path.corner.z;
             if (isAtBorder || _heights.hasHole)

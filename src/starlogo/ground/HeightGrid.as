@@ -1,12 +1,10 @@
+// This room says how shapes and rays meet a grid of heights. HeightGrid has the heights, and HeightPyramid bounds of them; GroundTriangles finds
+// the triangles that a GroundSearch asks for, cell by cell (GroundPath, GroundCell); GroundQuery tests a model with them, piece by piece
+// (GroundPieces), GroundRayQuery a ray, and GroundEarlyOut most agents before. Read this file first, then GroundSearch, GroundTriangles, GroundQuery.
 package starlogo.ground
 {
     /**
      * The heights of a terrain: how high the ground is at a place, and between which heights it is around one.
-     *
-     * <p>The package ground says how shapes and rays meet such a grid. GroundTriangles finds its triangles near a box: a GroundPath says which
-     * cells the box comes to, and a GroundCell has a cell's triangles. GroundQuery tests a model's convex pieces, which GroundPieces goes through,
-     * with these triangles; a GroundDepthQuery is a part of it. GroundRayQuery tests rays. GroundEarlyOut decides about
-     * most agents before, from a few heights. Read this class first, then GroundTriangles, then GroundQuery.</p>
      *
      * <p>Frequent questions write to records, because V8 allocates an object for each Number that is passed or returned.</p>
      *
@@ -328,9 +326,14 @@ package starlogo.ground
             pyramid.update(this, firstColumn, firstRow, lastColumn, lastRow);
         }
 
-        /** Finds bounds of a range of heights. */
-        public function findRange(firstColumn:int, firstRow:int, lastColumn:int, lastRow:int, out:HeightRange):void
+        /** Finds bounds of a range of a level's squares. At level 0 they are of the heights themselves. */
+        public function findRange(level:int, firstColumn:int, firstRow:int, lastColumn:int, lastRow:int, out:HeightRange):void
         {
+            if (level > 0)
+            {
+                pyramid.findRange(level, firstColumn, firstRow, lastColumn, lastRow, out);
+                return;
+            }
             var all:Vector.<Number> = heights;
             var low:Number = Infinity;
             var high:Number = -Infinity;
@@ -391,14 +394,7 @@ package starlogo.ground
                 lastRow >>= HeightPyramid.SHIFT;
                 level++;
             }
-            if (level == 0)
-            {
-                findRange(firstColumn, firstRow, lastColumn, lastRow, out);
-            }
-            else
-            {
-                pyramid.findRange(level, firstColumn, firstRow, lastColumn, lastRow, out);
-            }
+            findRange(level, firstColumn, firstRow, lastColumn, lastRow, out);
         }
     }
 }

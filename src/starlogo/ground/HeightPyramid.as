@@ -120,14 +120,7 @@ package starlogo.ground
             var firstRow:int = Math.max(0, (row << SHIFT) - around);
             var lastColumn:int = Math.min(countSquares(_columns, level - 1), ((column + 1) << SHIFT) + around) - 1;
             var lastRow:int = Math.min(countSquares(_rows, level - 1), ((row + 1) << SHIFT) + around) - 1;
-            if (level == 1)
-            {
-                grid.findRange(firstColumn, firstRow, lastColumn, lastRow, _range);
-            }
-            else
-            {
-                findRange(level - 1, firstColumn, firstRow, lastColumn, lastRow, _range);
-            }
+            grid.findRange(level - 1, firstColumn, firstRow, lastColumn, lastRow, _range);
             var at:int = _begins[level] + NUMBERS * (row * countSquares(_columns, level) + column);
             _bounds[at] = _range.least;
             _bounds[int(at + 1)] = _range.greatest;

@@ -5,7 +5,7 @@ package starlogo.ground
     import starlogo.convex.Interval;
     import starlogo.convex.RelativeMotion;
 
-    /** Rules out squares of the ground that the shape in a GroundBox clearly does not come near. */
+    /** Rules out squares of the ground that the shape of a GroundSearch clearly does not come near. */
     internal final class SquareSeparation
     {
         // The direction along which the two are apart, from the square to the shape; and how far the shape's core extends along it.
@@ -15,16 +15,16 @@ package starlogo.ground
         private var _place:Vector3D = new Vector3D();
 
         /**
-         * Whether the shape stays farther away from an axis-aligned box around a square than the GroundBox's <code>maxDistance</code>. Their
+         * Whether the shape stays farther away from an axis-aligned box around a square than the search's <code>maxDistance</code>. Their
          * distance along one direction decides: it is exact for spheres, and a close lower bound for capsules and boxes.
          *
-         * @param box has the shape, and its motion
+         * @param search has the shape, and its motion
          * @param low the least corner around the square
          * @param high the greatest one
          */
-        public function stayApart(box:GroundBox, low:Vector3D, high:Vector3D):Boolean
+        public function stayApart(search:GroundSearch, low:Vector3D, high:Vector3D):Boolean
         {
-            var shape:ConvexShape = box.shape;
+            var shape:ConvexShape = search.shape;
             var direction:Vector3D = _direction;
             findDirection(shape, low, high);
             if (!(direction.normalize() > 0))
@@ -35,9 +35,9 @@ package starlogo.ground
             var distance:Number = direction.x * shape.x + direction.y * shape.y + direction.z * shape.z + _ofShape.least - shape.radius
                 - Math.max(direction.x * high.x, direction.x * low.x) - Math.max(direction.y * high.y, direction.y * low.y)
                 - Math.max(direction.z * high.z, direction.z * low.z);
-            var motion:RelativeMotion = box.motion;
-            var travel:Number = box.latest * (direction.x * motion.x + direction.y * motion.y + direction.z * motion.z);
-            return distance + Math.min(0, travel) > box.maxDistance;
+            var motion:RelativeMotion = search.motion;
+            var travel:Number = search.latest * (direction.x * motion.x + direction.y * motion.y + direction.z * motion.z);
+            return distance + Math.min(0, travel) > search.maxDistance;
         }
 
         // Finds a direction along which the two may be apart. It is between points of both that are near each other.

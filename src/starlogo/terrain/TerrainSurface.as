@@ -3,6 +3,7 @@ package starlogo.terrain
     import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.ground.GroundBox;
+    import starlogo.ground.GroundSearch;
     import starlogo.ground.GroundTriangles;
     import starlogo.ground.HeightGrid;
     import starlogo.ground.HeightRange;
@@ -33,8 +34,8 @@ package starlogo.terrain
         // Bounds of all heights.
         private var _whole:HeightRange = new HeightRange();
 
-        // The box whose triangles are drawn.
-        private var _box:GroundBox = new GroundBox();
+        // The search whose triangles are drawn.
+        private var _search:GroundSearch = new GroundSearch();
 
         /**
          * Begins without triangles. <code>update()</code> makes them. With a rectangle, the surface has only the cells of slopes that are
@@ -62,11 +63,13 @@ package starlogo.terrain
             var lastRow:int = within(Math.floor((maxY - grid.y) / grid.cellWidth), -1, grid.rows - 1);
             // A box from a quarter of a cell behind the first height to a quarter before the last one. So it passes over the columns of these
             // heights and over the cells between them, and over no other.
-            _box.x = grid.x + (first + last) / 2 * grid.cellWidth;
-            _box.y = grid.y + (firstRow + lastRow) / 2 * grid.cellWidth;
-            _box.halfX = ((last - first) / 2 - 0.25) * grid.cellWidth;
-            _box.halfY = ((lastRow - firstRow) / 2 - 0.25) * grid.cellWidth;
-            _box.halfZ = Infinity;
+            var box:GroundBox = _search.box;
+            _search.grid = grid;
+            box.x = grid.x + (first + last) / 2 * grid.cellWidth;
+            box.y = grid.y + (firstRow + lastRow) / 2 * grid.cellWidth;
+            box.halfX = ((last - first) / 2 - 0.25) * grid.cellWidth;
+            box.halfY = ((lastRow - firstRow) / 2 - 0.25) * grid.cellWidth;
+            box.halfZ = Infinity;
         }
 
         /**
@@ -83,8 +86,8 @@ package starlogo.terrain
             _revision = _grid.revision;
             vertices.length = normals.length = triangles.length = 0;
             _grid.pyramid.findWhole(_whole);
-            _box.floor = _whole.least;
-            _source.begin(_grid, _box);
+            _search.floor = _whole.least;
+            _source.begin(_search);
             while (_source.next())
             {
                 addTriangle(_source.triangle.corners);

@@ -6,7 +6,6 @@ package starlogo.ground
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Hull;
-    import starlogo.broadphase.Extents;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -23,17 +22,11 @@ package starlogo.ground
     {
         private var _random:SeededRandom = new SeededRandom(1207);
         private var _structures:RandomStructures = new RandomStructures(_random);
-        private var _extents:Extents = new Extents();
+        private var _extents:GroundBox = new GroundBox();
         private var _numbers:Vector.<Number> = new Vector.<Number>(6, true);
         private var _earlyOut:GroundEarlyOut = new GroundEarlyOut();
         private var _query:GroundQuery = new GroundQuery();
         private var _placement:Placement = new Placement();
-
-        [Before]
-        public function makeRoom():void
-        {
-            _extents.grow(1);
-        }
 
         [Test]
         public function answersAreThoseOfTheFullTest():void
@@ -84,15 +77,15 @@ package starlogo.ground
         private function answerTo(terrain:Terrain, structure:BoundingStructure):int
         {
             structure.rotatedBoxInto(_placement, _numbers);
-            _extents.x[0] = _numbers[0] + _placement.x;
-            _extents.y[0] = _numbers[1] + _placement.y;
-            _extents.z[0] = _numbers[2] + _placement.z;
-            _extents.halfX[0] = _numbers[3];
-            _extents.halfY[0] = _numbers[4];
-            _extents.halfZ[0] = _numbers[5];
+            _extents.x = _numbers[0] + _placement.x;
+            _extents.y = _numbers[1] + _placement.y;
+            _extents.z = _numbers[2] + _placement.z;
+            _extents.halfX = _numbers[3];
+            _extents.halfY = _numbers[4];
+            _extents.halfZ = _numbers[5];
             _earlyOut.begin(terrain.grid);
             _query.setTo(terrain.grid, null, structure, _placement, 1, false);
-            return _earlyOut.decide(_extents, structure.kind, 0);
+            return _earlyOut.decide(_extents, structure.kind);
         }
 
         private function thinHull(size:Number):Hull

@@ -17,7 +17,10 @@ package starlogo.ground
 
     use namespace engine;
 
-    /** The exits from the ground depend on the contact that they are asked for, and on nothing that was asked before. */
+    /**
+     * The exits from the ground depend on the contact that they are asked for, and on nothing that was asked before. A sweep keeps to the times that
+     * count. The point of an overlap is in both.
+     */
     public class GroundQueryTest
     {
         private static const KINDS:Array = ["rough", "steps", "hills"];
@@ -127,6 +130,41 @@ package starlogo.ground
             _wrong.assertNone();
         }
 
+        // Until shortly before the touch there is none; until shortly after it, and from shortly before it on, there is the same.
+        [Test]
+        public function aSweepKeepsToTheTimesThatCount():void
+        {
+            var met:int = 0;
+            for (var i:int = 0; met < Effort.choose(200, 4000, 60); i++)
+            {
+                makeOverlap(i);
+                var down:RelativeMotion = new RelativeMotion();
+                down.endAfter(_random.between(-1, 1) * _maxDistance, _random.between(-1, 1) * _maxDistance, -10 * _maxDistance);
+                setTo(_query, 0, 0, 0);
+                if (_query.overlapsAt(down, 0))
+                {
+                    continue;
+                }
+                _query.findImpact(down, _out);
+                var time:Number = down.time;
+                if (!(time > 0.02 && time < 0.98))
+                {
+                    continue;
+                }
+                met++;
+                down.latest = time - 0.01;
+                _query.findImpact(down, _out);
+                _wrong.addIf(down.time != RelativeMotion.NEVER, "a touch after the latest time", i + ": " + down.time);
+                down.latest = time + 0.01;
+                _query.findImpact(down, _out);
+                _wrong.addIf(!(Math.abs(down.time - time) < 1e-9), "until a latest time", i + ": " + down.time + " instead of " + time);
+                down.earliest = time - 0.01;
+                _query.findImpact(down, _out);
+                _wrong.addIf(!(Math.abs(down.time - time) < 1e-9), "from an earliest time on", i + ": " + down.time + " instead of " + time);
+            }
+            _wrong.assertNone();
+        }
+
         [Test]
         public function thePointOfAnOverlapIsInBoth():void
         {
@@ -196,7 +234,7 @@ package starlogo.ground
         private function exitsFrom(query:GroundQuery, contact:ContactPoint):String
         {
             setTo(query, 0, 0, 0);
-            var count:int = query.findExits(contact, _maxDistance, _exits);
+            var count:int = query.depths.findExits(contact, _maxDistance, _exits);
             var texts:Array = [];
             for (var k:int = 0; k < count; k++)
             {

@@ -6,6 +6,7 @@ package starlogo.search.pairs
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
+    import starlogo.ground.GroundBox;
     import starlogo.ground.GroundEarlyOut;
     import starlogo.ground.GroundQuery;
     import starlogo.ground.GroundRayQuery;
@@ -31,14 +32,13 @@ package starlogo.search.pairs
     {
         private var _limits:TreeLimits;
 
-        // The columns of one body.
-        private var _extents:Extents = new Extents();
         private var _supportSearch:SupportSearch = new SupportSearch();
         private var _farthest:SupportPoint = new SupportPoint();
         private var _inwards:Vector3D = new Vector3D();
         private var _separation:PenetrationSearch;
 
-        // Decides quickly about bodies that are clearly above or in the ground; and about the others.
+        // Decides quickly about bodies that are clearly above or in the ground, by their extents; and about the others.
+        private var _extents:GroundBox = new GroundBox();
         private var _earlyOut:GroundEarlyOut = new GroundEarlyOut();
         private var _query:GroundQuery = new GroundQuery();
         private var _rays:GroundRayQuery = new GroundRayQuery();
@@ -48,7 +48,6 @@ package starlogo.search.pairs
         {
             _limits = limits;
             _separation = new PenetrationSearch(this, limits, this);
-            _extents.grow(1);
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -60,15 +59,15 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function areTouching(a:Body, b:Body):Boolean
         {
-            _extents.x[0] = a.x;
-            _extents.y[0] = a.y;
-            _extents.z[0] = a.z;
-            _extents.halfX[0] = a.halfX;
-            _extents.halfY[0] = a.halfY;
-            _extents.halfZ[0] = a.halfZ;
-            var earlyOut:GroundEarlyOut = earlyOutOf(b);
-            var found:int = earlyOut.decide(_extents, a.form, 0);
-            return found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && queryOf(a, b).overlapsAt(RelativeMotion.NONE, 0);
+            _extents.x = a.x;
+            _extents.y = a.y;
+            _extents.z = a.z;
+            _extents.halfX = a.halfX;
+            _extents.halfY = a.halfY;
+            _extents.halfZ = a.halfZ;
+            _earlyOut.begin(gridOf(b));
+            var found:int = _earlyOut.decide(_extents, a.form);
+            return found == GroundEarlyOut.UNKNOWN ? overlap(a, b) : found == GroundEarlyOut.TOUCHING;
         }
 
         /** Finds where a ray first meets the ground. Returns whether it does. */
@@ -86,19 +85,26 @@ package starlogo.search.pairs
         /** Whether a piece of a body is deeper in the ground than this, in patches. */
         public function isDeeper(a:Body, b:Body, depth:Number):Boolean
         {
-            return queryOf(a, b).isDeeper(depth);
+            return queryOf(a, b).depths.isDeeper(depth);
         }
 
         /** Keeps those of some rows that touch the ground, and moves them to the beginning of the list. Returns how many they are. */
         public function keepTouching(table:AgentTable, ground:Body, others:Vector.<int>, count:int):int
         {
-            var earlyOut:GroundEarlyOut = earlyOutOf(ground);
+            var extents:Extents = table.extents;
             var kept:int = 0;
+            _earlyOut.begin(gridOf(ground));
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                var found:int = earlyOut.decide(table.extents, table.shapes[other].form, other);
-                if (found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && queryOf(table.bodyOf(other), ground).overlapsAt(RelativeMotion.NONE, 0))
+                _extents.x = extents.x[other];
+                _extents.y = extents.y[other];
+                _extents.z = extents.z[other];
+                _extents.halfX = extents.halfX[other];
+                _extents.halfY = extents.halfY[other];
+                _extents.halfZ = extents.halfZ[other];
+                var found:int = _earlyOut.decide(_extents, table.shapes[other].form);
+                if (found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && overlap(table.bodyOf(other), ground))
                 {
                     others[kept] = other;
                     kept++;
@@ -134,7 +140,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
         {
-            queryOf(a, b).findOuterContact(out);
+            queryOf(a, b).depths.findOuterContact(out);
         }
 
         /**
@@ -147,7 +153,7 @@ package starlogo.search.pairs
          */
         public function findExits(a:Body, b:Body, contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
-            var count:int = queryOf(a, b).findExits(contact, maxDistance, exits);
+            var count:int = queryOf(a, b).depths.findExits(contact, maxDistance, exits);
             if (a.form == ModelShape.TREE)
             {
                 for (var i:int = 0; i < count; i++)
@@ -178,20 +184,19 @@ package starlogo.search.pairs
             return ground.shape.worldAgent.grid;
         }
 
-        private function earlyOutOf(ground:Body):GroundEarlyOut
+        // Whether the two overlap, by the full test.
+        private function overlap(a:Body, b:Body):Boolean
         {
-            _earlyOut.begin(gridOf(ground));
-            return _earlyOut;
+            return queryOf(a, b).overlapsAt(RelativeMotion.NONE, 0);
         }
 
         // The query of the ground, set to a body.
         private function queryOf(a:Body, b:Body):GroundQuery
         {
             var shape:ModelShape = a.shape;
-            var query:GroundQuery = _query;
             var depth:int = shape.hierarchy == null ? 1 : _limits.depthOf(a);
-            query.setTo(gridOf(b), shape.hierarchy, shape.structure, a.placement, depth, _limits.exact);
-            return query;
+            _query.setTo(gridOf(b), shape.hierarchy, shape.structure, a.placement, depth, _limits.exact);
+            return _query;
         }
     }
 }

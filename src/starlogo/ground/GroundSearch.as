@@ -1,0 +1,42 @@
+package starlogo.ground
+{
+    import starlogo.convex.ConvexShape;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.geometry.Placement;
+
+    /**
+     * Which triangles of the ground GroundTriangles finds, as a record: those near a box, which stands or moves. All is set before the search
+     * begins. During the search, only the limits may be narrowed.
+     *
+     * @private
+     */
+    public final class GroundSearch
+    {
+        /** The ground. */
+        public var grid:HeightGrid = null;
+
+        /** The place in the world to which the box and the triangles are relative. It has no rotation and no scale. */
+        public var origin:Placement = new Placement();
+
+        /** The box at time 0. */
+        public var box:GroundBox = new GroundBox();
+
+        /** The box's motion; RelativeMotion.NONE if it stands. Only x, y and z count. */
+        public var motion:RelativeMotion = RelativeMotion.NONE;
+
+        /** The shape that is tested, if it is in the box; null for none. Squares that it clearly does not come near are left out. */
+        public var shape:ConvexShape = null;
+
+        /** The lower end, relative to the origin, of walls at the ground's borders and around holes. -Infinity: below the box. */
+        public var floor:Number = -Infinity;
+
+        /** A limit: the latest time that counts, as a multiple of the motion. The corners of the triangles that are still found do not depend on it. */
+        public var latest:Number = 1;
+
+        /** A limit: how far from the standing box a triangle still counts. */
+        public var maxDistance:Number = 0;
+
+        /** A limit: only triangles count that are clearly higher than this above the bottom of the box. */
+        public var above:Number = -Infinity;
+    }
+}

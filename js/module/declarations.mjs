@@ -264,7 +264,7 @@ class Writer {
 		if (element && name !== "out" && !/^(Number|int|uint)$/.test(element)) return `readonly ${mayHaveNull(name, { doc: said }) ? `(${this.#type(element)} | null)` : this.#type(element)}[]${orNull}`;
 		if (/^Vector\.<(Number|int|uint)>$/.test(type) && name !== "out") return `Numbers${orNull}`;
 		if (type === "ByteArray") return `Bytes${orNull}`;
-		if (type === "WalkOptions") return `Partial<WalkOptions>${orNull}`;
+		if (/^(?:AgentFilter|WalkOptions)$/.test(type)) return `Partial<${type}>${orNull}`;
 		if (type === "Vector3D") return `${isWritten({ name }, { doc: said }) ? "PointTaker" : "Point"}${orNull}`;
 		if (type === "Function") {
 			const written = new RegExp(String.raw`@param ${name}\s+(?:(?!\n@)[\s\S])*?<code>(?:function)?(\([^<]*)</code>`).exec(said)?.[1];

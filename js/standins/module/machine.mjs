@@ -77,6 +77,8 @@ export function fetchFile(url, onProgress, onDone, onError) {
 }
 
 async function read(url, signal, onProgress) {
+	// in a page an address may be relative to the page's
+	if (typeof location !== "object" && !/^[a-z][a-z\d+.-]*:/i.test(url)) throw new Error("an address has to be absolute here; read the file, and give its bytes to loadBytes()");
 	const response = await fetch(url, { signal });
 	if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim());
 	const total = Number(response.headers.get("content-length") ?? 0);

@@ -17,6 +17,9 @@ const BY_NAME = new Map([
 	["upAxis", "UpAxis"],
 ]);
 
+/** The values that a text lists: "x", "y" or "z". */
+const LISTED = /"\w+"(?:, "\w+")* or "\w+"/;
+
 /** Sentences with these words do not concern a JavaScript developer. */
 const OF_PLAYERS = /Ruffle|Adobe|Flash|Away3D|SWF|SWC|avmshell|mxmlc|ASDoc|E4X/;
 const HEAD = `/** What is taken wherever numbers are listed. */
@@ -187,7 +190,9 @@ class Writer {
 	}
 
 	// "null for a mesh without a name" makes null an element
-	#resultType({ result }, said) {
+	#resultType({ kind, result }, said) {
+		// what takes a filter takes a literal too
+		if (kind === "var" && result === "AgentFilter") return "Partial<AgentFilter>";
 		return result === "Vector.<String>" && /\bnull for a\b/.test(said) ? "(string | null)[]" : this.#type(result);
 	}
 
@@ -206,7 +211,7 @@ class Writer {
 	// The values that a text lists, for example "x", "y" or "z", or the class's own constants.
 	#unionOf(type, result, said) {
 		if (result !== "String") return null;
-		const listed = /"\w+"(?:, "\w+")* or "\w+"/.exec(said)?.[0].match(/"\w+"/g);
+		const listed = LISTED.exec(said)?.[0].match(/"\w+"/g);
 		if (listed) return listed.join(" | ");
 		const constants = type.members.filter((each) => this.#literalOf(each) && new RegExp(`\\b${each.name}\\b`).test(said));
 		return constants.length > 1 ? constants.map((each) => each.initial).join(" | ") : null;
@@ -264,6 +269,7 @@ class Writer {
 		if (element && name !== "out" && !/^(Number|int|uint)$/.test(element)) return `readonly ${mayHaveNull(name, { doc: said }) ? `(${this.#type(element)} | null)` : this.#type(element)}[]${orNull}`;
 		if (/^Vector\.<(Number|int|uint)>$/.test(type) && name !== "out") return `Numbers${orNull}`;
 		if (type === "ByteArray") return `Bytes${orNull}`;
+		if (type === "String" && LISTED.test(said)) return LISTED.exec(said)[0].match(/"\w+"/g).join(" | ") + orNull;
 		if (/^(?:AgentFilter|WalkOptions)$/.test(type)) return `Partial<${type}>${orNull}`;
 		if (type === "Vector3D") return `${isWritten({ name }, { doc: said }) ? "PointTaker" : "Point"}${orNull}`;
 		if (type === "Function") {

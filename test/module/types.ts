@@ -124,6 +124,17 @@ filter.accepts = (hero: Hero) => hero.life > 1;
 filter.accepts = null;
 // @ts-expect-error it says whether
 filter.accepts = (agent) => agent.breed;
+// literals serve as filters and options
+const near: Hero[] = new AgentQueries(collision).near(agent, 3, { breeds: ["heroes"], except: [agent] });
+new AgentQueries(plain).walk(near[0]!, 1, 0, { stepHeight: 0.3, filter: { exceptBreeds: ["coins"] } });
+new AgentQueries(plain).near(agent, 3, { accepts: (hero: Hero) => hero.life > 1 });
+// @ts-expect-error there is no such property
+new AgentQueries(plain).near(agent, 3, { breed: ["heroes"] });
+// @ts-expect-error a list
+new AgentQueries(plain).near(agent, 3, { breeds: "heroes" });
+collision.removeHandler("heroes", "heroes", () => 0, "start");
+// @ts-expect-error there is no such kind
+collision.removeHandler("heroes", "heroes", () => 0, "begin");
 // what questions find are the game's own agents
 const questions = new AgentQueries(collision);
 const met = questions.cast(new Vector3D(), new Vector3D(1, 0, 0), 9, filter, hit);

@@ -163,7 +163,8 @@ class Writer {
 		}
 		// agents from a list of a client's agents have the client's class
 		const isPicking = this.#agent === "Agent" && member.kind === "method" && member.result === "Vector.<Agent>" && member.parameters.some((each) => each.type === "Vector.<Agent>" && each.name !== "out");
-		const generic = isPicking ? "<A extends Agent>" : "";
+		const isFilling = this.#agent === "A" && member.kind === "method" && member.parameters.some((each) => each.type === "Footing");
+		const generic = isPicking ? "<A extends Agent>" : isFilling ? "<O extends Agent = A>" : "";
 		if (isPicking) this.#agent = "A";
 		const isNull = this.#mayBeNull({ ...member, doc: this.#referredDoc(said) });
 		const result = PLAIN_BYTES.has(`${type.qname}.${member.name}`) ? "Uint8Array" : BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said) ?? this.#resultType(member, said) + (isNull ? " | null" : "");
@@ -254,6 +255,8 @@ class Writer {
 	}
 
 	#parameterType(parameter, said = "") {
+		// what is filled may be for a base class of the agents, not for another one
+		if (parameter.type === "Footing" && this.#agent === "A") return "(Footing<O> & ([A] extends [O] ? unknown : never)) | null";
 		// it may have been made for any class of agents before
 		const agent = this.#agent;
 		if (parameter.type !== "SeenAgents" && this.#isGeneric(this.#exported.get(/^(?:Vector\.<)?(\w+)>?$/.exec(parameter.type)?.[1]))) this.#agent = "Agent";

@@ -1,6 +1,6 @@
 // What the types of the package say, and what they refuse: tsc --strict has to accept all of it, and to find an error where one is expected.
 import {
-	Agent, AgentFilter, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, CollisionBlocks, Contact, GltfModel, GreatLand, HierarchicalCollider, Model, ModelEvent,
+	Agent, AgentFilter, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, CollisionBlocks, Contact, Footing, GltfModel, GreatLand, HierarchicalCollider, Model, ModelEvent,
 	ModelLoader, ModelTransform, ObjModel, RayHit, TightestFitCollider, Vector3D,
 } from "starlogo-collision";
 import type { CollisionSystem, ModelLoaderEvents, Numbers, ShapeHit } from "starlogo-collision";
@@ -132,6 +132,14 @@ new AgentQueries(plain).near(agent, 3, { accepts: (hero: Hero) => hero.life > 1 
 new AgentQueries(plain).near(agent, 3, { breed: ["heroes"] });
 // @ts-expect-error a list
 new AgentQueries(plain).near(agent, 3, { breeds: "heroes" });
+class Coin extends Agent {
+	worth = 1;
+}
+const walks = new AgentQueries(collision);
+for (const footing of [new Footing(), new Footing<Hero>(), null]) is<Same<ReturnType<typeof walks.walk>, Footing<Hero>>>(), walks.walk(near[0]!, 1, 0, null, footing);
+// @ts-expect-error the hero stands on heroes, not on coins
+walks.walk(near[0]!, 1, 0, null, new Footing<Coin>());
+new AgentQueries(plain).walk(near[0]!, 1, 0, null, new Footing());
 collision.removeHandler("heroes", "heroes", () => 0, "start");
 // @ts-expect-error there is no such kind
 collision.removeHandler("heroes", "heroes", () => 0, "begin");

@@ -194,8 +194,9 @@ function mayBeNull(parameter, member, type) {
 	if (parameter.value === "null") return true;
 	// Flash's own error for a null listener, or a null type of event, has only a number
 	if (type.qname.startsWith("flash.") && (parameter.type === "Function" || parameter.name === "type")) return false;
-	// models' own classes pass no numbers to their base
-	if (type.qname.startsWith("flash.") || /^Vector\.<(?:Number|u?int)>$/.test(parameter.type)) return /\bnull\b/.test(member.doc) || /^(?:String|Function)$/.test(parameter.type);
+	// what blocks say is for students, and models' own classes pass no numbers to their base
+	const isAnswered = /^(?:flash|starlogo\.blocks)\./.test(type.qname) || /^Vector\.<(?:Number|u?int)>$/.test(parameter.type);
+	if (isAnswered) return /\bnull\b/.test(member.doc) || /^(?:Agent|ByteArray|Function|Model|String)$/.test(parameter.type);
 	const said = new RegExp(String.raw`@param ${parameter.name}\s+((?:(?!\n\s*@)[\s\S])*)`).exec(member.doc)?.[1] ?? "";
 	return ANSWERED.has(parameter.type) || /\bnull\b/.test(member.kind === "set" ? member.doc : said);
 }

@@ -181,7 +181,7 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 			const { x, z, warnings } = play(level, exact, 0.1);
 			assert.ok(x > 6 && z < -9, `${x}, ${z}`);
 			assert.equal(warnings.length, 1);
-			assert.match(warnings[0], /shape "level"\) does not stop this motion, because the motion begins deep inside of it/);
+			assert.match(warnings[0], /the shape "level" does not stop this motion, because the motion begins deep inside of it/);
 		}
 	});
 

@@ -288,7 +288,7 @@ test("while a game is developed, names that do nothing are warned of, once", () 
 	const said = run("starlogo-collision.js");
 	const expected = [/exact does nothing on a BinCollider/, /sweep is no property of Agent.*is sweeps meant/, /colour is no property of Wolf.*is color meant/, /Heading is no property of Wolf.*is heading meant/, /sweep is no property of Wolf/, /the handler eat has 4 parameters, and gets three/, /no agent is of the breed "wolfs"; is "wolves" meant/, /"sheeps"; is "sheep" meant/, /"Wolves"; is "wolves" meant/, /"birds"; is "birdes" meant/, /"turtle"; is "turtles" meant/, /sweeps is a field of Bird that hides the engine's: set it in the constructor/, /12638 triangles.*set hierarchical/,
 		/breed is no property of AgentFilter.*is breeds meant/, /stepheight is no property of WalkOptions.*is stepHeight meant/, /position is no property of Agent .*is moveTo\(x, y, z\) meant/, /isHierarchical is no .*is hierarchical meant/, /oneWay is no property of Wolf.*is isOneWay meant/,
-		/loadTightestfit is no property of GreatLand.*is loadTightestFit meant/, /a ModelLoader sends no event "load"; it sends modelLoaded, error, progress, complete, cancel/, /shape "room"\) does not stop this motion, because the motion begins deep inside/];
+		/loadTightestfit is no property of GreatLand.*is loadTightestFit meant/, /a ModelLoader sends no event "load"; it sends modelLoaded, error, progress, complete, cancel/, /the shape "room" does not stop this motion, because the motion begins deep inside/];
 	assert.equal(said.length, expected.length, said.join("\n"));
 	expected.forEach((pattern, i) => assert.match(said[i], pattern));
 	assert.deepEqual(run("starlogo-collision.min.js"), []);

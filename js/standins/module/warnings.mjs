@@ -69,7 +69,7 @@ export function $warnOfEvent(object, type) {
 
 /** Warns of an agent that does not stop a motion, because the motion begins deep inside of its tree or its triangles. */
 export function $warnOfInside(agent) {
-	$warn(`${agent} does not stop this motion, because the motion begins deep inside of it. What is inside of a closed model collides; without exact, what is inside of a box of its tree. A room needs exact, and an opening or thick walls: see docs/questions.md`);
+	$warn(`the shape ${JSON.stringify(agent.shape)} does not stop this motion, because the motion begins deep inside of it. What is inside of a closed model collides; without exact, what is inside of a box of its tree. A room needs exact, and an opening or thick walls: see docs/questions.md`);
 }
 
 /** What an error says about a name that is not known: the name that is probably meant. Of hints the minified module has nothing. */

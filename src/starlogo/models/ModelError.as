@@ -36,7 +36,7 @@ package starlogo.models
             return name == null || name.length <= LONGEST_NAME ? name : name.substr(0, LONGEST_NAME).replace(/\s+/g, " ") + "...";
         }
 
-        /** The name of the model that failed. */
+        /** The name of the model that failed. If it was a text of several lines, its beginning. */
         public function get modelName():String
         {
             return _modelName;

@@ -391,7 +391,7 @@ test("a snapshot from before the first frame says so", () => {
 	const bytes = collision.snapshot();
 	const agent = new Agent("cube");
 	collision.update([agent]);
-	refused(() => collision.restore(bytes, [agent]), "bytes are no snapshot of 1 agent, but of no agents: it was taken before the first frame");
+	refused(() => collision.restore(bytes, [agent]), "bytes are no snapshot of 1 agents, but of no agents: it was taken before the first frame");
 });
 
 test("an address that Node cannot fetch says what to do", async () => {

@@ -69,8 +69,7 @@ package starlogo.collision.snapshots
             }
             if (count != agents.length)
             {
-                throw new ArgumentError("bytes are no snapshot of " + agents.length + (agents.length == 1 ? " agent" : " agents") + ", but of "
-                        + wanted(count, known));
+                throw new ArgumentError("bytes are no snapshot of " + agents.length + " agents, but of " + wanted(count, known));
             }
             if (other >= 0)
             {

@@ -81,9 +81,9 @@ function cleaned(code) {
 		.replaceAll(/[\0-\x08\x0b-\x1f]/g, (control) => `\\x${control.charCodeAt(0).toString(16).padStart(2, "0")}`);
 }
 
-/** The text without warnings for developers. Its lines have the same numbers, for the map. */
+/** The text without warnings and hints for developers. Its lines have the same numbers, for the map. */
 function forUsers(code) {
-	const switched = code.replace("const $isForUsers = false;", "const $isForUsers = true;").replaceAll(/(function \$warn(?:Of\w+)?\([\w, ]+\)) \{(\n[\s\S]*?\n)\}\n/g, (_, head, body) => `${head} {${body.replaceAll(/[^\n]/g, "")}}\n`);
+	const switched = code.replace("const $isForUsers = false;", "const $isForUsers = true;").replaceAll(/(function \$(warn|hint)(?:Of\w+)?\([\w, ]+\)) \{(\n[\s\S]*?\n)\}\n/g, (_, head, kind, body) => `${head} {${kind === "hint" ? ' return "";' : ""}${body.replaceAll(/[^\n]/g, "")}}\n`);
 	if (switched === code) throw new Error("there is no switch for warnings");
 	return switched;
 }

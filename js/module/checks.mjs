@@ -4,7 +4,7 @@
  * language.mjs.
  *
  * Numbers, strings, Booleans and functions are checked in place. Such a check costs almost nothing in an optimised function, and no Number
- * is passed to another function. null is accepted if the documentation mentions it, and for names, agents, models and files. Numbers that
+ * is passed to another function. null is accepted if the documentation mentions it, and for names and files. Numbers that
  * are not finite are accepted if the documentation mentions errors. In these cases the engine itself throws the error.
  */
 
@@ -20,8 +20,11 @@ const PLAIN = new Set([
 	"RayHit", "SearchCounts", "ShapeHit", "Sphere", "TextEvent", "Vector3D",
 ]);
 
-/** Types for which the engine itself throws an error about null. */
-const ANSWERED = new Set(["Agent", "ByteArray", "Function", "Model", "String"]);
+/** Types that the engine itself throws an error about null for, because it says more: of names, and of files. */
+const ANSWERED = new Set(["ByteArray", "String"]);
+
+/** Methods that look at their object's properties while a game is developed, because settings are often made just before. */
+const LOOKING = new Set(["starlogo.GreatLand.addModel"]);
 
 /** Functions that the engine calls in its loops. The module exports a checked function around them. */
 export const isWrapped = (type) => type?.kind === "function";
@@ -47,6 +50,7 @@ export class Checks {
 		const type = this.#signatures.get(qname);
 		const member = kind === "function" ? type : type?.members.find((each) => each.name === name && each.kind === kind && each.isPublic && !each.isPrivate);
 		const parameters = member?.parameters ?? [];
+		if (LOOKING.has(`${qname}.${name}`)) return ["$warnOfNames(this, true);", ...parameters.flatMap((parameter) => this.#check(type, member, parameter))];
 		const numbers = parameters.filter((parameter) => parameter.type === "Number").map((parameter) => parameter.name);
 		if (COMPACT.has(qname) && member?.kind === "method" && numbers.length > 1) {
 			const others = parameters.filter((parameter) => parameter.type !== "Number").flatMap((parameter) => this.#check(type, member, parameter));
@@ -105,9 +109,13 @@ export class Checks {
 				const isRead = !isWritten(parameter, member) && !type.qname.startsWith("flash.");
 				return [`${isNullable ? `if (${name} != null) ` : ""}${isRead ? `${name} = ` : ""}$point(${isNamed ? where : `null, ${where}`}, ${name});`];
 			}
+			case "AgentFilter":
 			case "WalkOptions": {
-				const options = this.#reference("starlogo.queries.WalkOptions");
-				return [`if (${name} != null && !(${name} instanceof ${options})) ${name} = $options(${isNamed ? where : `null, ${where}`}, ${name}, new ${options}());`];
+				const options = this.#reference(`starlogo.queries.${parameter.type}`);
+				return [
+					`if (${name} instanceof ${options}) $warnOfNames(${name});`,
+					`else if (${name} != null) ${name} = $options(${isNamed ? where : `null, ${where}`}, ${name}, new ${options}(), ${JSON.stringify(article(parameter.type))});`,
+				];
 			}
 			default: {
 				const test = this.#typeTest(parameter.type, name);
@@ -167,22 +175,30 @@ export class Checks {
 }
 
 function optionsOf({ name }) {
-	if (name === "addEventListener") return ["if ($areOptions(useCapture)) return $listen(this, type, listener, useCapture);"];
+	if (name === "addEventListener") return ["$warnOfEvent(this, type);", "if ($areOptions(useCapture)) return $listen(this, type, listener, useCapture);"];
 	return name === "removeEventListener" ? ["if ($areOptions(useCapture)) useCapture = useCapture.capture ?? false;"] : [];
 }
 
 /** Where a literal is likely to be passed, the text says how such an object is made. */
 function article(name) {
-	if (name === "AgentFilter") return 'an AgentFilter, for example AgentFilter.ofBreeds("sheep")';
+	if (name === "AgentFilter") return 'an AgentFilter, or a literal such as { breeds: ["sheep"] }';
+	if (name === "AgentPredicate") return 'an AgentFilter, for example AgentFilter.ofBreeds("sheep")';
+	if (name === "WalkOptions") return "WalkOptions, or a literal such as { stepHeight: 0.3 }";
+	if (name === "BoundingStructure") return "this package's Sphere, Capsule, Box or Hull";
+	if (name === "CollisionSystem") return "a CollisionSystem, for example new TightestFitCollider(greatLand)";
 	return `${/^[AEIOU]/.test(name) ? "an" : "a"} ${name}`;
 }
 
-/** Whether a parameter may be null: the documentation of the parameter or of its member says so. */
-export function mayBeNull(parameter, member, type) {
+/** Whether a parameter may be null: the documentation of the parameter, or of a property, says so. */
+function mayBeNull(parameter, member, type) {
 	if (parameter.value === "null") return true;
 	// Flash's own error for a null listener, or a null type of event, has only a number
 	if (type.qname.startsWith("flash.") && (parameter.type === "Function" || parameter.name === "type")) return false;
-	return ANSWERED.has(parameter.type) || /\bnull\b/.test(member.doc);
+	// what blocks say is for students, and models' own classes pass no numbers to their base
+	const isAnswered = /^(?:flash|starlogo\.blocks)\./.test(type.qname) || /^Vector\.<(?:Number|u?int)>$/.test(parameter.type);
+	if (isAnswered) return /\bnull\b/.test(member.doc) || /^(?:Agent|ByteArray|Function|Model|String)$/.test(parameter.type);
+	const said = new RegExp(String.raw`@param ${parameter.name}\s+((?:(?!\n\s*@)[\s\S])*)`).exec(member.doc)?.[1] ?? "";
+	return ANSWERED.has(parameter.type) || /\bnull\b/.test(member.kind === "set" ? member.doc : said);
 }
 
 /** Whether a list of names may have null among them: the documentation says "null for" what has no name. */

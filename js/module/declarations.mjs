@@ -17,6 +17,9 @@ const BY_NAME = new Map([
 	["upAxis", "UpAxis"],
 ]);
 
+/** The values that a text lists: "x", "y" or "z". */
+const LISTED = /"\w+"(?:, "\w+")* or "\w+"/;
+
 /** Sentences with these words do not concern a JavaScript developer. */
 const OF_PLAYERS = /Ruffle|Adobe|Flash|Away3D|SWF|SWC|avmshell|mxmlc|ASDoc|E4X/;
 const HEAD = `/** What is taken wherever numbers are listed. */
@@ -160,7 +163,8 @@ class Writer {
 		}
 		// agents from a list of a client's agents have the client's class
 		const isPicking = this.#agent === "Agent" && member.kind === "method" && member.result === "Vector.<Agent>" && member.parameters.some((each) => each.type === "Vector.<Agent>" && each.name !== "out");
-		const generic = isPicking ? "<A extends Agent>" : "";
+		const isFilling = this.#agent === "A" && member.kind === "method" && member.parameters.some((each) => each.type === "Footing");
+		const generic = isPicking ? "<A extends Agent>" : isFilling ? "<O extends Agent = A>" : "";
 		if (isPicking) this.#agent = "A";
 		const isNull = this.#mayBeNull({ ...member, doc: this.#referredDoc(said) });
 		const result = PLAIN_BYTES.has(`${type.qname}.${member.name}`) ? "Uint8Array" : BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said) ?? this.#resultType(member, said) + (isNull ? " | null" : "");
@@ -187,7 +191,9 @@ class Writer {
 	}
 
 	// "null for a mesh without a name" makes null an element
-	#resultType({ result }, said) {
+	#resultType({ kind, result }, said) {
+		// what takes a filter takes a literal too
+		if (kind === "var" && result === "AgentFilter") return "Partial<AgentFilter>";
 		return result === "Vector.<String>" && /\bnull for a\b/.test(said) ? "(string | null)[]" : this.#type(result);
 	}
 
@@ -206,7 +212,7 @@ class Writer {
 	// The values that a text lists, for example "x", "y" or "z", or the class's own constants.
 	#unionOf(type, result, said) {
 		if (result !== "String") return null;
-		const listed = /"\w+"(?:, "\w+")* or "\w+"/.exec(said)?.[0].match(/"\w+"/g);
+		const listed = LISTED.exec(said)?.[0].match(/"\w+"/g);
 		if (listed) return listed.join(" | ");
 		const constants = type.members.filter((each) => this.#literalOf(each) && new RegExp(`\\b${each.name}\\b`).test(said));
 		return constants.length > 1 ? constants.map((each) => each.initial).join(" | ") : null;
@@ -249,6 +255,8 @@ class Writer {
 	}
 
 	#parameterType(parameter, said = "") {
+		// what is filled may be for a base class of the agents, not for another one
+		if (parameter.type === "Footing" && this.#agent === "A") return "(Footing<O> & ([A] extends [O] ? unknown : never)) | null";
 		// it may have been made for any class of agents before
 		const agent = this.#agent;
 		if (parameter.type !== "SeenAgents" && this.#isGeneric(this.#exported.get(/^(?:Vector\.<)?(\w+)>?$/.exec(parameter.type)?.[1]))) this.#agent = "Agent";
@@ -264,7 +272,8 @@ class Writer {
 		if (element && name !== "out" && !/^(Number|int|uint)$/.test(element)) return `readonly ${mayHaveNull(name, { doc: said }) ? `(${this.#type(element)} | null)` : this.#type(element)}[]${orNull}`;
 		if (/^Vector\.<(Number|int|uint)>$/.test(type) && name !== "out") return `Numbers${orNull}`;
 		if (type === "ByteArray") return `Bytes${orNull}`;
-		if (type === "WalkOptions") return `Partial<WalkOptions>${orNull}`;
+		if (type === "String" && LISTED.test(said)) return LISTED.exec(said)[0].match(/"\w+"/g).join(" | ") + orNull;
+		if (/^(?:AgentFilter|WalkOptions)$/.test(type)) return `Partial<${type}>${orNull}`;
 		if (type === "Vector3D") return `${isWritten({ name }, { doc: said }) ? "PointTaker" : "Point"}${orNull}`;
 		if (type === "Function") {
 			const written = new RegExp(String.raw`@param ${name}\s+(?:(?!\n@)[\s\S])*?<code>(?:function)?(\([^<]*)</code>`).exec(said)?.[1];

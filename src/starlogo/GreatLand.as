@@ -245,6 +245,12 @@ package starlogo
             return _boundingStructures.ofKind(name, kind, _models.entryOf(name).model.vertices);
         }
 
+        /** @private The names of the models that were added. */
+        engine function get modelNames():Vector.<String>
+        {
+            return _models.names;
+        }
+
         /** @private The model with a name; null if there is none. */
         engine function modelOf(name:String):Model
         {

@@ -20,14 +20,16 @@ test("tsc --strict accepts the sample, and refuses wrong ones", () => {
 		"wireframe.showLevel(structure, 1)", "bindings[0].agent = agents[1]", 'modelFromObject("box", mesh, { scaling: "large" })', 'const scaling: ModelOptions = { scaling: "volume" as string }'];
 	writeFileSync(path.join(folder, "sample.ts"), `${readFileSync(sample, "utf8")}\n${wrong.map((line) => `// @ts-expect-error\n${line};\n`).join("")}`);
 	writeFileSync(path.join(folder, "tsconfig.json"), JSON.stringify({ compilerOptions: settings, files: ["sample.ts"] }));
-	execFileSync(process.execPath, [tools.resolve("typescript/bin/tsc"), "-p", folder], { encoding: "utf8", stdio: "pipe" });
+	// an old compiler infers a type parameter from the type that is wanted; three.js's own types are beyond it
+	const old = path.join(root, "js/adapters/three/node_modules/typescript-5.4/bin/tsc");
+	for (const [tsc, ...more] of [[tools.resolve("typescript/bin/tsc")], [old, "--skipLibCheck"]]) execFileSync(process.execPath, [tsc, "-p", folder, ...more], { encoding: "utf8", stdio: "pipe" });
 });
 
 test("what the types declare is what is exported, and the other way round", async () => {
 	const declared = readFileSync(path.join(root, "js/adapters/three/index.d.ts"), "utf8");
 	writeFileSync(path.join(folder, "all.mjs"), 'export * from "starlogo-collision/three";\n');
 	const exported = await import(pathToFileURL(path.join(folder, "all.mjs")));
-	assert.deepEqual([...declared.matchAll(/^export (?:class|function) (\w+)/gm)].map(([, name]) => name).sort(), Object.keys(exported).sort());
+	assert.deepEqual([...new Set([...declared.matchAll(/^export (?:class|function) (\w+)/gm)].map(([, name]) => name))].sort(), Object.keys(exported).sort());
 	for (const name of ["ThreeAgentBinding", "ThreeWireframe"]) {
 		const [, text] = new RegExp(`^export class ${name}\\b[^]*?\\n([^]*?)\\n}$`, "m").exec(declared);
 		const members = [...text.matchAll(/^ {4}(?:get )?(\w+)\(/gm)].map((match) => match[1]);

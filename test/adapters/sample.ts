@@ -55,4 +55,10 @@ const queries = new AgentQueries(collision);
 const hit: RayHit | null = queries.cast(toEngine(camera.position), toEngine(camera.getWorldDirection(new THREE.Vector3())));
 const mark: THREE.Vector3 = toScene(hit === null ? new Vector3D() : hit.point);
 toEngine(mark, mark);
+// what a game writes with the compilers of some years, which infer more from the wanted type
+const orNull: THREE.Vector3 | null = toScene(mark);
+const placeOf = (found: RayHit | null): THREE.Vector3 | null => found && toScene(found.point);
+const eye: Vector3D | null = toEngine(camera.position);
+const written: THREE.Vector3 = toScene(eye, placeOf(hit) ?? orNull ?? mark);
+scene.position.copy(written);
 toScene(toEngine(mark), mesh.position).applyMatrix4(scene.matrix);

@@ -131,6 +131,77 @@ for (const [number, { version, folder, THREE, engine, adapter }] of all.entries(
 		assert.throws(() => levelFromObject("level", new THREE.BoxGeometry(), { up: "x" }), /up must be/);
 	});
 
+	test(`three ${version}: a room stops who walks in it if it has an opening or thick walls; if not, the engine warns`, () => {
+		const wall = new THREE.MeshStandardMaterial({ side: THREE.DoubleSide });
+		const room = (...materials) => new THREE.Mesh(new THREE.BoxGeometry(10, 4, 10).translate(0, 2, 0), materials.length === 1 ? materials[0] : materials);
+		const boxes = new THREE.Group();
+		const addWall = (x, y, z, ...size) => boxes.add(new THREE.Mesh(new THREE.BoxGeometry(...size).translate(x, y, z), wall));
+		for (const y of [-0.5, 4.5]) addWall(0, y, 0, 12, 1, 12);
+		for (const x of [-5.5, 5.5]) addWall(x, 2, 0, 1, 4, 12);
+		for (const z of [-5.5, 5.5]) addWall(0, 2, z, 12, 4, 1);
+		const inner = new THREE.BoxGeometry(10, 4, 10).translate(0, 2, 0);
+		inner.index.array.reverse();
+		const solidified = new THREE.Group().add(new THREE.Mesh(new THREE.BoxGeometry(11, 5, 11).translate(0, 2, 0)), new THREE.Mesh(inner));
+		const hole = room(wall);
+		hole.geometry.setDrawRange(3, Infinity);
+		const openTunnel = new THREE.Mesh(new THREE.CylinderGeometry(3, 3, 30, 24, 1, true).rotateZ(Math.PI / 2).translate(0, 2, 0));
+		const tunnel = new THREE.Mesh(new THREE.CylinderGeometry(3, 3, 30, 24).rotateZ(Math.PI / 2).translate(0, 2, 0));
+		/** Where a character ends that walks along x, what it stands on, and what was warned of. */
+		let plays = 0;
+		const play = (level, exact, dx) => {
+			const name = `level ${++plays}`; // a shape is warned of once
+			const land = new engine.GreatLand();
+			land.addModel(engine.BuiltInModel.capsule(0.3, 1.8, "hero"));
+			land.loadTightestFit = false;
+			land.addModel(levelFromObject(name, level));
+			const collider = new engine.CombinationCollider(land);
+			collider.exact = exact;
+			const queries = new engine.AgentQueries(collider);
+			const agent = new Agent(name);
+			agent.hierarchical = true;
+			const hero = new Agent("hero");
+			hero.z = 0.4;
+			queries.update([agent]);
+			const { warn } = console;
+			const warnings = [];
+			console.warn = (text) => warnings.push(text);
+			try {
+				for (let i = 0; i < 200; i++) queries.walk(hero, dx, 0);
+			} finally {
+				console.warn = warn;
+			}
+			return { x: hero.x, z: hero.z, warnings };
+		};
+		for (const [name, level] of Object.entries({ noCeiling: room(wall, wall, null, wall, wall, wall), hole, boxes, solidified })) {
+			const { x, z, warnings } = play(level, true, 0.1);
+			assert.ok(Math.abs(x - 4.7) < 1e-6 && Math.abs(z) < 1e-6, `${name}: ${x}, ${z}`);
+			assert.deepEqual(warnings, [], name);
+		}
+		const through = play(openTunnel, true, 0.05);
+		assert.ok(Math.abs(through.x - 10) < 0.01 && through.z > -1 && through.warnings.length === 0, JSON.stringify(through));
+		for (const [level, exact] of [[room(wall), true], [room(wall), false], [boxes, false], [tunnel, true]]) {
+			const { x, z, warnings } = play(level, exact, 0.1);
+			assert.ok(x > 6 && z < -9, `${x}, ${z}`);
+			assert.equal(warnings.length, 1);
+			assert.match(warnings[0], /the shape "level \d+" does not stop this motion, because the motion begins deep inside of it/);
+		}
+	});
+
+	test(`three ${version}: options that there are not, and objects that are no level, are refused with what to do`, () => {
+		const geometry = new THREE.BoxGeometry();
+		const object = new THREE.Mesh(geometry);
+		const terrain = new Terrain(2, 2);
+		for (const make of [() => modelFromObject("any", geometry, { upAxis: "z" }), () => levelFromObject("any", geometry, { upAxis: "z" }), () => terrainFromMesh(geometry, 2, 2, 1, 0, 0, { upAxis: "z" }),
+			() => new TerrainGeometry(terrain, { upAxis: "z" }), () => new ThreeAgentBinding(new Agent("any"), object, null, { upAxis: "z" }), () => new ThreeWireframe({ upAxis: "z" })]) {
+			assert.throws(make, /^ArgumentError: options\.upAxis is no option; there (?:is|are) (?:up|color, up)\b/);
+		}
+		assert.throws(() => levelFromObject("any", { scene: object }), /^ModelError: model "any": expected an Object3D or a BufferGeometry, not Object\. Its scene is an Object3D$/);
+		const group = new THREE.Group();
+		group.name = "hall";
+		assert.throws(() => levelFromObject("any", group), /^ModelError: model "any": no vertices: Group "hall" has no meshes with triangles yet$/);
+		assert.throws(() => toScene(undefined), /^ArgumentError: toScene: x, y and z must be numbers/);
+	});
+
 	test(`three ${version}: points of a scene become the engine's, and the other way round`, () => {
 		const { dice: chance } = new Scenes(THREE, 44);
 		const agent = new Agent("any");

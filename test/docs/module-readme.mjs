@@ -10,6 +10,7 @@ const read = (name) => readFileSync(new URL(name, assets));
 const THREE = createRequire(new URL('../../js/module/package.json', import.meta.url))('three');
 export const mesh = new THREE.Mesh(new THREE.BoxGeometry(2, 4, 2));
 mesh.position.set(1, 2, 3);
+export const levelScene = new THREE.Mesh(new THREE.BoxGeometry(40, 1, 40).translate(0, -0.5, 0));
 export const bearText = read('bear.obj').toString();
 export const signal = new AbortController().signal;
 export const file = new Blob([read('dragon.dae')]);
@@ -26,7 +27,23 @@ const { fetch } = globalThis;
 globalThis.fetch = (address, ...rest) => fetch(new URL(address, server.url), ...rest);
 
 /** Whether the samples have done what the page says. */
-export async function check({ bear, ball, collision, greatLand, teapot }) {
+export async function check({ bear, ball, collision, greatLand, teapot, nextFrame, actors, hero, footing, save, goBackTo }) {
+	const keys = { right: 1, forward: 0, isJumping: false };
+	for (let i = 0; i < 20; i++) nextFrame(keys);
+	assert.ok(footing.stands && Math.abs(hero.x - 1.6) < 1e-9 && Math.abs(hero.z) < 1e-6, `${hero.x}, ${hero.z}`);
+	assert.equal(actors.length, 3);
+	const saved = save();
+	nextFrame({ ...keys, isJumping: true });
+	for (let i = 0; i < 19; i++) nextFrame(keys);
+	const after = [hero.x, hero.z, actors.length];
+	assert.ok(hero.z > 1 && !footing.stands);
+	goBackTo(saved);
+	assert.ok(hero.x < 1.7 && hero.z < 1e-6);
+	nextFrame({ ...keys, isJumping: true });
+	for (let i = 0; i < 19; i++) nextFrame(keys);
+	assert.deepEqual([hero.x, hero.z, actors.length], after);
+	for (let i = 0; i < 60; i++) nextFrame(keys);
+	assert.ok(footing.stands);
 	assert.deepEqual([teapot.x, teapot.y, teapot.z, teapot.size], [1, -3, 0, 2]);
 	assert.equal(collision.statistics.handlerCalls, 1);
 	assert.equal(bear.color, ball.color);

@@ -4,6 +4,8 @@ import { createRequire } from 'node:module';
 
 const THREE = createRequire(new URL('../../js/module/package.json', import.meta.url))('three');
 
+export const BoxGeometry = THREE.BoxGeometry;
+export const DoubleSide = THREE.DoubleSide;
 export const Group = THREE.Group;
 export const Mesh = THREE.Mesh;
 export const MeshStandardMaterial = THREE.MeshStandardMaterial;

@@ -163,7 +163,7 @@ test("lists are arrays of agents, and a frame that is refused changes nothing", 
 	const pairs = collision.statistics.collisions;
 	const like = { id: 7, breed: "bears", shape: "cube", x: 0, y: 0, z: 0, size: 1 };
 	for (const list of [{}, new Set([a, b]), new Map(), "ab", 3, { length: 2, 0: a, 1: b }, new Uint8Array(2)]) refused(() => collision.update(list), "Collision.update: agents must be an array");
-	for (const list of [null, undefined]) refused(() => collision.update(list), "agents must not be null");
+	for (const list of [null, undefined]) refused(() => collision.update(list), `Collision.update: agents must be an array, not ${list}`);
 	for (const item of [like, null, undefined, "a", 1, [], () => a, Object.create(null)]) {
 		for (const list of [[item], [a, item, b], [a, b, item]]) refused(() => collision.update(list), `agents[${list.indexOf(item)}]`);
 		refused(() => collision.collisionSystem.findCollisions([a, item]), "agents[1]");
@@ -309,14 +309,94 @@ test("a literal serves as options of a walk", () => {
 	walker.z = 5;
 	assert.equal(queries.walk(walker, 0, 0, { fall: Infinity }).on, floor);
 	const at = walker.x;
-	refused(() => queries.walk(walker, 1, 0, 3), "AgentQueries.walk: options must be options, not 3");
-	for (const [name, nearest] of [["stepheight", "stepHeight"], ["stepHeigth", "stepHeight"], ["slope", "slopeDegrees"], ["carry", "carried"], ["filters", "filter"]]) {
-		refused(() => queries.walk(walker, 1, 0, { [name]: 0.5 }), `AgentQueries.walk: options.${name} is no option; the nearest is ${nearest}, of `);
-	}
-	refused(() => queries.walk(walker, 1, 0, { steps: 3 }), "the nearest is stepHeight", "slopeDegrees", "snap", "fall", "carried", "filter");
+	refused(() => queries.walk(walker, 1, 0, 3), "AgentQueries.walk: options must be WalkOptions, or a literal such as { stepHeight: 0.3 }, not 3");
+	for (const name of ["stepheight", "slope", "gravity"]) refused(() => queries.walk(walker, 1, 0, { [name]: 3 }), `AgentQueries.walk: options.${name} is no option; there are `, "stepHeight", "slopeDegrees", "snap", "fall", "carried", "filter");
 	assert.throws(() => queries.walk(walker, 1, 0, { slopeDegrees: 90 }), RangeError);
 	assert.throws(() => queries.walk(walker, 1, 0, { snap: "1" }), /snap must be a number/);
 	assert.equal(walker.x, at);
+});
+
+test("while a game is developed, an error says which option is the nearest, if one is", async () => {
+	const { Agent, AgentQueries, BinCollider } = await import(pathToFileURL(path.join(folder, manifest.exports["."].node)));
+	const queries = new AgentQueries(new BinCollider());
+	const walker = new Agent("cube");
+	queries.update([]);
+	for (const [name, nearest] of [["stepheight", "stepHeight"], ["stepHeigth", "stepHeight"], ["slope", "slopeDegrees"], ["carry", "carried"], ["filters", "filter"], ["steps", "stepHeight"]]) {
+		refused(() => queries.walk(walker, 1, 0, { [name]: 0.5 }), `AgentQueries.walk: options.${name} is no option; the nearest is ${nearest}; there are `);
+	}
+	for (const name of ["gravity", "jump", "speed"]) refused(() => queries.walk(walker, 1, 0, { [name]: 0.5 }), `options.${name} is no option; there are `);
+	refused(() => queries.near(walker, 1, { breed: ["a"] }), "AgentQueries.near: filter.breed is no option; the nearest is breeds; there are ");
+});
+
+test("a literal serves as a filter", () => {
+	const queries = new AgentQueries(new TightestFitCollider(makeLand()));
+	const [floor, wolf, sheep] = ["floors", "wolves", "sheep"].map((breed) => new Agent("cube", breed));
+	queries.update([floor, wolf, sheep]);
+	assert.deepEqual(queries.near(wolf, 1, { breeds: ["sheep"] }), [sheep]);
+	assert.deepEqual(queries.near(wolf, 1, { exceptBreeds: ["sheep"], except: undefined }), [floor]);
+	assert.deepEqual(queries.near(wolf, 1, { except: [floor], accepts: null }), [sheep]);
+	assert.equal(queries.nearest(wolf, 1, { accepts: (agent) => agent === sheep }), sheep);
+	wolf.z = 5;
+	assert.equal(queries.walk(wolf, 0, 0, { fall: Infinity, filter: { breeds: ["sheep"] } }).on, sheep);
+	refused(() => queries.near(wolf, 1, { tags: ["sheep"] }), "AgentQueries.near: filter.tags is no option; there are ", "breeds", "exceptBreeds", "except", "accepts");
+	refused(() => queries.near(wolf, 1, { breeds: "sheep" }), 'AgentFilter.breeds must be an array of strings, not "sheep"');
+	for (const wrong of [3, "sheep", ["sheep"], wolf]) refused(() => queries.near(wolf, 1, wrong), 'AgentQueries.near: filter must be an AgentFilter, or a literal such as { breeds: ["sheep"] }, not ');
+});
+
+test("null is refused by the call that gets it", () => {
+	const land = makeLand();
+	const queries = new AgentQueries(new TightestFitCollider(land));
+	queries.update([]);
+	const [one, other] = [new Agent("cube"), new Agent("cube")];
+	for (const [call, ...values] of [["near", null, 1], ["nearest", null], ["inCone", null, 1, 1], ["touching", null], ["walk", null, 1, 0], ["slide", null, 1, 0, 0], ["refresh", null], ["castAgent", null, 1, 0, 0], ["wouldTouchAt", null, 0, 0, 0]]) {
+		refused(() => queries[call](...values), `AgentQueries.${call}: agent must be an Agent, not null`);
+	}
+	refused(() => queries.canSee(one, null), "AgentQueries.canSee: b must be an Agent, not null");
+	refused(() => queries.castShape(null, 1, 0, 0), "AgentQueries.castShape: structure must be this package's Sphere, Capsule, Box or Hull, not null");
+	refused(() => land.addModel(null), "GreatLand.addModel: model must be a Model, not null");
+	refused(() => new TightestFitCollider(), "new TightestFitCollider: greatLand must be a GreatLand, not undefined");
+	refused(() => new Collision(land), "collisionSystem must be a CollisionSystem, for example new TightestFitCollider(greatLand), not an object of class GreatLand");
+	for (const type of [AgentQueries, SeenAgents]) refused(() => new type(land), "such as new TightestFitCollider(greatLand), not an object of class GreatLand");
+	assert.ok(Math.abs(queries.distance(one, Object.assign(other, { x: 3 }), null, null) - 2) < 1e-9);
+	queries.near(one, 1, null, null);
+});
+
+test("another library's Sphere is not taken for one of another copy", () => {
+	const queries = new AgentQueries(new BinCollider());
+	class Sphere {
+		radius = 1;
+	}
+	refused(() => queries.castShape(new Sphere(), 1, 0, 0), "structure must be this package's Sphere, Capsule, Box or Hull, not an object of class Sphere");
+	refused(() => sphereSphere(new Sphere(), new Sphere()), "sphereSphere: a must be a Sphere, not an object of class Sphere");
+});
+
+test("names of the wrong kind are shown short, with what is meant", async () => {
+	const text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".repeat(50);
+	assert.throws(() => new engine.ObjModel(text, "bear"), (error) => util.inspect(error).length < 2500 && /a model's name comes before its text$/.test(error.message) && error.modelName.length < 80);
+	const { Agent, BinCollider, BuiltInModel, Collision, GreatLand, LevelShapes, SeenAgents } = await import(pathToFileURL(path.join(folder, manifest.exports["."].node)));
+	const land = new GreatLand();
+	for (const name of ["hero", "wall", "bear"]) land.addModel(BuiltInModel.capsule(0.3, 1.8, name));
+	land.removeModel("bear");
+	const collision = new Collision(new BinCollider(land));
+	for (const [shape, said] of [["heroo", '; is "hero" meant?'], ["Wall", '; is "wall" meant?'], ["bears", "first"], ["tree", "first"]]) {
+		assert.throws(() => collision.update([new Agent(shape)]), (error) => error.message.endsWith(said), shape);
+	}
+	const shapes = new LevelShapes();
+	shapes.addModel(BuiltInModel.box(9, 9, 1, "floor"));
+	assert.throws(() => new SeenAgents(shapes).update([new Agent("flor")]), /add it to the LevelShapes first; is "floor" meant\?$/);
+});
+
+test("a snapshot from before the first frame says so", () => {
+	const collision = new Collision(new BinCollider());
+	const bytes = collision.snapshot();
+	const agent = new Agent("cube");
+	collision.update([agent]);
+	refused(() => collision.restore(bytes, [agent]), "bytes are no snapshot of 1 agents, but of no agents: it was taken before the first frame");
+});
+
+test("an address that Node cannot fetch says what to do", async () => {
+	const loader = new ModelLoader(new GreatLand());
+	await assert.rejects(loader.loadAsync("bear", "assets/bear.obj"), /file can't be fetched: assets\/bear\.obj \(an address has to be absolute here; read the file, and give its bytes to loadBytes\(\)\)/);
 });
 
 test("subclasses are checked as what they extend, and override it", () => {
@@ -512,7 +592,7 @@ test("an object of another copy of the engine is named as that", async () => {
 	refused(() => new engine.AgentQueries(new other.BinCollider()), "questions need a Collision or one of", COPIES);
 	refused(() => new engine.AgentQueries(new other.Collision(new other.BinCollider())), "questions need a Collision or one of", COPIES);
 	class Model {}
-	refused(() => land.addModel(new Model()), "model must be a Model", COPIES);
+	refused(() => land.addModel(new Model()), "model must be a Model, not an object of class Model");
 	refused(() => land.addModel(new Date(0)), "model must be a Model, not an object of class Date");
 	refused(() => new ModelLoader(land).dispatchEvent(new globalThis.Event("complete")), "event must be an Event, not an object of class Event");
 	assert.equal(land.hasModel("cube"), true);
@@ -533,8 +613,7 @@ test("errors name structures, elements of lists, functions and settings as their
 	refused(() => (filter.breeds = [3]), "AgentFilter.breeds[0] must be a string, not 3");
 	refused(() => (filter.breeds = "bears"), 'AgentFilter.breeds must be an array of strings, not "bears"');
 	refused(() => (land.boundingStructures.fitters = [3]), "fitters[0] must be a Fitter, not 3");
-	refused(() => new engine.AgentQueries({}), "one of the engine's collision systems, not a plain object");
-	refused(() => questions.nearest(new Agent("cube"), 5, { breeds: ["bears"] }), 'filter must be an AgentFilter, for example AgentFilter.ofBreeds("sheep"), not a plain object');
+	refused(() => new engine.AgentQueries({}), "one of the engine's collision systems, such as new TightestFitCollider(greatLand), not a plain object");
 	const collision = new Collision(new BinCollider());
 	refused(() => collision.onCollision("", "b", () => 0), 'breed must be the name of a breed or ANY_BREED, not ""');
 	refused(() => collision.onCollision("a", undefined, () => 0), "otherBreed must be the name of a breed or ANY_BREED, not undefined");

@@ -1,6 +1,6 @@
 // What the types of the package say, and what they refuse: tsc --strict has to accept all of it, and to find an error where one is expected.
 import {
-	Agent, AgentFilter, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, CollisionBlocks, Contact, GltfModel, GreatLand, HierarchicalCollider, Model, ModelEvent,
+	Agent, AgentFilter, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, CollisionBlocks, Contact, Footing, GltfModel, GreatLand, HierarchicalCollider, Model, ModelEvent,
 	ModelLoader, ModelTransform, ObjModel, RayHit, TightestFitCollider, Vector3D,
 } from "starlogo-collision";
 import type { CollisionSystem, ModelLoaderEvents, Numbers, ShapeHit } from "starlogo-collision";
@@ -124,6 +124,25 @@ filter.accepts = (hero: Hero) => hero.life > 1;
 filter.accepts = null;
 // @ts-expect-error it says whether
 filter.accepts = (agent) => agent.breed;
+// literals serve as filters and options
+const near: Hero[] = new AgentQueries(collision).near(agent, 3, { breeds: ["heroes"], except: [agent] });
+new AgentQueries(plain).walk(near[0]!, 1, 0, { stepHeight: 0.3, filter: { exceptBreeds: ["coins"] } });
+new AgentQueries(plain).near(agent, 3, { accepts: (hero: Hero) => hero.life > 1 });
+// @ts-expect-error there is no such property
+new AgentQueries(plain).near(agent, 3, { breed: ["heroes"] });
+// @ts-expect-error a list
+new AgentQueries(plain).near(agent, 3, { breeds: "heroes" });
+class Coin extends Agent {
+	worth = 1;
+}
+const walks = new AgentQueries(collision);
+for (const footing of [new Footing(), new Footing<Hero>(), null]) is<Same<ReturnType<typeof walks.walk>, Footing<Hero>>>(), walks.walk(near[0]!, 1, 0, null, footing);
+// @ts-expect-error the hero stands on heroes, not on coins
+walks.walk(near[0]!, 1, 0, null, new Footing<Coin>());
+new AgentQueries(plain).walk(near[0]!, 1, 0, null, new Footing());
+collision.removeHandler("heroes", "heroes", () => 0, "start");
+// @ts-expect-error there is no such kind
+collision.removeHandler("heroes", "heroes", () => 0, "begin");
 // what questions find are the game's own agents
 const questions = new AgentQueries(collision);
 const met = questions.cast(new Vector3D(), new Vector3D(1, 0, 0), 9, filter, hit);

@@ -7,6 +7,12 @@ export function isYUp(up) {
 	return up === "y";
 }
 
+/** Refuses options that there are not: a misspelt one would do nothing. `others` has what is left of the options without those that there are. */
+export function refuseOthers(others, ...names) {
+	const [wrong] = Object.keys(others);
+	if (wrong !== undefined) throw new ArgumentError(`options.${wrong} is no option; there ${names.length > 1 ? "are" : "is"} ${names.join(", ")}`);
+}
+
 /** The text for a value in an error. */
 export function textOf(value) {
 	return typeof value === "string" ? `"${value}"` : typeof value === "object" && value !== null ? `${value.constructor?.name ?? "object"}` : String(value);
@@ -14,19 +20,19 @@ export function textOf(value) {
 
 /** A point or direction of a scene with y up, in the engine's axes. */
 export function toEngine(vector, out = null) {
-	const { x, y, z } = checked(vector);
+	const { x, y, z } = checked("toEngine", vector);
 	return put(out ?? new Vector3D(), x, -z, y);
 }
 
 /** A point or direction of the engine, in the axes of a scene with y up. */
 export function toScene(vector, out = null) {
-	const { x, y, z } = checked(vector);
+	const { x, y, z } = checked("toScene", vector);
 	return put(out ?? new Vector3(), x, z, -y);
 }
 
-function checked(vector) {
+function checked(call, vector) {
 	if (typeof vector?.x !== "number" || typeof vector.y !== "number" || typeof vector.z !== "number") {
-		throw new ArgumentError(`x, y and z must be numbers, as a Vector3 has them, not ${textOf(vector)}`);
+		throw new ArgumentError(`${call}: x, y and z must be numbers, as a Vector3 has them, not ${textOf(vector)}`);
 	}
 	return vector;
 }

@@ -1,6 +1,6 @@
 import { Matrix4, Quaternion, Vector3 } from "three";
 import { Agent, ArgumentError } from "starlogo-collision";
-import { AgentPlace, isYUp, textOf } from "./axes.js";
+import { AgentPlace, isYUp, refuseOthers, textOf } from "./axes.js";
 import { poseModel, upOf } from "./model.js";
 
 /** The relative error that a scene's numbers may have, because many are of single precision. */
@@ -37,7 +37,8 @@ export class ThreeAgentBinding {
 	 * @param {{up?: "y" | "z", modelUp?: "y" | "z", index?: number}} options the up axis of the land and of the model's source; the index of
 	 * the instance in an InstancedMesh
 	 */
-	constructor(agent, object, model = null, { up = "y", modelUp = upOf(model) ?? up, index = null } = {}) {
+	constructor(agent, object, model = null, { up = "y", modelUp = upOf(model) ?? up, index = null, ...others } = {}) {
+		refuseOthers(others, "up", "modelUp", "index");
 		if (!object?.isObject3D) throw new ArgumentError(`an Object3D is needed, not ${textOf(object)}`);
 		const isLandYUp = isYUp(up);
 		this.#place = new AgentPlace(agent, isLandYUp);

@@ -12,7 +12,9 @@ export type Up = "y" | "z";
  * @returns out
  * @throws ArgumentError if x, y or z is missing or no number
  */
-export function toEngine<P extends PointTaker = Vector3D>(vector: Point, out?: P | null): P;
+export function toEngine(vector: Point, out?: null): Vector3D;
+/** The same, written to `out`. */
+export function toEngine<P extends PointTaker>(vector: Point, out: P): P;
 
 /**
  * A point or direction of the engine, in the axes of a scene with y up: (x, y, z) becomes (x, z, -y). In a scene with z up nothing has to be
@@ -23,7 +25,9 @@ export function toEngine<P extends PointTaker = Vector3D>(vector: Point, out?: P
  * @returns out
  * @throws ArgumentError if x, y or z is missing or no number
  */
-export function toScene<P extends PointTaker = Vector3>(vector: Point, out?: P | null): P;
+export function toScene(vector: Point, out?: null): Vector3;
+/** The same, written to `out`. */
+export function toScene<P extends PointTaker>(vector: Point, out: P): P;
 
 /** Options of modelFromObject. */
 export interface ModelOptions {

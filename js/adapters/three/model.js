@@ -1,6 +1,6 @@
 import { Matrix4, Mesh, Vector3 } from "three";
 import { ArgumentError, Model, ModelError } from "starlogo-collision";
-import { isYUp, textOf } from "./axes.js";
+import { isYUp, refuseOthers, textOf } from "./axes.js";
 
 /** For each model: the up axis of its source, whether that is placed, and of which vertices of which meshes it was made. */
 const origins = new WeakMap();
@@ -18,7 +18,8 @@ const point = new Vector3();
  * @param {object} source an Object3D, whose own transform does not count, or a BufferGeometry
  * @param {{up?: "y" | "z", scaling?: string}} options the up axis of the source, and how the model is scaled (Model's scalings)
  */
-export function modelFromObject(name, source, { up = "y", scaling = Model.FOOTPRINT } = {}) {
+export function modelFromObject(name, source, { up = "y", scaling = Model.FOOTPRINT, ...others } = {}) {
+	refuseOthers(others, "up", "scaling");
 	return modelOf(name, source, surfaceOf(name, source, up), { up, isPlaced: false }, scaling);
 }
 
@@ -29,11 +30,13 @@ export function modelFromObject(name, source, { up = "y", scaling = Model.FOOTPR
  * @param {object} object an Object3D, whose parent is the land, or a BufferGeometry
  * @param {{up?: "y" | "z"}} options the up axis of the land
  */
-export function levelFromObject(name, object, { up = "y" } = {}) {
+export function levelFromObject(name, object, { up = "y", ...others } = {}) {
+	refuseOthers(others, "up");
 	return modelOf(name, object, surfaceOf(name, object, up, true), { up, isPlaced: true }, Model.AS_GIVEN);
 }
 
 function modelOf(name, source, { vertices, triangles, parts, meshes, materials }, origin, scaling) {
+	if (vertices.length === 0) throw new ModelError(name, "", `no vertices: ${source.isObject3D ? `${textOf(source)} "${source.name}" has no meshes with triangles yet` : "the geometry has no triangles"}`);
 	const model = new Model(name, vertices, triangles, scaling);
 	if (source.isObject3D) {
 		model.setMeshes(meshes.numbers, meshes.names);
@@ -117,7 +120,7 @@ export function surfaceOf(name, source, up, isPlaced = false) {
 	else if (source?.isObject3D) {
 		updateMatrices(source);
 		eachMesh(source, isPlaced ? source.matrix : identity, (mesh, place) => surface.addMesh(mesh, place));
-	} else throw new ModelError(name, "", `expected an Object3D or a BufferGeometry, not ${textOf(source)}`);
+	} else throw new ModelError(name, "", `expected an Object3D or a BufferGeometry, not ${textOf(source)}${source?.scene?.isObject3D ? ". Its scene is an Object3D" : ""}`);
 	return surface;
 }
 

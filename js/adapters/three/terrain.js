@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry } from "three";
 import { ArgumentError, Terrain, TerrainSurface } from "starlogo-collision";
-import { isYUp, textOf } from "./axes.js";
+import { isYUp, refuseOthers, textOf } from "./axes.js";
 import { surfaceOf } from "./model.js";
 
 /** How far outside of a triangle a place may be and still count, as a part of the triangle: so rounding leaves no gap between two. */
@@ -16,7 +16,8 @@ export class TerrainGeometry extends BufferGeometry {
 	 * @param {object} terrain the ground
 	 * @param {{up?: "y" | "z"}} options the up axis of the land
 	 */
-	constructor(terrain, { up = "y" } = {}) {
+	constructor(terrain, { up = "y", ...others } = {}) {
+		refuseOthers(others, "up");
 		super();
 		if (!(terrain instanceof Terrain)) throw new ArgumentError(`a Terrain is needed, not ${textOf(terrain)}`);
 		this.#terrain = terrain;
@@ -60,7 +61,8 @@ export class TerrainGeometry extends BufferGeometry {
  * @param {number} y where the first height is
  * @param {{up?: "y" | "z"}} options the up axis of the land
  */
-export function terrainFromMesh(source, columns, rows, cellWidth = 1, x = 0, y = 0, { up = "y" } = {}) {
+export function terrainFromMesh(source, columns, rows, cellWidth = 1, x = 0, y = 0, { up = "y", ...others } = {}) {
+	refuseOthers(others, "up");
 	const terrain = new Terrain(columns, rows, cellWidth, x, y);
 	const { vertices, triangles } = surfaceOf("terrain", source, up, true);
 	const heights = new Array(columns * rows).fill(-Infinity);

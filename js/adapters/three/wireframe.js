@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments, Matrix4, Vector3 } from "three";
 import { ArgumentError, Wireframes } from "starlogo-collision";
-import { AgentPlace, isYUp } from "./axes.js";
+import { AgentPlace, isYUp, refuseOthers } from "./axes.js";
 
 const matrix = new Matrix4();
 const scale = new Vector3();
@@ -24,7 +24,8 @@ export class ThreeWireframe extends LineSegments {
 	 *
 	 * @param {{color?: number | string, up?: "y" | "z"}} options the lines' colour, and the up axis of the land
 	 */
-	constructor({ color = 0xffcc00, up = "y" } = {}) {
+	constructor({ color = 0xffcc00, up = "y", ...others } = {}) {
+		refuseOthers(others, "color", "up");
 		super(new BufferGeometry(), new LineBasicMaterial({ color }));
 		this.#isYUp = isYUp(up);
 		this.frustumCulled = false;

@@ -2,6 +2,7 @@
  * Functions for features of ActionScript that JavaScript lacks. The translated classes call them. A Vector is a plain array here, so the
  * code that makes one longer passes the value of the new elements.
  */
+import { $hintOfOption } from "./warnings.mjs";
 
 const closures = new WeakMap();
 
@@ -61,13 +62,13 @@ export function $named(value, wanted = "") {
 	}
 }
 
-/** Whether an object's class has the wanted name, but belongs to another copy of the engine. */
+/** Whether an object's class has the wanted name, but belongs to another copy of the engine. three.js's Sphere has no internal fields. */
 function isOfOtherCopy(value, wanted) {
 	const names = wanted.match(/\b[A-Z]\w*/g)?.filter((name) => name !== "ArrayBuffer") ?? [];
 	if (names.length === 0 || typeof value !== "object") return false;
 	for (let each = value; each !== null; each = Object.getPrototypeOf(each)) {
 		const type = Object.hasOwn(each, "constructor") ? each.constructor : null;
-		if (names.includes(type?.name) && type !== globalThis[type.name]) return true;
+		if (names.includes(type?.name) && type !== globalThis[type.name] && Object.keys(value).some((key) => key.startsWith("_"))) return true;
 	}
 	return false;
 }
@@ -172,34 +173,20 @@ export function $bytes(target, name, value, isNullable) {
 	return ByteArray.from(value);
 }
 
-/** Throws an error for an option that is not among the names of all. It says which of these is the nearest. */
-function refuseOption(target, name, key, names) {
-	const farAway = names.map((each) => distanceOf(key.toLowerCase(), each.toLowerCase()));
-	const nearest = names[farAway.indexOf(Math.min(...farAway))];
-	throw new ArgumentError(`${target === null ? "" : `${target}: `}${name} is no option; the nearest is ${nearest}, of ${names.join(", ")}`);
-}
-
 /**
- * How far one word is from another: how many letters have to be inserted, removed or replaced (Levenshtein, 1966), less two for each letter of a
- * beginning that both have, because abbreviations are common.
+ * Options or a filter that a public method receives as a literal: a copy, whose setters check the values. An undefined value counts as absent.
+ *
+ * @param options an object of the class that has the options
+ * @param kind the required kind
  */
-export function distanceOf(word, other) {
-	let same = 0;
-	while (same < word.length && word[same] === other[same]) same++;
-	let counts = [...other, ""].map((_, i) => i);
-	[...word].forEach((letter, i) => {
-		const before = counts;
-		counts = [i + 1];
-		for (let j = 0; j < other.length; j++) counts.push(Math.min(before[j + 1] + 1, counts[j] + 1, before[j] + (letter === other[j] ? 0 : 1)));
-	});
-	return counts[other.length] - 2 * same;
-}
-
-/** Options that a public method receives as a literal: a copy, whose setters check the values. An undefined value counts as absent. */
-export function $options(target, name, value, options) {
-	if (typeof value !== "object" || Array.isArray(value)) $refuse(target, name, value, "options");
+export function $options(target, name, value, options, kind) {
+	if (typeof value !== "object" || Array.isArray(value)) $refuse(target, name, value, kind);
 	for (const key of Object.keys(value)) {
-		if (!(key in options)) refuseOption(target, `${name}.${key}`, key, Object.keys($stateOf(options)));
+		if (!(key in options)) {
+			if (/^[_$]/.test(key)) $refuse(target, name, value, kind);
+			const names = Object.keys($stateOf(options));
+			throw new ArgumentError(`${target === null ? "" : `${target}: `}${name}.${key} is no option; ${$hintOfOption(key, names)}there are ${names.join(", ")}`);
+		}
 		if (value[key] !== undefined) options[key] = value[key];
 	}
 	return options;

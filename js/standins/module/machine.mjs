@@ -77,7 +77,10 @@ export function fetchFile(url, onProgress, onDone, onError) {
 }
 
 async function read(url, signal, onProgress) {
-	const response = await fetch(url, { signal });
+	const response = await fetch(url, { signal }).catch((error) => {
+		// a page has an address that others may be relative to
+		throw typeof location === "object" || /^[a-z][a-z\d+.-]*:/i.test(url) ? error : new Error("an address has to be absolute here; read the file, and give its bytes to loadBytes()");
+	});
 	if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim());
 	const total = Number(response.headers.get("content-length") ?? 0);
 	if (response.body === null) return new Uint8Array();

@@ -29,7 +29,7 @@ package starlogo.collision
         /** The error about something whose agents questions cannot see. */
         engine static function errorAbout(system:Object):ArgumentError
         {
-            return new ArgumentError("questions need a Collision or one of the engine's collision systems, not "
+            return new ArgumentError("questions need a Collision or one of the engine's collision systems, such as new TightestFitCollider(greatLand), not "
                     + textOf(system, "a Collision or a Collider"));
         }
 

@@ -34,6 +34,20 @@ package starlogo.libraries
             return _entries[PREFIX + name] ||= new ModelEntry(this);
         }
 
+        /** The names under which there is a model or a structure. */
+        public function get names():Vector.<String>
+        {
+            var all:Vector.<String> = new Vector.<String>();
+            for (var key:String in _entries)
+            {
+                if (_entries[key].model != null || _entries[key].structures != null)
+                {
+                    all.push(key.substr(PREFIX.length));
+                }
+            }
+            return all;
+        }
+
         /** Throws an ArgumentError if a name is null or empty. */
         public static function checkName(name:String):void
         {

@@ -18,10 +18,16 @@ package starlogo.models
          */
         public function ModelError(modelName:String, place:String, problem:String)
         {
-            super("model \"" + shortened(modelName) + "\"" + (place == "" ? "" : ", " + place) + ": " + problem);
+            super("model \"" + shortened(modelName) + "\"" + (place == "" ? "" : ", " + place) + ": " + problem + (isText(modelName) ? "; a model's name comes before its text" : ""));
             name = "ModelError";
-            _modelName = modelName;
+            _modelName = isText(modelName) ? shortened(modelName) : modelName;
             _place = place;
+        }
+
+        // Whether a text of several lines was passed in place of a name.
+        private static function isText(name:String):Boolean
+        {
+            return name != null && name.indexOf("\n") >= 0;
         }
 
         // The first words of a text that was passed in place of a name, on one line.
@@ -30,7 +36,7 @@ package starlogo.models
             return name == null || name.length <= LONGEST_NAME ? name : name.substr(0, LONGEST_NAME).replace(/\s+/g, " ") + "...";
         }
 
-        /** The name of the model that failed. */
+        /** The name of the model that failed. If it was a text of several lines, its beginning. */
         public function get modelName():String
         {
             return _modelName;

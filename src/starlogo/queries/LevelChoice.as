@@ -12,6 +12,7 @@ package starlogo.queries
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
+    import starlogo.search.meantOf;
     import starlogo.solid.ModelTree;
     import starlogo.steps.finish;
 
@@ -76,7 +77,8 @@ package starlogo.queries
             var entry:ModelEntry = _models.entryOf(agent.shape);
             if (entry.model == null && entry.structures == null)
             {
-                throw new ArgumentError(agent + ": there is no model and no structure \"" + agent.shape + "\"; add it to the LevelShapes first");
+                throw new ArgumentError(agent + ": there is no model and no structure \"" + agent.shape + "\"; add it to the LevelShapes first"
+                        + meantOf(agent.shape, _models.names));
             }
             return false;
         }

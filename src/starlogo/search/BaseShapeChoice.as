@@ -85,7 +85,8 @@ package starlogo.search
             }
             if (!greatLand.isLoading(agent.shape))
             {
-                throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; add it to the GreatLand first");
+                throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; add it to the GreatLand first"
+                        + meantOf(agent.shape, greatLand.modelNames));
             }
             return true;
         }

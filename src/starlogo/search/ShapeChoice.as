@@ -17,7 +17,7 @@ package starlogo.search
         /**
          * For subclasses only.
          *
-         * @param greatLand the models
+         * @param greatLand the models; null if the shapes need none
          * @param isNeeded whether greatLand must not be null
          * @throws ArgumentError if greatLand is null but needed
          */

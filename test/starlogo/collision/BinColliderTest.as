@@ -175,7 +175,7 @@ package starlogo.collision
             assertThrows(ArgumentError, /unicorn/, _collider.areColliding, a, unknown);
             assertThrows(ArgumentError, /two different agents are needed/, _collider.areColliding, a, a);
             assertThrows(ArgumentError, /two different agents/, _collider.contactOf, a, a);
-            assertThrows(ArgumentError, /two agents/, _collider.contactOf, null, a);
+            assertThrows(ArgumentError, /two agents|must be an Agent/, _collider.contactOf, null, a);
             assertEquals("and the collider still works", 2, _collider.findCollisions(new <Agent>[a, b], out).length);
         }
 

@@ -83,7 +83,7 @@ package starlogo.queries
             var unknown:Agent = new Agent("unknown");
             for each (var pair:Array in [[null, agents[1]], [agents[0], null], [agents[0], agents[0]], [agents[0], unknown], [unknown, agents[0]]])
             {
-                assertThrows(ArgumentError, /agents are needed|unknown/, queries.distance, pair[0], pair[1]);
+                assertThrows(ArgumentError, /agents are needed|must be an Agent|unknown/, queries.distance, pair[0], pair[1]);
             }
             assertEquals("as before", before, queries.distance(agents[0], agents[1]));
         }

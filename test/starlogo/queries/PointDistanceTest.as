@@ -78,8 +78,8 @@ package starlogo.queries
             var queries:AgentQueries = new AgentQueries(EachCollider.make("triangles", _greatLand));
             var cube:Agent = new Agent("cube");
             var point:Vector3D = new Vector3D(3, 0, 0.5);
-            assertThrows(ArgumentError, /agent is needed/, queries.distanceToPoint, null, point);
-            assertThrows(ArgumentError, /point is needed/, queries.distanceToPoint, cube, null);
+            assertThrows(ArgumentError, /agent (is needed|must)/, queries.distanceToPoint, null, point);
+            assertThrows(ArgumentError, /point (is needed|must)/, queries.distanceToPoint, cube, null);
             assertThrows(RangeError, /NaN/, queries.distanceToPoint, cube, new Vector3D(0, NaN, 0));
             assertThrows(ArgumentError, /unicorn/, queries.distanceToPoint, new Agent("unicorn"), point);
             assertEquals("of now, in no list", 2.5, queries.distanceToPoint(cube, point));

@@ -267,7 +267,7 @@ package starlogo.queries
         {
             var level:LevelShapes = new LevelShapes();
             var seen:SeenAgents = new SeenAgents(level);
-            assertThrows(ArgumentError, "model must not be null", level.addModel, null);
+            assertThrows(ArgumentError, /model must/, level.addModel, null);
             assertThrows(ArgumentError, "a name", level.addStructure, "", new Sphere(new Vector3D(), 1));
             assertThrows(ArgumentError, "not null", level.addStructure, "ball", null);
             assertThrows(ArgumentError, "LevelShapes", seen.update, new <Agent>[new Agent("ball")]);

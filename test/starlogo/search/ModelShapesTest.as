@@ -36,7 +36,7 @@ package starlogo.search
             var cylinder:Cylinder = new Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 0.5);
             for each (var structure:BoundingStructure in [cylinder, null])
             {
-                assertRefused(new OneStructure(structure), /a sphere, box, capsule or hull is needed, not/);
+                assertRefused(new OneStructure(structure), /(a sphere, box, capsule or hull is needed|must be .*Hull), not/);
             }
             assertRefused(new OneStructure(null, false), /^agent \d+ .*: its model has no shape/);
         }

@@ -113,6 +113,10 @@ package starlogo.collision.snapshots
         private static function wanted(count:int, known:Vector.<int>):String
         {
             var all:String = "the " + count + " that its frame's collision.lastAgents had";
+            if (count == 0)
+            {
+                return "no agents: it was taken before the first frame, or after a frame without agents";
+            }
             if (known == null)
             {
                 return all;

@@ -312,6 +312,7 @@ package starlogo.queries.motion
                 if (touches && narrowOrFindDeep(row, place, isOfAll, _contact))
                 {
                     _rest.add(_contact, row);
+                    _body.warnIfInside(row, _contact);
                 }
                 else
                 {

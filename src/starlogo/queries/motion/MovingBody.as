@@ -10,6 +10,7 @@ package starlogo.queries.motion
     import starlogo.search.ModelShape;
     import starlogo.search.NumberList;
     import starlogo.search.pairs.PairTests;
+    import starlogo.search.warnOfInside;
 
     use namespace engine;
 
@@ -232,6 +233,15 @@ package starlogo.queries.motion
         {
             return _seen.table.shapes[row].form != ModelShape.TREE || contact.depth <= Math.abs(contact.normalX) * _source.halfX
                 + Math.abs(contact.normalY) * _source.halfY + Math.abs(contact.normalZ) * _source.halfZ;
+        }
+
+        /** Warns of a motion that begins so deep inside of a tree that the tree does not stop it: in a closed room, for example, which is solid. */
+        public function warnIfInside(row:int, contact:ContactPoint):void
+        {
+            if (!isExitShort(row, contact))
+            {
+                warnOfInside(_seen.table.list.agents[row]);
+            }
         }
 
         /**

@@ -40,7 +40,7 @@ package starlogo.queries
         /** See AgentQueries.near. It has the same arguments, answers and errors. */
         public function near(agent:Agent, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return idle.findNear(agent, radius, Collector.ALL, filter).list(out);
+            return idle.findNear(agent, radius, Collector.ALL, filter).endWithList(out);
         }
 
         /** See AgentQueries.countNear. It has the same arguments, answers and errors. */
@@ -53,20 +53,20 @@ package starlogo.queries
         /** See AgentQueries.nearest. It has the same arguments, answers and errors. */
         public function nearest(agent:Agent, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
-            return idle.findNear(agent, radius, 1, filter).firstAgent();
+            return idle.findNear(agent, radius, 1, filter).endWithFirst();
         }
 
         /** See AgentQueries.nearestFew. It has the same arguments, answers and errors. */
         public function nearestFew(agent:Agent, count:int, radius:Number = Infinity, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             requireNotNegative("count", count);
-            return idle.findNear(agent, radius, count, filter).list(out);
+            return idle.findNear(agent, radius, count, filter).endWithList(out);
         }
 
         /** See AgentQueries.nearPoint. It has the same arguments, answers and errors. */
         public function nearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return idle.findNearPoint(point, radius, Collector.ALL, filter).list(out);
+            return idle.findNearPoint(point, radius, Collector.ALL, filter).endWithList(out);
         }
 
         /** See AgentQueries.countNearPoint. It has the same arguments, answers and errors. */
@@ -79,14 +79,14 @@ package starlogo.queries
         /** See AgentQueries.nearestToPoint. It has the same arguments, answers and errors. */
         public function nearestToPoint(point:Vector3D, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
-            return idle.findNearPoint(point, radius, 1, filter).firstAgent();
+            return idle.findNearPoint(point, radius, 1, filter).endWithFirst();
         }
 
         /** See AgentQueries.inCone. It has the same arguments, answers and errors. */
         public function inCone(agent:Agent, radius:Number, degrees:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             requireNotNegative("degrees", degrees);
-            return idle.findNear(agent, radius, Collector.ALL, filter, degrees).list(out);
+            return idle.findNear(agent, radius, Collector.ALL, filter, degrees).endWithList(out);
         }
 
         // These questions, or the nested ones while a filter's accepts is being called.

@@ -136,7 +136,7 @@ package starlogo.queries
         {
             _planner.readBody(agent, 0, _planned.body);
             _planner.planSlide(agent, dx, dy, dz, filter, _planned);
-            _mover.begin(_planned.body, _planned.rows);
+            _mover.setBody(_planned.body, _planned.rows);
             _mover.slide(_planned.from, _planned.motion, SlideLimits.NONE, _setup, _slide);
             _mover.restoreClearance(_slide.place, _setup, _slide.clearRow);
             if (dx != 0 || dy != 0 || dz != 0)
@@ -198,7 +198,7 @@ package starlogo.queries
             if (collectLifted(wanted, end))
             {
                 // a floor may be many rows: what is lifted out of one of them does not run into the next
-                _mover.begin(_planned.body, _planned.rows);
+                _mover.setBody(_planned.body, _planned.rows);
                 if (_mover.findLift(_planned.from, _planned.motion, _setup, _lift))
                 {
                     collectLifted(wanted, end);
@@ -224,7 +224,7 @@ package starlogo.queries
                 var row:int = rows.numbers[i];
                 _one.count = 0;
                 _one.add(row);
-                _mover.begin(_planned.body, _one);
+                _mover.setBody(_planned.body, _one);
                 _mover.findTouch(_planned.from, _planned.motion, _lift, _setup, _result);
                 mayLift ||= _result.isLifted || (_result.fraction == 0 && !_result.isDeep);
                 if (_result.row >= 0 && _found.add(row, _result.fraction))

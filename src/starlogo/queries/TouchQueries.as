@@ -43,7 +43,7 @@ package starlogo.queries
         /** See AgentQueries.touching. */
         public function touching(agent:Agent, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            return idle.findAt(agent, Collector.ALL, filter).list(out);
+            return idle.findAt(agent, Collector.ALL, filter).endWithList(out);
         }
 
         /** See AgentQueries.touchesAny. */
@@ -70,7 +70,7 @@ package starlogo.queries
         /** See AgentQueries.overlapping. */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            return idle.findAround(structure, filter).list(out);
+            return idle.findAround(structure, filter).endWithList(out);
         }
 
         // These questions, or the nested ones while a filter's accepts is being called.

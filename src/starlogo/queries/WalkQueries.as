@@ -108,7 +108,9 @@ package starlogo.queries
         private function walkOn(agent:Agent, dx:Number, dy:Number, options:WalkOptions, footing:Footing):Footing
         {
             var walk:Walk = _walk;
-            var link:PlatformLink = begin(agent, dx, dy, options, walk);
+            readOptions(agent, dx, dy, options, walk);
+            var link:PlatformLink = agent.platformLink ||= new PlatformLink(agent);
+            begin(walk, findPlatform(walk, link));
             var stands:Boolean = goPieces(walk);
             // before the footing is written, because an agent that would leave the world throws an error
             _planner.moveAgent(agent, walk.place, walk.turn);
@@ -131,9 +133,8 @@ package starlogo.queries
             return footing;
         }
 
-        // Begins a walk: finds what the options mean for the agent and the rows near the walk, and lets a platform carry the agent. Returns the
-        // agent's link, never null; its platform is null if the agent stood on no other agent.
-        private function begin(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Walk):PlatformLink
+        // Finds what the motion and the options mean for the agent.
+        private function readOptions(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Walk):void
         {
             var size:Number = _seen.placeOf(agent).size;
             requireInWorld("a motion", dx, dy, 0);
@@ -142,23 +143,26 @@ package starlogo.queries
             out.options = options;
             out.cosine = (1 - SLOPE_ROUNDING) * Trigonometry.cosine(options.slopeDegrees);
             out.pieces = Math.min(MOST_PIECES, Math.max(1, Math.ceil(whole / size)));
-            var link:PlatformLink = agent.platformLink ||= new PlatformLink(agent);
-            var platform:int = findPlatform(out, link);
-            // on the steepest slope the way is this long
-            out.range = whole / out.cosine + Math.min(options.fall, size) / 2 + out.carry.length;
             out.piece.setTo(dx / out.pieces, dy / out.pieces, 0);
-            _planner.readBody(agent, out.turn, out.planned.body);
-            findNear(out, 0);
             out.pieceLength = whole / out.pieces;
-            out.extent = 2 * out.planned.body.largestHalf;
-            out.closeDepth = CLOSE * out.extent;
-            out.start.copyFrom(out.planned.from);
+            // on the steepest slope the way is this long
+            out.range = whole / out.cosine + Math.min(options.fall, size) / 2;
+        }
+
+        // Finds the rows near the walk, and lets a platform carry the agent: its row, or -1.
+        private function begin(walk:Walk, platform:int):void
+        {
+            walk.range += walk.carry.length;
+            _planner.readBody(walk.agent, walk.turn, walk.planned.body);
+            findNear(walk, 0);
+            walk.extent = 2 * walk.planned.body.largestHalf;
+            walk.closeDepth = CLOSE * walk.extent;
+            walk.start.copyFrom(walk.planned.from);
             if (platform >= 0)
             {
-                carryWith(platform, out);
+                carryWith(platform, walk);
             }
-            _mover.begin(out.planned.body, out.planned.rows);
-            return link;
+            _mover.setBody(walk.planned.body, walk.planned.rows);
         }
 
         // Returns the row of the agent below if it carries the agent, or -1: if it has moved since the last walk, and the filter does not exclude
@@ -184,7 +188,7 @@ package starlogo.queries
         private function carryWith(platform:int, walk:Walk):void
         {
             _others.copyFrom(walk.planned.rows, platform);
-            _mover.begin(walk.planned.body, _others);
+            _mover.setBody(walk.planned.body, _others);
             _mover.slide(walk.start, walk.carry, SlideLimits.NONE, walk.setup, _slide);
             if (_slide.fraction < 1 && leadsIntoPlatform(platform, walk, _slide.place))
             {
@@ -204,7 +208,7 @@ package starlogo.queries
             _origin.incrementBy(walk.carry);
             _vector.copyFrom(place);
             _vector.decrementBy(_origin);
-            return _mover.meets(platform, _origin, _vector, walk.setup);
+            return _mover.meets(platform, _origin, _vector);
         }
 
         // Finds the rows near the walk, and up to a distance from it.
@@ -220,12 +224,12 @@ package starlogo.queries
         // The walk receives how far the agent was pushed, and which part of the motion it has made.
         private function goPieces(walk:Walk):Boolean
         {
-            var stands:Boolean = goDown(walk, walk.start, walk.closeDepth, _down);
+            var stands:Boolean = goDown(walk, walk.start, walk.closeDepth);
             walk.pushed = 0;
             if (_down.isDeep)
             {
                 walk.pushed = pushOut(walk);
-                stands = goDown(walk, walk.start, walk.closeDepth, _down);
+                stands = goDown(walk, walk.start, walk.closeDepth);
             }
             // a walk that begins in the air stays there
             var isInAir:Boolean = !stands;
@@ -236,7 +240,7 @@ package starlogo.queries
                 if (i > 0)
                 {
                     walk.start.copyFrom(walk.place);
-                    stands = !isInAir && goDown(walk, walk.start, walk.closeDepth, _down);
+                    stands = !isInAir && goDown(walk, walk.start, walk.closeDepth);
                 }
                 stands = goPiece(walk, stands);
             }
@@ -257,7 +261,7 @@ package starlogo.queries
                 return 0;
             }
             findNear(walk, left);
-            _mover.begin(walk.planned.body, walk.planned.rows);
+            _mover.setBody(walk.planned.body, walk.planned.rows);
             _slide.place.copyFrom(walk.start);
             for (var i:int = 0; i < MOST_PUSHES && left > 0 && _mover.findDeepest(_slide.place, walk.setup, _overlap) > 0; i++)
             {
@@ -296,7 +300,7 @@ package starlogo.queries
                 return true;
             }
             walk.place.copyFrom(_slide.place);
-            return goDown(walk, walk.place, walk.options.snap + walk.closeDepth, _down);
+            return goDown(walk, walk.place, walk.options.snap + walk.closeDepth);
         }
 
         // Slides along the way of a piece, and up or down.
@@ -326,21 +330,21 @@ package starlogo.queries
             }
             slide(walk, _straight.place, 0, walk.cosine, _tried);
             var farther:Number = (_tried.place.x - plain.x) * walk.piece.x + (_tried.place.y - plain.y) * walk.piece.y;
-            return farther > walk.closeDepth * walk.pieceLength && goDown(walk, _tried.place, height + walk.options.snap + walk.closeDepth, _down);
+            return farther > walk.closeDepth * walk.pieceLength && goDown(walk, _tried.place, height + walk.options.snap + walk.closeDepth);
         }
 
         // Goes down to the ground if it is no deeper than this depth, and not too steep. If there is such ground, the walk is there. Otherwise it
-        // is at the beginning. Returns whether there is. The last argument receives how the motion down ends.
-        private function goDown(walk:Walk, from:Vector3D, depth:Number, out:MotionResult):Boolean
+        // is at the beginning. Returns whether there is. _down receives how the motion down ends.
+        private function goDown(walk:Walk, from:Vector3D, depth:Number):Boolean
         {
-            // the beginning may be the place of the result
+            // copied, because the beginning may be the place of a result that is overwritten here
             walk.place.copyFrom(from);
-            goUpright(walk, walk.place, -depth, out);
-            if (out.row < 0 || !(standOn(walk, out.contact, out.row, out.place) || standOnOther(walk, out.place)))
+            goUpright(walk, walk.place, -depth, _down);
+            if (_down.row < 0 || !(standOn(walk, _down.contact, _down.row, _down.place) || standOnOther(walk, _down.place)))
             {
                 return false;
             }
-            walk.place.copyFrom(out.place);
+            walk.place.copyFrom(_down.place);
             return true;
         }
 
@@ -377,7 +381,7 @@ package starlogo.queries
             if (_down.row < 0)
             {
                 // a fall can also end where the ground begins, without being stopped
-                return goDown(walk, _down.place, walk.closeDepth, _down);
+                return goDown(walk, _down.place, walk.closeDepth);
             }
             if (standOn(walk, _down.contact, _down.row, _down.place))
             {
@@ -386,7 +390,7 @@ package starlogo.queries
             }
             var longest:Number = Math.min(walk.options.fall, walk.planned.body.placement.size);
             slideDown(walk, _down.place, Math.min(left, longest), longest / 2, _tried);
-            return goDown(walk, walk.place.z - _tried.place.z < REST * walk.extent ? walk.place : _tried.place, walk.closeDepth, _down);
+            return goDown(walk, walk.place.z - _tried.place.z < REST * walk.extent ? walk.place : _tried.place, walk.closeDepth);
         }
 
         // Lets the agent stand on the surface at a contact below it, if the surface is not too steep. At an edge, for example of a step, the face

@@ -45,8 +45,8 @@ package starlogo.queries.motion
         // Where the motion begins.
         private var _from:Vector3D = new Vector3D();
 
-        // Where it begins when the body is lifted, and the lift.
-        private var _start:Vector3D = new Vector3D();
+        // Where the lifted body begins, and the lift.
+        private var _liftedPlace:Vector3D = new Vector3D();
         private var _lift:StartLift = new StartLift();
 
         // What is left of the motion, and what is met first on that.
@@ -55,6 +55,9 @@ package starlogo.queries.motion
 
         // What is met first without one of the planes.
         private var _tried:Impact = new Impact();
+
+        // The setup of a motion that is not made.
+        private var _tryingSetup:MotionSetup = new MotionSetup();
 
         // The contact with a row that the core overlaps.
         private var _contact:ContactPoint = new ContactPoint();
@@ -73,10 +76,10 @@ package starlogo.queries.motion
          * @param body the body that moves. It stays where it is
          * @param rows the rows that may be in its way. The list must not change before the next call
          */
-        public function begin(body:Body, rows:NumberList):void
+        public function setBody(body:Body, rows:NumberList):void
         {
             _rows = rows;
-            _body.read(body, rows);
+            _body.setBody(body, rows);
         }
 
         /**
@@ -88,11 +91,9 @@ package starlogo.queries.motion
          */
         public function findLift(from:Vector3D, motion:Vector3D, setup:MotionSetup, out:StartLift):Boolean
         {
-            start(from, motion, null, SlideLimits.NONE, setup, _start);
+            beginMotion(from, motion, null, SlideLimits.NONE, setup, _liftedPlace);
             out.copyFrom(_lift);
-            out.displacement.copyFrom(_start);
-            out.displacement.decrementBy(_from);
-            return !_start.equals(_from);
+            return out.isLifted;
         }
 
         /**
@@ -106,20 +107,20 @@ package starlogo.queries.motion
          */
         public function findTouch(from:Vector3D, motion:Vector3D, lift:StartLift, setup:MotionSetup, out:MotionResult):void
         {
-            var isMotion:Boolean = start(from, motion, lift, SlideLimits.NONE, setup, _start);
+            var isMotion:Boolean = beginMotion(from, motion, lift, SlideLimits.NONE, setup, _liftedPlace);
             var crossed:int = isMotion ? _rest.findCrossed() : -1;
             out.row = -1;
             out.fraction = 1;
             out.contact.setNormal(0, 0, 0);
             out.isDeep = _rest.count > 0;
-            out.isLifted = !_start.equals(_from);
+            out.isLifted = _lift.isLifted;
             if (crossed >= 0)
             {
                 out.contact.copyFrom(_rest.planes[crossed]);
                 out.row = _rest.rows[crossed];
                 out.fraction = 0;
             }
-            else if (isMotion && findObstacle(setup.obstacles, _start, _impact))
+            else if (isMotion && findObstacle(setup.obstacles, _liftedPlace, _impact))
             {
                 takeImpact(motion, out);
             }
@@ -188,7 +189,7 @@ package starlogo.queries.motion
             out.metWall = false;
             out.floor.setNormal(0, 0, -1);
             out.floorRow = out.clearRow = -1;
-            if (!start(from, motion, null, limits, setup, place))
+            if (!beginMotion(from, motion, null, limits, setup, place))
             {
                 place.incrementBy(motion);
                 return;
@@ -227,10 +228,10 @@ package starlogo.queries.motion
             out.fraction = _rest.gone < whole ? _rest.gone / whole : 1;
         }
 
-        /** Whether the body would go into a row on a straight way from a place. The setup receives the slop and the core of this motion. */
-        public function meets(row:int, from:Vector3D, motion:Vector3D, setup:MotionSetup):Boolean
+        /** Whether the body would go into a row on a straight way from a place. */
+        public function meets(row:int, from:Vector3D, motion:Vector3D):Boolean
         {
-            _body.begin(from, motion, setup);
+            _body.beginMotion(from, motion, _tryingSetup);
             return _sweep.meets(row, from, motion);
         }
 
@@ -250,7 +251,7 @@ package starlogo.queries.motion
         /**
          * Lifts the body off what it only touches, if there is room.
          *
-         * @param setup of the motion that ends here. Only its obstacles count
+         * @param setup of the motion that ends here
          * @param place the place of the body, which changes
          * @param clearRow a row that it is known not to touch there, or -1
          */
@@ -261,14 +262,14 @@ package starlogo.queries.motion
         }
 
         // Begins a motion. The place receives where the body begins: lifted out of what it overlaps. Returns whether there is any motion.
-        private function start(from:Vector3D, motion:Vector3D, lift:StartLift, limits:SlideLimits, setup:MotionSetup, place:Vector3D):Boolean
+        private function beginMotion(from:Vector3D, motion:Vector3D, lift:StartLift, limits:SlideLimits, setup:MotionSetup, place:Vector3D):Boolean
         {
             _from.copyFrom(from);
             place.copyFrom(from);
             _rest.begin(motion, limits);
             _lift.clear();
             setup.obstacles.copyFrom(_rows);
-            _body.begin(from, motion, setup);
+            _body.beginMotion(from, motion, setup);
             if (!(_rest.length * _rest.length > Tolerances.VANISHING))
             {
                 return false;
@@ -290,6 +291,8 @@ package starlogo.queries.motion
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
                 _recovery.restoreClearance(setup.obstacles, place, -1);
             }
+            _lift.displacement.copyFrom(place);
+            _lift.displacement.decrementBy(_from);
             _rest.beginCorner();
             return true;
         }
@@ -341,16 +344,14 @@ package starlogo.queries.motion
         // Finds the touch of the motion whose core meets the impact.
         private function takeImpact(motion:Vector3D, out:MotionResult):void
         {
-            _sweep.findTouchTime(_start, motion, _impact);
+            _sweep.findTouchTime(_liftedPlace, motion, _impact);
             out.row = _impact.row;
             out.contact.copyFrom(_impact.contact);
             out.contact.depth = 0;
-            out.corePlace.setTo(_start.x + _impact.time * motion.x, _start.y + _impact.time * motion.y, _start.z + _impact.time * motion.z);
+            out.corePlace.setTo(_liftedPlace.x + _impact.time * motion.x, _liftedPlace.y + _impact.time * motion.y, _liftedPlace.z + _impact.time * motion.z);
             out.along = _impact.along;
             // without the lift the body would have touched earlier
-            var lifted:Number = out.contact.normalX * (_start.x - _from.x) + out.contact.normalY * (_start.y - _from.y)
-                + out.contact.normalZ * (_start.z - _from.z);
-            var time:Number = _impact.touchTime + lifted / out.along;
+            var time:Number = _impact.touchTime + out.contact.along(_lift.displacement) / out.along;
             out.fraction = time > 0 ? (time < 1 ? time : 1) : 0;
             if (-out.fraction * out.along < _body.setup.slop && _body.touches(out.row, _from))
             {

@@ -83,7 +83,7 @@ package starlogo.queries.motion
          * @param body stays where it is
          * @param rows the rows that may be in its way
          */
-        public function read(body:Body, rows:NumberList):void
+        public function setBody(body:Body, rows:NumberList):void
         {
             _source = body;
             _coreAt.x = NaN;
@@ -108,7 +108,7 @@ package starlogo.queries.motion
         }
 
         /** Begins a motion. The setup receives its slop and its core. */
-        public function begin(from:Vector3D, motion:Vector3D, setup:MotionSetup):void
+        public function beginMotion(from:Vector3D, motion:Vector3D, setup:MotionSetup):void
         {
             _setup = setup;
             setup.slop = OF_EXTENT * 2 * largestHalf + OF_OTHERS * _largest

@@ -153,7 +153,7 @@ package starlogo.queries.motion
 
         /**
          * Projects the motion on the planes that it crosses. It takes the motion as it was when the corner began, and finds the nearest motion
-         * that crosses no plane. If there is hardly any, or a fall is not steep enough, the length becomes 0.
+         * that crosses no plane. If there is hardly any, or a fall is not steep enough, no motion is left.
          *
          * @param without the index of a plane that does not count; -1 for none
          */
@@ -168,8 +168,7 @@ package starlogo.queries.motion
                 }
             }
             var whole:Number = Math.sqrt(_cornerMotion.x * _cornerMotion.x + _cornerMotion.y * _cornerMotion.y + _cornerMotion.z * _cornerMotion.z);
-            length = 0;
-            motion.setTo(0, 0, 0);
+            stop();
             // at a point of three planes no motion is left
             if (_halfSpaces.solve(2, PARALLEL_SINE * whole, _exit))
             {
@@ -179,14 +178,20 @@ package starlogo.queries.motion
             }
             if (!isSteepEnough())
             {
-                length = 0;
+                stop();
                 return;
             }
             shortenHorizontally();
             if (length <= STUCK * whole)
             {
-                length = 0;
+                stop();
             }
+        }
+
+        private function stop():void
+        {
+            length = 0;
+            motion.setTo(0, 0, 0);
         }
 
         private static function isSame(a:ContactPoint, b:ContactPoint):Boolean

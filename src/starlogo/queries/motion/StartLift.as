@@ -4,7 +4,7 @@ package starlogo.queries.motion
     import starlogo.convex.ContactPoint;
 
     /**
-     * How the beginning of a motion lifts a body out of what it overlaps a little: the way, and the contacts that it leads out of.
+     * How the beginning of a motion lifts a body out of what it overlaps a little: the displacement, and the contacts that it leads out of.
      *
      * @private
      */
@@ -20,14 +20,20 @@ package starlogo.queries.motion
         private var _contacts:Vector.<ContactPoint> = new Vector.<ContactPoint>();
         private var _count:int = 0;
 
-        /** Forgets the way and the contacts. */
+        /** Whether the body is displaced. */
+        public function get isLifted():Boolean
+        {
+            return displacement.x != 0 || displacement.y != 0 || displacement.z != 0;
+        }
+
+        /** Begins without displacement and contacts. */
         public function clear():void
         {
             displacement.setTo(0, 0, 0);
             _count = 0;
         }
 
-        /** Adds a contact. The way does not change. */
+        /** Adds a contact. The displacement does not change. */
         public function add(contact:ContactPoint):void
         {
             if (_count == _contacts.length)
@@ -38,7 +44,7 @@ package starlogo.queries.motion
             _count++;
         }
 
-        /** Takes the way and the contacts of another lift. */
+        /** Takes the displacement and the contacts of another lift. */
         public function copyFrom(other:StartLift):void
         {
             clear();

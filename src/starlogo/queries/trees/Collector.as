@@ -171,12 +171,12 @@ package starlogo.queries.trees
         }
 
         /**
-         * Calls <code>accepts</code> for the rows whose keys are smaller than a number, in the order of the keys, until enough are admitted. Rows
+         * Calls <code>accepts</code> for the rows whose keys are smaller than a bound, in the order of the keys, until enough are admitted. Rows
          * that are found later must have no smaller keys.
          */
-        public function ask(beyond:Number):void
+        public function askBelow(bound:Number):void
         {
-            var end:int = beyond < Infinity ? bringForward(beyond) : _rows.count;
+            var end:int = bound < Infinity ? bringForward(bound) : _rows.count;
             if (end == _admitted)
             {
                 return;
@@ -219,7 +219,7 @@ package starlogo.queries.trees
         {
             if (filter.accepts != null)
             {
-                ask(Infinity);
+                askBelow(Infinity);
             }
             return _rows.count;
         }
@@ -236,8 +236,8 @@ package starlogo.queries.trees
             return _seen.table.list.agents[rowAt(index)];
         }
 
-        /** Ends the search. Returns the agent of the first row of the answer, or null. */
-        public function firstAgent():Agent
+        /** Ends the search, with calls of <code>accepts</code>. Returns the agent of the first row of the answer, or null. */
+        public function endWithFirst():Agent
         {
             return end() == 0 ? null : agentAt(0);
         }
@@ -258,7 +258,7 @@ package starlogo.queries.trees
          * @param out receives the list; null for a new list
          * @return out, or the new list
          */
-        public function list(out:Vector.<Agent>):Vector.<Agent>
+        public function endWithList(out:Vector.<Agent>):Vector.<Agent>
         {
             var listed:Vector.<Agent> = out || new Vector.<Agent>();
             var length:int = endSorted();
@@ -274,14 +274,14 @@ package starlogo.queries.trees
             return listed;
         }
 
-        // Brings the rows whose keys are smaller than a number to the front, behind the admitted ones. Returns where they end.
-        private function bringForward(beyond:Number):int
+        // Brings the rows whose keys are smaller than a bound to the front, behind the admitted ones. Returns where they end.
+        private function bringForward(bound:Number):int
         {
             var end:int = _admitted;
             for (var i:int = end; i < _rows.count; i++)
             {
                 var key:Number = _rows.keys[i];
-                if (key < beyond)
+                if (key < bound)
                 {
                     var row:int = _rows.numbers[i];
                     move(end, i);

@@ -176,7 +176,7 @@ package starlogo.queries.trees
             _squares[last] = square;
             if (node >= _tree.firstLeaf)
             {
-                _found.ask(square);
+                _found.askBelow(square);
             }
         }
 

@@ -47,8 +47,8 @@ package starlogo.queries.motion
                 seen.update(agents);
                 planner.readBody(agents[0], 0, planned.body);
                 planner.plan(agents[0], random.between(-9, 9), random.between(-9, 9), random.between(-9, 9), null, planned);
-                body.read(planned.body, planned.rows);
-                body.begin(planned.from, planned.motion, setup);
+                body.setBody(planned.body, planned.rows);
+                body.beginMotion(planned.from, planned.motion, setup);
                 var expected:Impact = new Impact();
                 for (k = 0; k < planned.rows.count; k++)
                 {

@@ -29,7 +29,7 @@ package starlogo.queries.motion
             var result:SlideResult = new SlideResult();
             planner.readBody(agent, 0, planned.body);
             planner.planSlide(agent, 0, 0, -1, null, planned);
-            mover.begin(planned.body, planned.rows);
+            mover.setBody(planned.body, planned.rows);
             mover.slide(planned.from, planned.motion, SlideLimits.NONE, setup, result);
             assertTrue("it met the cube below: " + result.floor.normalZ, Math.abs(result.floor.normalZ - 1) < 1e-9);
             mover.slide(planned.from, new Vector3D(), SlideLimits.NONE, setup, result);

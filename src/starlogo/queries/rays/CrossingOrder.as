@@ -2,6 +2,7 @@ package starlogo.queries.rays
 {
     import starlogo.intersection.ray.RayCrossings;
     import starlogo.search.KeyedList;
+    import starlogo.search.NumberList;
 
     /**
      * Puts the crossings of a ray with one shape into the order of the ray, and leaves out those that are no surface of their own.
@@ -12,7 +13,10 @@ package starlogo.queries.rays
     public final class CrossingOrder
     {
         /** The indices of the crossings that are left. */
-        public var left:KeyedList = new KeyedList();
+        public var left:NumberList = new NumberList();
+
+        // The indices of all crossings, in the order of the ray.
+        private var _all:KeyedList = new KeyedList();
 
         // By crossing that is left: the side from which the ray comes.
         private var _sides:Vector.<int> = new Vector.<int>();
@@ -25,16 +29,14 @@ package starlogo.queries.rays
          */
         public function arrange(crossings:RayCrossings, areTriangles:Boolean):void
         {
-            left.count = 0;
+            _all.count = left.count = 0;
             for (var i:int = 0; i < crossings.count; i++)
             {
                 // nodes that touch up to rounding overlap
                 var isEntry:Boolean = !areTriangles && crossings.sides[i] == RayCrossings.ENTERS;
-                left.add(i, isEntry ? crossings.distances[i] - crossings.slacks[i] : crossings.distances[i]);
+                _all.add(i, isEntry ? crossings.distances[i] - crossings.slacks[i] : crossings.distances[i]);
             }
-            left.sortFirst(left.count);
-            // each crossing is read before a place at or before its own is written
-            left.count = 0;
+            _all.sortFirst(_all.count);
             if (areTriangles)
             {
                 keepTriangles(crossings);
@@ -52,7 +54,7 @@ package starlogo.queries.rays
             var start:Number = NaN;
             for (var i:int = 0; i < crossings.count; i++)
             {
-                var index:int = left.numbers[i];
+                var index:int = _all.numbers[i];
                 var isKept:Boolean = true;
                 switch (crossings.sides[index])
                 {
@@ -70,7 +72,7 @@ package starlogo.queries.rays
                 }
                 if (isKept)
                 {
-                    keep(index);
+                    left.add(index);
                 }
             }
         }
@@ -82,7 +84,7 @@ package starlogo.queries.rays
             var mostSlack:Number = 0;
             for (var i:int = 0; i < crossings.count; i++)
             {
-                var index:int = left.numbers[i];
+                var index:int = _all.numbers[i];
                 var side:int = crossings.sides[index];
                 if (side == RayCrossings.EDGE_ON)
                 {
@@ -97,7 +99,7 @@ package starlogo.queries.rays
                 {
                     _sides[left.count] = side;
                     mostSlack = Math.max(mostSlack, crossings.slacks[index]);
-                    keep(index);
+                    left.add(index);
                 }
             }
         }
@@ -145,13 +147,6 @@ package starlogo.queries.rays
             }
             left.numbers[kept] = index;
             _sides[kept] = side;
-        }
-
-        // The crossings that are kept take the first places of the list.
-        private function keep(index:int):void
-        {
-            left.numbers[left.count] = index;
-            left.count++;
         }
     }
 }

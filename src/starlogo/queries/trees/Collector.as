@@ -91,7 +91,7 @@ package starlogo.queries.trees
         public function askFilter(row:int, asker:Agent, agentFilter:AgentFilter):Boolean
         {
             begin(1, 0, asker, agentFilter);
-            if (filter.admits(row))
+            if (filter.mayCount(row))
             {
                 add(row, 0);
             }
@@ -106,7 +106,7 @@ package starlogo.queries.trees
             {
                 if (row != filter.askerRow && _seen.table.shapes[row] != null)
                 {
-                    if (filter.admits(row))
+                    if (filter.mayCount(row))
                     {
                         return row;
                     }

@@ -273,7 +273,7 @@ package starlogo.queries.trees
                 {
                     continue;
                 }
-                if (!filter.admits(row))
+                if (!filter.mayCount(row))
                 {
                     passedOver++;
                     continue;

@@ -78,8 +78,8 @@ package starlogo.queries.trees
             except(filter.except);
         }
 
-        /** Whether the filter admits a row's agent. It does not leave out the agent that asks, and <code>accepts</code> is not asked. */
-        public function admits(row:int):Boolean
+        /** Whether a row's agent counts, as far as its breed and the filter's <code>except</code> say: <code>accepts</code> is not called. */
+        public function mayCount(row:int):Boolean
         {
             return !excludes || (_exceptMarks[row] != _question && admitsBreedOf(_seen.table.list.agents[row]));
         }

@@ -30,6 +30,9 @@ const PATIENCE_MS = 3600000;
 /** Measures time: a busy machine fails it, whatever was changed. */
 const TIMED = "MeasurementTest";
 
+/** The hash of all that the soak's game sees. */
+const SOAK = "SoakTest.whatAGameSeesIsTheSameEverywhere";
+
 /** What is written in place of what: the first that a place has. */
 const CHANGES = [
 	[/ <= /g, " < "], [/ >= /g, " > "], [/ < /g, " <= "], [/ > /g, " >= "], [/ \+ /g, " - "], [/ - /g, " + "], [/ \* /g, " / "],
@@ -51,7 +54,6 @@ const filesBelow = (folder) => readdirSync(folder, { withFileTypes: true, recurs
 const classOf = (file) => path.basename(file, ".as");
 
 const lines = readFileSync(tests, "utf8").split("\n");
-const testFiles = filesBelow(path.join(root, "test")).filter((file) => file.endsWith("Test.as")).map((file) => ({ name: classOf(file), text: readFileSync(file, "utf8") }));
 
 /** Every place in a class, and what may be written there. */
 function placesOf(name) {
@@ -77,15 +79,14 @@ const known = readTests();
 
 /** What the runner is told to run for a change of a class. */
 function testsOf(name) {
-	if (all === "chosen") {
-		const choice = choose(`${name}.as`, known.classes, known.sources);
-		const simpleName = (each) => each.split(".").pop();
-		const near = [...choice.tests.keys()].filter((each) => !choice.farther.has(each)).map(simpleName);
-		return [`--order=${near}`, `--then=${fartherTests(choice, known.classes, known.sources).map(([each, test]) => `${simpleName(each)}.${test}`)}`];
-	}
-	const related = testFiles.filter(({ text }) => new RegExp(`\\b${name}\\b`).test(text)).map((each) => each.name);
-	const others = all ? testFiles.map((each) => each.name).filter((each) => !related.includes(each) && each !== TIMED) : [];
-	return [`--order=${[...related, "SoakTest.whatAGameSeesIsTheSameEverywhere", ...others]}`];
+	const choice = choose(`${name}.as`, known.classes, known.sources);
+	const simpleName = (each) => each.split(".").pop();
+	const near = [...choice.tests.keys()].filter((each) => !choice.farther.has(each)).map(simpleName);
+	const farther = fartherTests(choice, known.classes, known.sources).map(([each, test]) => `${simpleName(each)}.${test}`);
+	if (all === "chosen") return [`--order=${near}`, `--then=${farther}`];
+	if (!all) return [`--order=${[...near, SOAK]}`];
+	const others = [...known.classes.keys()].map(simpleName).filter((each) => !near.includes(each) && !farther.some((test) => test.startsWith(`${each}.`)));
+	return [`--order=${[...near, ...farther, ...others].filter((each) => each.split(".")[0] !== TIMED)}`];
 }
 
 /** The first test that fails; null if none does. */

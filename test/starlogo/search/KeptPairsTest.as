@@ -121,12 +121,12 @@ package starlogo.search
                     kept.update(agents);
                     full.update(agents);
                     assertEquals("system " + kind + ", frame " + i, callsOfFull.join(), callsOfKept.join());
-                    full.restore(full.snapshot(), agents);
                     if (2 * kept.statistics.candidatePairs < full.statistics.candidatePairs)
                     {
                         few++;
                         early += callsOfKept.join().split(" at 0.").length - 1;
                     }
+                    full.restore(full.snapshot(), agents);
                 }
                 assertTrue("system " + kind + ": " + few + " frames test few, with " + early + " touches on the way", few > 20 && early > 20);
             }

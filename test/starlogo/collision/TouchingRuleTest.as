@@ -1,6 +1,7 @@
 package starlogo.collision
 {
     import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
@@ -103,6 +104,48 @@ package starlogo.collision
                 askAbout(offset, false);
             }
             _wrong.assertNone();
+        }
+
+        /** The last place along a line at which two agents touch is also the end of motions, some of which are hardly longer than a rounding. */
+        [Test]
+        public function whatTouchesAtTheEndOfAMotionIsMet():void
+        {
+            var count:int = Effort.choose(200, 4000, 20);
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, _greatLand);
+                for (var i:int = 0; i < count; i++)
+                {
+                    _a = new Agent(_random.pick(["sphere", "cube"]));
+                    _b = new Agent(_random.pick(["sphere", "cube"]));
+                    _agents = new <Agent>[_a, _b];
+                    _a.size = Math.pow(10, _random.between(-0.5, 0.5));
+                    _a.sweeps = true;
+                    _a.hierarchical = i % 2 == 0;
+                    var offset:Number = _random.pick([0, 10]);
+                    _b.moveTo(offset * _random.next(), offset * _random.next(), offset * _random.next());
+                    var direction:Vector3D = _random.pick([new Vector3D(1, 0, 0), new Vector3D(_random.normal(), _random.normal(), _random.normal())]);
+                    var touching:Number = 0;
+                    var apart:Number = 8 / direction.length;
+                    for (var k:int = 0; k < 70; k++)
+                    {
+                        var middle:Number = (touching + apart) / 2;
+                        moveAlong(direction, middle);
+                        touching = collider.areColliding(_a, _b) ? middle : touching;
+                        apart = collider.areColliding(_a, _b) ? apart : middle;
+                    }
+                    moveAlong(direction, touching + Math.pow(10, _random.between(-9, -1)));
+                    collider.findCollisions(_agents);
+                    moveAlong(direction, touching);
+                    _wrong.addIf(collider.findCollisions(_agents).length != 2, name, "pair " + i + ", " + _a.shape + ", " + _b.shape);
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        private function moveAlong(direction:Vector3D, distance:Number):void
+        {
+            _a.moveTo(_b.x + distance * direction.x, _b.y + distance * direction.y, _b.z + distance * direction.z);
         }
 
         private function askAbout(offset:Number, areTouching:Boolean):void

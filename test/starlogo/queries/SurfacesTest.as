@@ -4,12 +4,14 @@ package starlogo.queries
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.Box;
     import starlogo.bounding.Sphere;
     import starlogo.collision.Collision;
+    import starlogo.collision.HierarchicalCollider;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.HierarchyNode;
@@ -74,6 +76,33 @@ package starlogo.queries
         public function nodesAreCrossedAsALoopFinds():void
         {
             compare("hierarchies", Effort.choose(24, 400), nodesOf);
+        }
+
+        /** In exact mode the smallest nodes of a model without triangles decide. */
+        [Test]
+        public function smallestNodesAreCrossedIfThereAreNoTriangles():void
+        {
+            var land:GreatLand = new GreatLand();
+            land.addModel(new Model("points", BuiltInModel.sphere().vertices));
+            var agents:Vector.<Agent> = new <Agent>[new Agent("points")];
+            var told:Array = ["", "", ""];
+            for (var i:int = 0; i < 3; i++)
+            {
+                var collider:HierarchicalCollider = new HierarchicalCollider(land);
+                collider.exact = i == 0;
+                collider.maxDepth = i == 1 ? int.MAX_VALUE : 2;
+                var queries:AgentQueries = new AgentQueries(collider);
+                queries.update(agents);
+                for (var k:int = 0; k < 20; k++)
+                {
+                    for each (var hit:RayHit in queries.castAll(new Vector3D(0.02 * k, -3, 0.5), new Vector3D(0, 1, 0), Infinity, null, null, true))
+                    {
+                        told[i] += hit.distance + " ";
+                    }
+                }
+            }
+            assertEquals(told[1], told[0]);
+            assertFalse("larger nodes are crossed elsewhere", told[2] == told[0]);
         }
 
         [Test(timeout="3600000")]

@@ -43,7 +43,8 @@ package starlogo.queries.trees
             var squares:Vector.<Number> = _squares;
             var firstLeaf:int = tree.firstLeaf;
             var asks:Boolean = found.filter.accepts != null && found.wanted < Collector.ALL;
-            var waiting:int = begin();
+            var asker:int = found.filter.askerRow;
+            var waiting:int = asker < 0 ? measure(1, 0) : beginBeside(tree.leafOf(asker));
             while (waiting > 0)
             {
                 waiting--;
@@ -86,7 +87,7 @@ package starlogo.queries.trees
             setTo(tree, x, y, z, found);
             var filter:RowFilter = found.filter;
             var counted:int = 0;
-            var waiting:int = tree.count > 0 ? measure(1, 0) : 0;
+            var waiting:int = measure(1, 0);
             while (waiting > 0)
             {
                 waiting--;
@@ -161,16 +162,6 @@ package starlogo.queries.trees
             }
             _tree.breeds.passOver(passedOver);
             return counted;
-        }
-
-        // Puts the first nodes on the waiting list. Returns how many nodes wait.
-        private function begin():int
-        {
-            if (_tree.count == 0)
-            {
-                return 0;
-            }
-            return _found.filter.askerRow < 0 ? measure(1, 0) : beginBeside(_tree.leafOf(_found.filter.askerRow));
         }
 
         // Makes a leaf the next node, because it probably has the nearest rows. After it come the nodes beside the path from the root to the

@@ -101,7 +101,7 @@ package starlogo.search
             }
         }
 
-        /** A Collision that goes back to its own snapshot after each frame tests all agents in the next one. */
+        /** A Collision that goes back to its own snapshot after each frame tests all agents in the next one. A filter leaves out other agents now and then. */
         [Test]
         public function framesWithSweepingAgentsMakeTheCallsOfASearchOfAll():void
         {
@@ -111,12 +111,15 @@ package starlogo.search
                 var full:Collision = new Collision(newSystem(kind));
                 var callsOfKept:Array = noted(kept);
                 var callsOfFull:Array = noted(full);
+                var filter:AgentFilter = new AgentFilter();
+                kept.filter = full.filter = filter;
                 var agents:Vector.<Agent> = scattered(200, 14);
                 var early:int = 0;
                 var few:int = 0;
                 for (var i:int = 0; i < 40; i++)
                 {
                     change(agents, i);
+                    filter.except = i % 4 < 2 ? null : new <Agent>[agents[0], agents[_random.integer(1, agents.length - 1)]];
                     callsOfKept.length = callsOfFull.length = 0;
                     kept.update(agents);
                     full.update(agents);

@@ -384,6 +384,17 @@ package starlogo.queries
         }
 
         [Test]
+        public function whatIsBehindASheetInTheRayCounts():void
+        {
+            // two sheets in a row, and a wall across
+            addModel(new Model("row", new <Number>[-0.5, -0.2, 0, -0.1, -0.2, 0, -0.1, 0.2, 0, -0.5, 0.2, 0, 0, -0.2, 0, 0.25, -0.2, 0, 0.25, 0.2, 0, 0, 0.2, 0,
+                            0.5, -0.2, -0.2, 0.5, 0.2, -0.2, 0.5, 0.2, 0.2, 0.5, -0.2, 0.2],
+                        new <uint>[0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7, 8, 9, 10, 8, 10, 11], Model.AS_GIVEN));
+            assertEquals("4.5,5,5.5", distances("row", -5, 0.125, 0, 1, 0, 0));
+            assertEquals("from the other side", "4.5,4.75,5.1", distances("row", 5, 0.125, 0, -1, 0, 0));
+        }
+
+        [Test]
         public function everySurfaceCounts():void
         {
             addModel(SolidModels.of("tower", [[1, 0, 0, 0, false], [1, 0, 0, 1, false]], Model.AS_GIVEN));

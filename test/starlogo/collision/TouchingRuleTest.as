@@ -106,7 +106,10 @@ package starlogo.collision
             _wrong.assertNone();
         }
 
-        /** The last place along a line at which two agents touch is also the end of motions, some of which are hardly longer than a rounding. */
+        /**
+         * The last place along a line at which two agents touch is also the end of motions, some of which are hardly longer than a rounding. Their
+         * contacts have no depth, and a normal against the motion.
+         */
         [Test]
         public function whatTouchesAtTheEndOfAMotionIsMet():void
         {
@@ -114,10 +117,18 @@ package starlogo.collision
             for each (var name:String in EachCollider.ALL_NAMES)
             {
                 var collider:Collider = EachCollider.make(name, _greatLand);
+                var collision:Collision = new Collision(collider);
+                var depths:Array = [];
+                var away:Array = [];
+                collision.onCollision("a", "b", function(a:Agent, b:Agent, contact:Contact):void
+                    {
+                        depths.push(contact.depth);
+                        away.push(contact.normal.dotProduct(direction));
+                    });
                 for (var i:int = 0; i < count; i++)
                 {
-                    _a = new Agent(_random.pick(["sphere", "cube"]));
-                    _b = new Agent(_random.pick(["sphere", "cube"]));
+                    _a = new Agent(_random.pick(["sphere", "cube"]), "a");
+                    _b = new Agent(_random.pick(["sphere", "cube"]), "b");
                     _agents = new <Agent>[_a, _b];
                     _a.size = Math.pow(10, _random.between(-0.5, 0.5));
                     _a.sweeps = true;
@@ -135,9 +146,14 @@ package starlogo.collision
                         apart = collider.areColliding(_a, _b) ? apart : middle;
                     }
                     moveAlong(direction, touching + Math.pow(10, _random.between(-9, -1)));
-                    collider.findCollisions(_agents);
+                    collision.update(_agents);
+                    depths.length = away.length = 0;
                     moveAlong(direction, touching);
-                    _wrong.addIf(collider.findCollisions(_agents).length != 2, name, "pair " + i + ", " + _a.shape + ", " + _b.shape);
+                    collision.update(_agents);
+                    var said:String = "pair " + i + ", " + _a.shape + ", " + _b.shape;
+                    _wrong.addIf(depths.length != 1, name, said);
+                    _wrong.addIf(!(depths[0] <= 1e-8), name + ", depth", said + ", " + depths);
+                    _wrong.addIf(!(away[0] > -1e-6), name + ", normal", said + ", " + away);
                 }
             }
             _wrong.assertNone();

@@ -107,16 +107,20 @@ package starlogo.collision
         }
 
         /**
-         * The last place along a line at which two agents touch is also the end of motions, some of which are hardly longer than a rounding. Their
+         * Motions end at the last place along a line at which two agents touch, or go on behind it. Some are hardly longer than a rounding. The
          * contacts have no depth, and a normal against the motion.
          */
         [Test]
-        public function whatTouchesAtTheEndOfAMotionIsMet():void
+        public function whatTouchesLateInAMotionIsMet():void
         {
-            var count:int = Effort.choose(200, 4000, 20);
+            var count:int = Effort.choose(120, 4000, 20);
+            var land:GreatLand = new GreatLand();
+            land.loadHulls = true;
+            land.addModel(BuiltInModel.sphere());
+            land.addModel(BuiltInModel.cube());
             for each (var name:String in EachCollider.ALL_NAMES)
             {
-                var collider:Collider = EachCollider.make(name, _greatLand);
+                var collider:Collider = EachCollider.make(name, land);
                 var collision:Collision = new Collision(collider);
                 var depths:Array = [];
                 var away:Array = [];
@@ -133,6 +137,7 @@ package starlogo.collision
                     _a.size = Math.pow(10, _random.between(-0.5, 0.5));
                     _a.sweeps = true;
                     _a.hierarchical = i % 2 == 0;
+                    _a.collideAs = _b.collideAs = _random.pick(["tightest", "hull"]);
                     var offset:Number = _random.pick([0, 10]);
                     _b.moveTo(offset * _random.next(), offset * _random.next(), offset * _random.next());
                     var direction:Vector3D = _random.pick([new Vector3D(1, 0, 0), new Vector3D(_random.normal(), _random.normal(), _random.normal())]);
@@ -148,7 +153,7 @@ package starlogo.collision
                     moveAlong(direction, touching + Math.pow(10, _random.between(-9, -1)));
                     collision.update(_agents);
                     depths.length = away.length = 0;
-                    moveAlong(direction, touching);
+                    moveAlong(direction, _random.pick([touching, touching - _random.between(0, 0.3) / direction.length]));
                     collision.update(_agents);
                     var said:String = "pair " + i + ", " + _a.shape + ", " + _b.shape;
                     _wrong.addIf(depths.length != 1, name, said);

@@ -2,30 +2,35 @@
 /**
  * Runs the FlexUnit classes on the ES module's code, in Node.
  *
- *   node test/module/run.mjs TESTS [--test PATTERN] [--order CLASS,CLASS.test,...] [--then CLASS.test,...] [--first] [--full] [--mount /url=folder ...] [--summary FILE]
+ *   node test/module/run.mjs TESTS [--test PATTERN] [--order CLASS,CLASS.test,...] [--then CLASS.test,...] [--first] [--full] [--mount /url=folder ...] [--summary FILE] [--coverage FILE]
  *
  * TESTS is what the build made of the engine and the tests together. With --order these run alone, in that order; with --first it ends when one fails.
  * If none fails, those of --then run, or those farther from the source that PATTERN names, until one fails or they have taken their time.
+ * With --coverage, FILE gets a line of JSON for each test: its name, the milliseconds that it takes, and the lines of TESTS that it
+ * runs. The first line has those that run when TESTS is loaded.
  */
-import { mkdirSync, writeFileSync } from "node:fs";
+import { appendFileSync, mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
 import { choose, fartherTests, readTests } from "../chosen.mjs";
+import { countLines } from "./coverage.mjs";
 import { mount } from "./fixtures.mjs";
 import { NOT_HERE } from "./not-here.mjs";
 import { watch } from "./watch.mjs";
 
 const { values: options, positionals } = parseArgs({
 	allowPositionals: true,
-	options: { test: { type: "string", default: "" }, order: { type: "string", default: "" }, then: { type: "string", default: "" }, first: { type: "boolean", default: false }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] }, summary: { type: "string" } },
+	options: { test: { type: "string", default: "" }, order: { type: "string", default: "" }, then: { type: "string", default: "" }, first: { type: "boolean", default: false }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] }, summary: { type: "string" }, coverage: { type: "string" } },
 });
 
+const linesRun = options.coverage ? countLines(positionals[0]) : () => [];
 const tests = await import(pathToFileURL(path.resolve(positionals[0])));
 // the one that the tests call. The file may be from another folder, and then a second one would never hear what a test waits for
 const { AssumptionViolatedException, waiting } = tests.flexunit;
 tests.Effort.isFull = options.full;
 mount(tests, options.mount);
+if (options.coverage) writeFileSync(options.coverage, `${JSON.stringify({ test: "", ms: 0, lines: linesRun() })}\n`);
 
 /** Seconds of a processor, for all that is run, after which none of --then begins any more. */
 const ENOUGH_S = 40;
@@ -116,6 +121,7 @@ async function runClass({ name, type, metadata, isRun }, isNext) {
 	} catch (error) {
 		problem = error;
 	}
+	const linesBefore = linesRun();
 	for (const each of here) {
 		if (!isNext()) {
 			late++;
@@ -132,6 +138,7 @@ async function runClass({ name, type, metadata, isRun }, isNext) {
 			console.log(`FAILED ${name.split(".").pop()}.${each.name}: ${error.stack ?? error}`);
 			if (options.first) process.exit(1);
 		}
+		if (options.coverage) appendFileSync(options.coverage, `${JSON.stringify({ test: `${simpleName({ name })}.${each.name}`, ms, lines: [...linesBefore, ...linesRun()] })}\n`);
 		if (ms > SLOW_MS) console.log(`  ${name.split(".").pop()}.${each.name}: ${(ms / 1000).toFixed(1)} s`);
 	}
 	for (const each of methods("AfterClass")) await type[each.name]();

@@ -5,17 +5,24 @@
  *
  *   node test/mutations/run.mjs TESTS [COUNT [SEED [all [PACKAGES]]]]
  *
- * TESTS is what the build made of the engine and the tests together. PACKAGES are those to change, with commas: search,solid. First the test
- * classes run that name the changed class. Then the hash of all that the soak's game sees is compared. With "all" every other test class runs after
- * that; no *.test.mjs does. With "chosen" those run that ./antw test -Dtest=SOURCE runs in Node, and those that it leaves to the player; PACKAGES are all then.
+ * TESTS is what the build made of the engine and the tests together. PACKAGES are those to change, with commas: search,solid. The tests that the quick
+ * command takes for the changed source run, and then the hash of all that the soak's game sees is compared. With "all" every test runs that runs the
+ * changed line. The first time, all tests run once for that, and TESTS.coverage keeps which lines each of them runs. With "chosen" those run that ./antw
+ * test -Dtest=SOURCE runs in Node, and those that it leaves to the player; PACKAGES are all then. No *.test.mjs runs.
  *
  * What survives with "all" has mostly been a change of no answer: of equal numbers the one or the other is taken, 0 or -0; children of nodes
  * are visited in another order; boxes are wider, or what would spare work does not; there is room for more than comes; a limit that nothing is
  * below is another such limit; a method that every subclass has fails in another way. The smallest sphere whose vertices are not all looked at
- * again is larger by less than a step of the hull's grid.
+ * again is larger by less than a step of the hull's grid. Corners of triangles are kept as moved although they are at their vertices' places. A
+ * level's triangles are prepared when it is added, or when it is asked first. Where two bodies part is halved from 0 on, which takes longer. Of two
+ * places that both lead into a platform the one or the other is taken (WalkQueries.carryWith).
+ *
+ * What is there for rounding alone, or for a counter that only long games fill, hardly any test of every day runs: PenetrationSearch.findGrazing and its
+ * second push against the motion, the shorter depth in DirectionSearch.makeSure, the end of a triangle in the ray that RayTriangleTest makes longer by
+ * its slack, a sheet under the ground in CoreSweep, RowFilter.forget.
  */
 import { spawnSync } from "node:child_process";
-import { readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { choose, fartherTests, readTests } from "../chosen.mjs";
@@ -23,12 +30,18 @@ import { randomNumbers } from "../module/random.mjs";
 
 const PACKAGES = "collision,handlers,search,ground,terrain,hierarchy,solid,intersection,queries";
 
-/** Seconds of a processor that tests may take, so that a busy machine ends none of them; all of them take about 100. And milliseconds for those that wait. */
-const PATIENCE_S = 250;
+/** Seconds of a processor that tests may take, so that a busy machine ends none of them; all of them take about 200, with their lines counted. And milliseconds for those that wait. */
+const PATIENCE_S = 600;
 const PATIENCE_MS = 3600000;
 
 /** Measures time: a busy machine fails it, whatever was changed. */
 const TIMED = "MeasurementTest";
+
+/** The hash of all that the soak's game sees. */
+const SOAK = "SoakTest.whatAGameSeesIsTheSameEverywhere";
+
+/** Tests that take no longer run in the order of their classes. */
+const QUICK_MS = 60;
 
 /** What is written in place of what: the first that a place has. */
 const CHANGES = [
@@ -51,7 +64,6 @@ const filesBelow = (folder) => readdirSync(folder, { withFileTypes: true, recurs
 const classOf = (file) => path.basename(file, ".as");
 
 const lines = readFileSync(tests, "utf8").split("\n");
-const testFiles = filesBelow(path.join(root, "test")).filter((file) => file.endsWith("Test.as")).map((file) => ({ name: classOf(file), text: readFileSync(file, "utf8") }));
 
 /** Every place in a class, and what may be written there. */
 function placesOf(name) {
@@ -75,24 +87,48 @@ for (let i = 0; i < 8; i++) random();
 
 const known = readTests();
 
-/** What the runner is told to run for a change of a class. */
-function testsOf(name) {
-	if (all === "chosen") {
-		const choice = choose(`${name}.as`, known.classes, known.sources);
-		const simpleName = (each) => each.split(".").pop();
-		const near = [...choice.tests.keys()].filter((each) => !choice.farther.has(each)).map(simpleName);
-		return [`--order=${near}`, `--then=${fartherTests(choice, known.classes, known.sources).map(([each, test]) => `${simpleName(each)}.${test}`)}`];
+const simpleName = (name) => name.split(".").pop();
+
+/** What the runner is told to run for a change of a line of a class; null if no test runs it. */
+function testsOf(name, line) {
+	if (all === "all") {
+		const reaching = coverage.filter(({ lines }) => lines.some(([first, last]) => first <= line && line <= last));
+		// a line that runs when the tests are loaded may change any of them
+		const some = reaching.some(({ test }) => test === "") ? coverage : reaching;
+		return some.length > 0 ? [`--order=${some.map(({ test }) => test).filter((test) => test !== "")}`] : null;
 	}
-	const related = testFiles.filter(({ text }) => new RegExp(`\\b${name}\\b`).test(text)).map((each) => each.name);
-	const others = all ? testFiles.map((each) => each.name).filter((each) => !related.includes(each) && each !== TIMED) : [];
-	return [`--order=${[...related, "SoakTest.whatAGameSeesIsTheSameEverywhere", ...others]}`];
+	const choice = choose(`${name}.as`, known.classes, known.sources);
+	const near = [...choice.tests.keys()].filter((each) => !choice.farther.has(each)).map(simpleName);
+	if (all !== "chosen") return [`--order=${[...near, SOAK]}`];
+	return [`--order=${near}`, `--then=${fartherTests(choice, known.classes, known.sources).map(([each, test]) => `${simpleName(each)}.${test}`)}`];
 }
 
-/** The first test that fails; null if none does. */
-function killerOf(file, name) {
-	const run = spawnSync("sh", ["-c", `ulimit -t ${PATIENCE_S}; exec "$@"`, "sh", process.execPath, path.join(root, "test/module/run.mjs"), file, "--first", ...testsOf(name),
+function runTests(file, options) {
+	return spawnSync("sh", ["-c", `ulimit -t ${PATIENCE_S}; exec "$@"`, "sh", process.execPath, path.join(root, "test/module/run.mjs"), file, ...options,
 		"--mount=/assets=assets", "--mount=/fixtures=test/fixtures", "--mount=/models=bin/test-models", "--mount=/assimp=/usr/share/assimp/models"],
 	{ cwd: root, encoding: "utf8", timeout: PATIENCE_MS, maxBuffer: 1 << 26 });
+}
+
+/** Which lines each test runs, and how long it takes: the quick ones first, and of these the tests of a class together. */
+function readCoverage() {
+	const kept = `${path.resolve(tests)}.coverage`;
+	const isKept = statSync(kept, { throwIfNoEntry: false })?.mtimeMs > statSync(tests).mtimeMs;
+	if (!isKept) {
+		console.log("all tests run once");
+		runTests(tests, [`--coverage=${kept}`]);
+	}
+	const rows = readFileSync(kept, "utf8").trim().split("\n").map((row) => JSON.parse(row)).filter(({ test }) => !test.startsWith(TIMED));
+	const slowness = ({ ms }) => (ms > QUICK_MS ? ms : 0);
+	return rows.sort((a, b) => slowness(a) - slowness(b));
+}
+
+const coverage = all === "all" ? readCoverage() : [];
+
+/** The first test that fails; null if none does. */
+function killerOf(file, name, line) {
+	const chosen = testsOf(name, line);
+	if (chosen === null) return null;
+	const run = runTests(file, ["--first", ...chosen]);
 	return run.error || run.signal ? "no end" : run.status === 0 ? null : /FAILED,? ([\w.]+)/.exec(run.stdout)?.[1] ?? "no start";
 }
 
@@ -102,9 +138,9 @@ console.log(`${count} of ${places.length} changes, from seed ${seed} on`);
 for (let i = 1; i <= Number(count); i++) {
 	const { name, line, changed } = places[Math.floor(random() * places.length)];
 	writeFileSync(file, lines.map((each, at) => (at === line ? changed : each)).join("\n"));
-	const killer = killerOf(file, name);
+	const killer = killerOf(file, name, line);
 	const change = `\n\t${lines[line].trim()}\n\t${changed.trim()}`;
-	console.log(`${i}. ${name}: ${killer ?? "SURVIVED"}${killer === null || killer === "no end" ? change : ""}`);
+	console.log(`${i}. ${name}: ${killer ?? (testsOf(name, line) === null ? "SURVIVED, no test runs it" : "SURVIVED")}${killer === null || killer === "no end" ? change : ""}`);
 	if (killer === null) survivors.push(name);
 }
 rmSync(file);

@@ -74,10 +74,7 @@ package starlogo.search
         /** Whether a pair of breeds is of interest. Pass their numbers; the answer is false if one of them is -1. */
         public function includes(number:int, otherNumber:int):Boolean
         {
-            if (!isNamed(number) || !isNamed(otherNumber))
-            {
-                return false;
-            }
+            // -1 is in no pair, and does not count as the number of a breed of agents
             var isOfAgents:Boolean = !Breeds.isOfWorld(number);
             var isOtherOfAgents:Boolean = !Breeds.isOfWorld(otherNumber);
             return has(number, otherNumber) || isOfAgents && isOtherOfAgents && includesAll || isOtherOfAgents && has(number, Breeds.ANY)

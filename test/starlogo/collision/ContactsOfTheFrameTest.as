@@ -236,8 +236,8 @@ package starlogo.collision
                     sGreatLand.expect("later");
                     _agents[2].shape = "later";
                     collider.findCollisions(_agents);
-                    assertThrows(ArgumentError, /still loading/, collider.contactOf, _agents[1], _agents[2]);
-                    assertThrows(ArgumentError, /still loading/, collider.contactOf, _agents[2], _agents[1]);
+                    assertThrows(ArgumentError, _agents[2] + ": its model is still loading", collider.contactOf, _agents[1], _agents[2]);
+                    assertThrows(ArgumentError, _agents[2] + ": its model is still loading", collider.contactOf, _agents[2], _agents[1]);
                     var cube:Model = BuiltInModel.cube();
                     sGreatLand.addModel(new Model("later", cube.vertices, cube.triangles));
                     sGreatLand.expectNoMore("later");

@@ -1,6 +1,7 @@
 package starlogo.collision
 {
     import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
@@ -103,6 +104,69 @@ package starlogo.collision
                 askAbout(offset, false);
             }
             _wrong.assertNone();
+        }
+
+        /**
+         * Motions end at the last place along a line at which two agents touch, or go on behind it. Some are hardly longer than a rounding. The
+         * contacts have no depth, and a normal against the motion.
+         */
+        [Test]
+        public function whatTouchesLateInAMotionIsMet():void
+        {
+            var count:int = Effort.choose(120, 4000, 20);
+            var land:GreatLand = new GreatLand();
+            land.loadHulls = true;
+            land.addModel(BuiltInModel.sphere());
+            land.addModel(BuiltInModel.cube());
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, land);
+                var collision:Collision = new Collision(collider);
+                var depths:Array = [];
+                var away:Array = [];
+                collision.onCollision("a", "b", function(a:Agent, b:Agent, contact:Contact):void
+                    {
+                        depths.push(contact.depth);
+                        away.push(contact.normal.dotProduct(direction));
+                    });
+                for (var i:int = 0; i < count; i++)
+                {
+                    _a = new Agent(_random.pick(["sphere", "cube"]), "a");
+                    _b = new Agent(_random.pick(["sphere", "cube"]), "b");
+                    _agents = new <Agent>[_a, _b];
+                    _a.size = Math.pow(10, _random.between(-0.5, 0.5));
+                    _a.sweeps = true;
+                    _a.hierarchical = i % 2 == 0;
+                    _a.collideAs = _b.collideAs = _random.pick(["tightest", "hull"]);
+                    var offset:Number = _random.pick([0, 10]);
+                    _b.moveTo(offset * _random.next(), offset * _random.next(), offset * _random.next());
+                    var direction:Vector3D = _random.pick([new Vector3D(1, 0, 0), new Vector3D(_random.normal(), _random.normal(), _random.normal())]);
+                    var touching:Number = 0;
+                    var apart:Number = 8 / direction.length;
+                    for (var k:int = 0; k < 70; k++)
+                    {
+                        var middle:Number = (touching + apart) / 2;
+                        moveAlong(direction, middle);
+                        touching = collider.areColliding(_a, _b) ? middle : touching;
+                        apart = collider.areColliding(_a, _b) ? apart : middle;
+                    }
+                    moveAlong(direction, touching + Math.pow(10, _random.between(-9, -1)));
+                    collision.update(_agents);
+                    depths.length = away.length = 0;
+                    moveAlong(direction, _random.pick([touching, touching - _random.between(0, 0.3) / direction.length]));
+                    collision.update(_agents);
+                    var said:String = "pair " + i + ", " + _a.shape + ", " + _b.shape;
+                    _wrong.addIf(depths.length != 1, name, said);
+                    _wrong.addIf(!(depths[0] <= 1e-8), name + ", depth", said + ", " + depths);
+                    _wrong.addIf(!(away[0] > -1e-6), name + ", normal", said + ", " + away);
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        private function moveAlong(direction:Vector3D, distance:Number):void
+        {
+            _a.moveTo(_b.x + distance * direction.x, _b.y + distance * direction.y, _b.z + distance * direction.z);
         }
 
         private function askAbout(offset:Number, areTouching:Boolean):void

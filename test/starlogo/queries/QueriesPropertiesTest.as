@@ -256,6 +256,61 @@ package starlogo.queries
             assertEquals(near, LoopedQuestions.numbers(_queries.near(_agents[0], 3, outer)));
         }
 
+        [Test]
+        public function filtersAskWhatTouches():void
+        {
+            var inner:AgentFilter = new AgentFilter();
+            inner.accepts = function(agent:Agent):Boolean
+            {
+                return _queries.touching(agent).length > 2;
+            };
+            var outer:AgentFilter = new AgentFilter();
+            outer.accepts = function(agent:Agent):Boolean
+            {
+                return _queries.touchesAny(agent, inner);
+            };
+            var asked:int = 0;
+            var left:int = 0;
+            for each (var agent:Agent in _agents)
+            {
+                var expected:Vector.<Agent> = _queries.touching(agent).filter(function(other:Agent, index:int, all:Vector.<Agent>):Boolean
+                    {
+                        return _queries.touching(other).some(function(third:Agent, at:int, them:Vector.<Agent>):Boolean
+                            {
+                                return _queries.touching(third).length > 2;
+                            });
+                    });
+                assertEquals(LoopedQuestions.numbers(expected), LoopedQuestions.numbers(_queries.touching(agent, outer)));
+                asked += _queries.touching(agent).length;
+                left += expected.length;
+            }
+            assertTrue(left + " of " + asked, left > 10 && left < asked - 10);
+        }
+
+        [Test]
+        public function anEmptyListHasNothing():void
+        {
+            _queries.update(new Vector.<Agent>());
+            var point:Vector3D = new Vector3D(0, 0, 0.5);
+            assertNull(_queries.nearestToPoint(point));
+            assertEquals(0, _queries.nearPoint(point, Infinity).length + _queries.countNearPoint(point, Infinity));
+            assertEquals(0, _queries.overlapping(new Sphere(point, 100)).length + _queries.castAll(point, new Vector3D(1, 0, 0)).length);
+            assertNull(_queries.cast(point, new Vector3D(1, 0, 0)));
+            assertNull(_queries.castShape(new Sphere(point, 100), 1, 0, 0));
+            _queries.update(_agents);
+        }
+
+        [Test]
+        public function nobodyMayBeLeftOut():void
+        {
+            var filter:AgentFilter = new AgentFilter();
+            filter.except = new <Agent>[null, _agents[3], null];
+            var plain:AgentFilter = new AgentFilter();
+            plain.except = new <Agent>[_agents[3]];
+            assertEquals(LoopedQuestions.numbers(_queries.near(_agents[0], Infinity, plain)), LoopedQuestions.numbers(_queries.near(_agents[0], Infinity, filter)));
+            assertEquals(_agents.length - 2, _queries.countNear(_agents[0], Infinity, filter));
+        }
+
         // The list of a question is written when the question is answered, not while accepts is called.
         [Test]
         public function filtersMayUseTheSameList():void

@@ -55,6 +55,7 @@ package starlogo.queries
             {
                 system.exact = level.exact = isExact;
                 system.maxDepth = level.maxDepth = 3;
+                assertEquals("the depth, and whether triangles decide", "3, " + isExact, level.maxDepth + ", " + level.exact);
                 compare(system, system);
                 compare(system, collision);
                 compare(system, level);

@@ -4,12 +4,14 @@ package starlogo.queries
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.Box;
     import starlogo.bounding.Sphere;
     import starlogo.collision.Collision;
+    import starlogo.collision.HierarchicalCollider;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.HierarchyNode;
@@ -74,6 +76,33 @@ package starlogo.queries
         public function nodesAreCrossedAsALoopFinds():void
         {
             compare("hierarchies", Effort.choose(24, 400), nodesOf);
+        }
+
+        /** In exact mode the smallest nodes of a model without triangles decide. */
+        [Test]
+        public function smallestNodesAreCrossedIfThereAreNoTriangles():void
+        {
+            var land:GreatLand = new GreatLand();
+            land.addModel(new Model("points", BuiltInModel.sphere().vertices));
+            var agents:Vector.<Agent> = new <Agent>[new Agent("points")];
+            var told:Array = ["", "", ""];
+            for (var i:int = 0; i < 3; i++)
+            {
+                var collider:HierarchicalCollider = new HierarchicalCollider(land);
+                collider.exact = i == 0;
+                collider.maxDepth = i == 1 ? int.MAX_VALUE : 2;
+                var queries:AgentQueries = new AgentQueries(collider);
+                queries.update(agents);
+                for (var k:int = 0; k < 20; k++)
+                {
+                    for each (var hit:RayHit in queries.castAll(new Vector3D(0.02 * k, -3, 0.5), new Vector3D(0, 1, 0), Infinity, null, null, true))
+                    {
+                        told[i] += hit.distance + " ";
+                    }
+                }
+            }
+            assertEquals(told[1], told[0]);
+            assertFalse("larger nodes are crossed elsewhere", told[2] == told[0]);
         }
 
         [Test(timeout="3600000")]
@@ -352,6 +381,17 @@ package starlogo.queries
             var grazing:Vector.<RayHit> = castOf("cube", -5, 0.1, -3.5, 1, 0, 1);
             assertEquals("past a cube's edge: in and out", 2, grazing.length);
             assertTrue(Math.abs(grazing[0].distance - grazing[1].distance) < 1e-12);
+        }
+
+        [Test]
+        public function whatIsBehindASheetInTheRayCounts():void
+        {
+            // two sheets in a row, and a wall across
+            addModel(new Model("row", new <Number>[-0.5, -0.2, 0, -0.1, -0.2, 0, -0.1, 0.2, 0, -0.5, 0.2, 0, 0, -0.2, 0, 0.25, -0.2, 0, 0.25, 0.2, 0, 0, 0.2, 0,
+                            0.5, -0.2, -0.2, 0.5, 0.2, -0.2, 0.5, 0.2, 0.2, 0.5, -0.2, 0.2],
+                        new <uint>[0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7, 8, 9, 10, 8, 10, 11], Model.AS_GIVEN));
+            assertEquals("4.5,5,5.5", distances("row", -5, 0.125, 0, 1, 0, 0));
+            assertEquals("from the other side", "4.5,4.75,5.1", distances("row", 5, 0.125, 0, -1, 0, 0));
         }
 
         [Test]

@@ -8,6 +8,7 @@ package starlogo.search
     import starlogo.collision.BinCollider;
     import starlogo.collision.Collision;
     import starlogo.collision.CollisionSystem;
+    import starlogo.collision.Contact;
     import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
@@ -98,6 +99,78 @@ package starlogo.search
                 }
                 assertTrue(changes + " changes", changes > 10);
             }
+        }
+
+        /** A Collision that goes back to its own snapshot after each frame tests all agents in the next one. A filter leaves out other agents now and then. */
+        [Test]
+        public function framesWithSweepingAgentsMakeTheCallsOfASearchOfAll():void
+        {
+            for (var kind:int = 0; kind < 2; kind++)
+            {
+                var kept:Collision = new Collision(newSystem(kind));
+                var full:Collision = new Collision(newSystem(kind));
+                var callsOfKept:Array = noted(kept);
+                var callsOfFull:Array = noted(full);
+                var filter:AgentFilter = new AgentFilter();
+                kept.filter = full.filter = filter;
+                var agents:Vector.<Agent> = scattered(200, 14);
+                var early:int = 0;
+                var few:int = 0;
+                for (var i:int = 0; i < 40; i++)
+                {
+                    change(agents, i);
+                    filter.except = i % 4 < 2 ? null : new <Agent>[agents[0], agents[_random.integer(1, agents.length - 1)]];
+                    callsOfKept.length = callsOfFull.length = 0;
+                    kept.update(agents);
+                    full.update(agents);
+                    assertEquals("system " + kind + ", frame " + i, callsOfFull.join(), callsOfKept.join());
+                    if (2 * kept.statistics.candidatePairs < full.statistics.candidatePairs)
+                    {
+                        few++;
+                        early += callsOfKept.join().split(" at 0.").length - 1;
+                    }
+                    full.restore(full.snapshot(), agents);
+                }
+                assertTrue("system " + kind + ": " + few + " frames test few, with " + early + " touches on the way", few > 20 && early > 20);
+            }
+        }
+
+        // Moves some agents, of which some sweep. Sometimes one leaves, or another comes.
+        private function change(agents:Vector.<Agent>, frame:int):void
+        {
+            for (var k:int = 0; k < 3; k++)
+            {
+                var agent:Agent = agents[_random.integer(0, agents.length - 1)];
+                agent.sweeps = k > 0;
+                agent.moveTo(agent.x + _random.between(-3, 3), agent.y + _random.between(-3, 3), 0);
+            }
+            if (frame % 7 == 3)
+            {
+                agents.splice(_random.integer(0, agents.length - 1), 1);
+            }
+            else if (frame % 7 == 5)
+            {
+                agents.push(scattered(1, 14)[0]);
+            }
+        }
+
+        // The calls that a Collision makes, in their order, with the times of the contacts.
+        private static function noted(collision:Collision):Array
+        {
+            var calls:Array = [];
+            collision.onCollision("movers", Collision.ANY_BREED, function(a:Agent, b:Agent, contact:Contact):void
+                {
+                    calls.push(a.id + " " + b.id + " at " + contact.time);
+                });
+            collision.onCollisionStart("walls", Collision.ANY_BREED, function(a:Agent, b:Agent):void
+                {
+                    calls.push(a.id + " begins " + b.id);
+                });
+            collision.onCollisionEnd(Collision.ANY_BREED, "walls", function(a:Agent, b:Agent):void
+                {
+                    calls.push(a.id + " ends " + b.id);
+                });
+            return calls;
         }
 
         private function newSystem(kind:int):CollisionSystem

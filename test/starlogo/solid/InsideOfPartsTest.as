@@ -100,6 +100,19 @@ package starlogo.solid
             }
         }
 
+        /** The needle is a closed shell of triangles without area. */
+        [Test]
+        public function aNeedleDecidesNothingAboutACavity():void
+        {
+            var model:Model = SolidModels.of("hollow", [[1, 0, 0, 0, false], [0.7, 0, 0, 0.15, true]], Model.AS_GIVEN);
+            var first:uint = model.vertices.length / 3;
+            var vertices:Vector.<Number> = new Vector.<Number>().concat(model.vertices, new <Number>[0.42, 0, 0.3, 0.42, 0, 0.4, 0.42, 0, 0.6, 0.42, 0, 0.7]);
+            var triangles:Vector.<uint> = new Vector.<uint>().concat(model.triangles, new <uint>[first, first + 2, first + 1, first, first + 1, first + 3,
+                        first + 1, first + 2, first + 3, first + 2, first, first + 3]);
+            assertFalse("the cavity", isInside(vertices, triangles, [0.2, 0.05, 0.5]));
+            assertTrue("the wall", isInside(vertices, triangles, [0.45, 0.05, 0.5]));
+        }
+
         private static function assertHollow(message:String, hierarchy:ModelTree, turn:Placement):void
         {
             for each (var x:Number in [0.2, -0.2])

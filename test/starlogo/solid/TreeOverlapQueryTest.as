@@ -100,6 +100,12 @@ package starlogo.solid
                 _overlaps.findCommonPoint(pair, out);
                 assertEquals(7, out.aX);
             }
+            // nor is it where the pair before stood
+            var moved:Placement = new Placement();
+            moved.x = 5;
+            pair.setTo(cube, stands, int.MAX_VALUE, null, new Sphere(new Vector3D(-5, 0, 0.5), 0.1), moved, 1, true);
+            assertTrue(_overlaps.findCommonPoint(pair, out));
+            assertEquals(0, out.aX);
         }
 
         /** The traversals find what a loop over all pairs of nodes that decide finds. */

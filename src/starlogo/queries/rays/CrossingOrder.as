@@ -126,27 +126,14 @@ package starlogo.queries.rays
                         _sides[k] = side;
                         if (gap <= crossings.slacks[other])
                         {
-                            replaceKept(crossings, k, index);
+                            // None is kept between the two, because it would have joined the other one.
+                            left.numbers[k] = index;
                         }
                     }
                     return true;
                 }
             }
             return false;
-        }
-
-        // Replaces a kept crossing by one that is a little farther away.
-        private function replaceKept(crossings:RayCrossings, kept:int, index:int):void
-        {
-            var side:int = _sides[kept];
-            while (kept + 1 < left.count && crossings.distances[left.numbers[kept + 1]] < crossings.distances[index])
-            {
-                left.numbers[kept] = left.numbers[kept + 1];
-                _sides[kept] = _sides[kept + 1];
-                kept++;
-            }
-            left.numbers[kept] = index;
-            _sides[kept] = side;
         }
     }
 }

@@ -43,7 +43,8 @@ package starlogo.queries.trees
             var squares:Vector.<Number> = _squares;
             var firstLeaf:int = tree.firstLeaf;
             var asks:Boolean = found.filter.accepts != null && found.wanted < Collector.ALL;
-            var waiting:int = begin();
+            var asker:int = found.filter.askerRow;
+            var waiting:int = asker < 0 ? enqueue(1, 0) : beginBeside(tree.leafOf(asker));
             while (waiting > 0)
             {
                 waiting--;
@@ -86,7 +87,7 @@ package starlogo.queries.trees
             var asks:Boolean = found.filter.accepts != null;
             var countsNodes:Boolean = !asks && !found.filter.excludes;
             var counted:int = 0;
-            var waiting:int = tree.count > 0 ? enqueue(1, 0) : 0;
+            var waiting:int = enqueue(1, 0);
             while (waiting > 0)
             {
                 waiting--;
@@ -125,16 +126,6 @@ package starlogo.queries.trees
             var toY:Number = Math.max(_y - boxes[int(box + 1)], boxes[int(box + 4)] - _y);
             var toZ:Number = Math.max(_z - boxes[int(box + 2)], boxes[int(box + 5)] - _z);
             return toX * toX + toY * toY + toZ * toZ <= _found.limit;
-        }
-
-        // Puts the first nodes on the waiting list. Returns how many nodes wait.
-        private function begin():int
-        {
-            if (_tree.count == 0)
-            {
-                return 0;
-            }
-            return _found.filter.askerRow < 0 ? enqueue(1, 0) : beginBeside(_tree.leafOf(_found.filter.askerRow));
         }
 
         // Makes a leaf the next node, because it probably has the nearest rows. After it come the nodes beside the path from the root to the

@@ -67,13 +67,10 @@ package starlogo.search.table
         private var _proposals:int = 0;
         private var _lastProposals:Vector.<int> = new <int>[0, 0];
 
-        /**
-         * The number of the list whose agents are listed: another number for each list that was accepted; -1 while
-         * one is proposed, and after one was refused.
-         */
+        /** The number of the last list that was proposed: another number for each list. */
         public function get listNumber():int
         {
-            return isAccepted ? _proposals : -1;
+            return _proposals;
         }
 
         /** The row of an agent; -1 if it is not listed. The ground and the edges of the world have their rows from the last search on. */

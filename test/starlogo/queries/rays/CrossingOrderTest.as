@@ -1,0 +1,73 @@
+package starlogo.queries.rays
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.intersection.ray.RayCrossings;
+    import support.Complaints;
+    import support.Effort;
+
+    /** Crossings in any order, with slacks of all sizes. Real ones are so close to each other by rounding alone. */
+    public class CrossingOrderTest
+    {
+        private static const MOST_SLACKS:Number = 8;
+
+        private var _order:CrossingOrder = new CrossingOrder();
+        private var _random:SeededRandom = new SeededRandom(7403);
+
+        [Test]
+        public function trianglesAreInTheOrderOfTheRayAndNoSurfaceIsLost():void
+        {
+            var wrong:Complaints = new Complaints();
+            var joined:int = 0;
+            var count:int = Effort.choose(5000, 100000, 500);
+            for (var i:int = 0; i < count; i++)
+            {
+                var crossings:RayCrossings = new RayCrossings();
+                for (var k:int = _random.integer(1, 6); k > 0; k--)
+                {
+                    var distance:Number = _random.integer(0, 9);
+                    crossings.add(distance, _random.pick([0, 0.5, 1, 2]), distance + _random.integer(0, 3), _random.pick([1, 1, -1, -1, 0]), k);
+                }
+                _order.arrange(crossings, true);
+                joined += crossings.count - _order.left.count;
+                var said:String = "crossings " + i + ": " + crossings.distances.join() + " with " + crossings.slacks.join() + " from " + crossings.sides.join() + ", left "
+                    + _order.left.numbers.slice(0, _order.left.count).join();
+                wrong.addIf(!areInOrder(crossings), "the order", said);
+                for (k = 0; k < crossings.count; k++)
+                {
+                    wrong.addIf(!isThere(crossings, k), "what is left out", said);
+                }
+            }
+            wrong.assertNone();
+            assertTrue(joined + " joined", joined > count / 2);
+        }
+
+        private function areInOrder(crossings:RayCrossings):Boolean
+        {
+            for (var i:int = 1; i < _order.left.count; i++)
+            {
+                if (!(crossings.distances[_order.left.numbers[i]] >= crossings.distances[_order.left.numbers[i - 1]]) || _order.left.numbers[i] == _order.left.numbers[i - 1])
+                {
+                    return false;
+                }
+            }
+            return _order.left.count > 0;
+        }
+
+        // Whether a crossing is left, or one that may be of the same surface: not farther away than some slacks, and not seen from the other side.
+        private function isThere(crossings:RayCrossings, index:int):Boolean
+        {
+            for (var i:int = 0; i < _order.left.count; i++)
+            {
+                var other:int = _order.left.numbers[i];
+                var isNear:Boolean = Math.abs(crossings.distances[other] - crossings.distances[index]) <= MOST_SLACKS;
+                var runsAlong:Boolean = crossings.sides[other] == RayCrossings.EDGE_ON || crossings.sides[index] == RayCrossings.EDGE_ON;
+                if (crossings.sides[other] == crossings.sides[index] ? isNear || runsAlong : isNear && runsAlong)
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+    }
+}

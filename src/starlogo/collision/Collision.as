@@ -359,16 +359,19 @@ package starlogo.collision
             _lastFrame.hasFailed = false;
         }
 
+        /** @private */
         override engine function findNarrowPhase():NarrowPhase
         {
             return _system.findNarrowPhase();
         }
 
+        /** @private */
         override engine function terrainFor(own:Terrain):Terrain
         {
             return terrain;
         }
 
+        /** @private */
         override engine function setTerrain(value:Terrain):void
         {
             terrain = value;

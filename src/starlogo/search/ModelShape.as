@@ -43,12 +43,15 @@ package starlogo.search
         engine var form:int = -1;
 
         // The structure, or the structure around the hierarchy; and the hierarchy, or null.
+
         /** @private */
         engine var structure:BoundingStructure = null;
+
         /** @private */
         engine var hierarchy:ModelTree = null;
 
         // Whether the shape stays upright and faces along the x axis, however its agent is turned.
+
         /** @private */
         engine var isUpright:Boolean = false;
 

@@ -29,6 +29,7 @@ package
         // Drawing the stage takes the player a good part of a shorter step.
         private static const STEP_MS:int = 150;
         private static const VIEW_MS:int = 250;
+        private static const SAVE_MS:int = 5000;
         private static const FRAME_RATE:int = 60;
         // Drawing more agents takes the player longer than colliding them.
         private static const MOST_SHOWN:int = 1000;
@@ -39,6 +40,8 @@ package
         private var _results:Results = new Results();
         private var _queue:TaskQueue;
         private var _lastView:int = 0;
+        private var _lastSave:int = 0;
+        private var _lastTask:Task = null;
         private var _view:GroundView = new GroundView(560);
         private var _caption:TextField = new TextField();
 
@@ -94,6 +97,13 @@ package
             {
                 _lastView = getTimer();
                 show(_queue.current);
+            }
+            if (_queue.current !== _lastTask && getTimer() - _lastSave >= SAVE_MS)
+            {
+                // what is measured stays if the run ends early
+                _lastTask = _queue.current;
+                _lastSave = getTimer();
+                Host.writeFile("results.json", _results.toText(false));
             }
             if (isDone)
             {

@@ -69,22 +69,31 @@ writeFileSync(path.join(out, 'ClientTestsReporter.as'), `package
 ${classes.flatMap(placesIn).join(',\n').replaceAll('\\', '/')}
         };
 
+        private var _count:int = 0;
+        private var _begun:int = 0;
         private var _ignored:int = 0;
+
+        override public function testRunStarted(description:IDescription):void
+        {
+            _count = description.testCount;
+        }
 
         override public function testStarted(description:IDescription):void
         {
-            trace("  " + nameOf(description));
+            _begun++;
+            trace("  " + _begun + "/" + _count + " " + nameOf(description));
         }
 
         override public function testIgnored(description:IDescription):void
         {
+            _begun++;
             _ignored++;
+            trace("  " + _begun + "/" + _count + " ignored: " + nameOf(description));
         }
 
         override public function testFailure(failure:Failure):void
         {
-            var name:String = nameOf(failure.description);
-            trace("FAILED " + name + (name in PLACES ? " (" + PLACES[name] + ")" : "") + ": " + failure.message);
+            trace("FAILED " + nameOf(failure.description) + ": " + failure.message);
             if (failure.exception != null && failure.exception.getStackTrace() != null)
             {
                 trace(failure.exception.getStackTrace());
@@ -93,13 +102,15 @@ ${classes.flatMap(placesIn).join(',\n').replaceAll('\\', '/')}
 
         override public function testRunFinished(result:Result):void
         {
-            trace((result.runCount - result.failureCount) + " passed, " + result.failureCount + " failed, " + _ignored + " ignored");
+            trace((result.runCount - result.failureCount) + " passed, " + result.failureCount + " failed, " + _ignored + " ignored, 0 not run");
             Host.exit(result.successful && result.runCount > 0 ? 0 : 1);
         }
 
+        // with its file and line
         private static function nameOf(description:IDescription):String
         {
-            return description.displayName.split("::").join(".");
+            var name:String = description.displayName.split("::").join(".");
+            return name + (name in PLACES ? " (" + PLACES[name] + ")" : "");
         }
     }
 }

@@ -22,6 +22,7 @@ export const EXTERNALS = {
 	"starlogo.search.warnOfInside": ["warnings.mjs", "$warnOfInside"],
 	"starlogo.search.warnOfNames": ["warnings.mjs", "$warnOfNames"],
 	"starlogo.handlers.mayTakeContact": ["contacts.mjs", "mayTakeContact"],
+	"starlogo.handlers.requireParameters": ["contacts.mjs", "requireParameters"],
 	"standin.LocalStore.read": ["machine.mjs", "readLocal"],
 	"standin.LocalStore.remove": ["machine.mjs", "removeLocal"],
 	"standin.LocalStore.write": ["machine.mjs", "writeLocal"],

@@ -6,8 +6,8 @@ package evaluation
     import starlogo.bounding.BoundingStructure;
 
     /**
-     * Measures some things in turns with the sphere-sphere test, after a warm-up that does not count. If the samples of one differ too much,
-     * it takes up to three times as many of this one, unless they have taken seconds. A thing that takes seconds is repeated less often.
+     * Measures some things in turns with the sphere-sphere test, after a warm-up that does not count. If the samples of one, or its multiples
+     * of that test, differ too much, it takes up to three times as many of this one, unless they have taken seconds. A thing that takes seconds is repeated less often.
      */
     public class MeasuringTask extends Task
     {
@@ -78,7 +78,7 @@ package evaluation
             return conclude();
         }
 
-        /** Whether samples of a measurement differ too much. */
+        /** Whether samples of a measurement, or its multiples, differ too much. */
         public function get isNoisy():Boolean
         {
             return noisyOf(_measurements).length > 0;
@@ -158,7 +158,7 @@ package evaluation
             var noisy:Vector.<Measurement> = new Vector.<Measurement>();
             for each (var measurement:Measurement in measurements)
             {
-                if (_overheads.indexOf(measurement) < 0 && !measurement.samples.isSteady)
+                if (_overheads.indexOf(measurement) < 0 && !(measurement.samples.isSteady && measurement.multiplesOf(_base).isSteady))
                 {
                     noisy.push(measurement);
                 }

@@ -50,8 +50,9 @@ package evaluation
         }
 
         /**
-         * Adds a time in milliseconds, and as a multiple of the sphere-sphere test. If the samples say nothing, it adds the reason instead. An
-         * entry that has a value keeps it.
+         * Adds a time in milliseconds, and as a multiple of the sphere-sphere test. Each is judged by its own range. If the times say nothing, the
+         * entry gets the reason, and no number. If only the multiples say nothing, it gets no multiple. An entry that lacks a multiple takes
+         * later measurements if these have both, and other entries that have a value keep it.
          *
          * @param figure the entry's figure
          * @param subject the entry's row
@@ -64,18 +65,19 @@ package evaluation
         public function addTime(figure:String, subject:String, variant:String, measurement:Measurement, base:Measurement, thesis:* = undefined):Object
         {
             var known:Object = _byName[nameOf(figure, subject, variant)];
-            if (known != null && known.value != null)
+            var times:Samples = measurement.samples;
+            var multiples:Samples = measurement.multiplesOf(base);
+            if (known != null && known.value != null && (known.multiple != null || !times.isSteady || !multiples.isSteady))
             {
                 return known;
             }
-            var times:Samples = measurement.samples;
             var entry:Object = addNumber(figure, subject, variant, times.median / NS_PER_MS, "ms", thesis);
+            entry.value = times.median / NS_PER_MS;
             delete entry.refused;
             entry.low = times.low / NS_PER_MS;
             entry.high = times.high / NS_PER_MS;
             entry.samples = times.count;
-            var multiples:Samples = measurement.multiplesOf(base);
-            entry.multiple = multiples.median;
+            entry.multiple = multiples.isSteady ? multiples.median : null;
             entry.multipleLow = multiples.low;
             entry.multipleHigh = multiples.high;
             if (!times.isSteady)
@@ -97,10 +99,14 @@ package evaluation
             }
         }
 
-        /** All entries as JSON. */
-        public function toText():String
+        /**
+         * All entries as JSON.
+         *
+         * @param isComplete whether the run is at its end
+         */
+        public function toText(isComplete:Boolean = true):String
         {
-            return JSON.stringify({player: Host.player, entries: _entries}, null, 1);
+            return JSON.stringify({player: Host.player, isComplete: isComplete, entries: _entries}, null, 1);
         }
 
         private static function nameOf(figure:String, subject:String, variant:String):String

@@ -1,13 +1,16 @@
 package docs
 {
+    import game.CentredSphereFitter;
     import game.UprightCapsuleFitter;
     import org.flexunit.asserts.assertEquals;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.fitting.FitSession;
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
+    import starlogo.steps.Steps;
     import support.FitChecks;
     import support.Fixtures;
 
@@ -34,7 +37,21 @@ package docs
                 volumes.push(library.tightestFit(model.name).volume.toFixed(3), capsule.volume.toFixed(3));
             }
             assertEquals("0.187,0.620,1.853,2.638,1.835,2.490", volumes.slice(0, 6).join());
+            var many:FitSession = new FitSession(new Vector.<Number>(9000));
+            assertEquals("three thousand and the structure", 4, stepsOf(new CentredSphereFitter().fitting(many)));
+            var sphere:BoundingStructure = new CentredSphereFitter().fit(models[0].vertices);
+            assertEquals("", FitChecks.outside(sphere, models[0].vertices));
             assertEquals("a sphere where that is enough", "0.524", volumes[7]);
+        }
+
+        private static function stepsOf(work:Steps):int
+        {
+            var count:int = 1;
+            while (work.step())
+            {
+                count++;
+            }
+            return count;
         }
     }
 }

@@ -1,5 +1,6 @@
 package docs
 {
+    import game.Comparison;
     import game.GameTests;
     import game.Turtle;
     import game.TurtleCollisions;
@@ -16,6 +17,23 @@ package docs
         protected var kiteVertices:Vector.<Number> = new <Number>[0, 0, 0, 4, 0, 0, 2, 3, 0, 2, 1, 1];
         protected var kiteTriangles:Vector.<uint> = new <uint>[0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3];
 
+        /** What a client's own search may do: pairs whose places are less than 1 apart. */
+        protected function pairsOf(turtles:Vector.<Turtle>):Vector.<Turtle>
+        {
+            var pairs:Vector.<Turtle> = new Vector.<Turtle>();
+            for (var i:int = 0; i < turtles.length; i++)
+            {
+                for (var j:int = i + 1; j < turtles.length; j++)
+                {
+                    if (turtles[i].xcor - turtles[j].xcor > -1 && turtles[i].xcor - turtles[j].xcor < 1)
+                    {
+                        pairs.push(turtles[i], turtles[j]);
+                    }
+                }
+            }
+            return pairs;
+        }
+
         /** @inheritDoc */
         override protected function check(shown:Object):void
         {
@@ -23,6 +41,7 @@ package docs
             assertTrue("there are meetings", shown["meetings"] > 0);
             new TurtlesMeetTest().twoAtOnePlaceMeet();
             assertTrue("the client's tests compile", GameTests != null);
+            checkComparison(shown["comparison"], shown["some"]);
             var collisions:TurtleCollisions = shown["collisions"];
             var calls:int = 0;
             collisions.onCollision("birds", "kites", function(bird:Turtle, kite:Turtle):void
@@ -37,6 +56,17 @@ package docs
             collisions.collision.collisionSystem = new TightestFitCollider(shown["land"]);
             collisions.update(turtles);
             assertEquals("all are in the next frame", turtles.length, collisions.collision.statistics.agents);
+        }
+
+        private function checkComparison(comparison:Comparison, some:Vector.<Turtle>):void
+        {
+            var touching:Array = comparison.differences(some, pairsOf(some));
+            assertEquals(1, touching.length);
+            assertTrue(touching[0], /^only the engine: .*kites.* and .*birds.*, 0\.000000 deep$/.test(touching[0]));
+            var others:Array = comparison.differences(some, new <Turtle>[some[1], some[0], some[2], some[0]]);
+            assertEquals(2, others.length);
+            assertTrue(others[0], /^only the engine: .*, 0\.250000 deep$/.test(others[0]));
+            assertTrue(others[1], /^only the client: .*, 0\.750000 apart$/.test(others[1]));
         }
 
         private function meetingsOf(turtles:Vector.<Turtle>):int

@@ -1,9 +1,9 @@
 #!/usr/bin/env node
 /**
  * Looks at what asdoc has written. Two links that it gets wrong are put right: to classes of a package below which there are others, and
- * to an index of symbols where there are none. The date goes, so that the same sources give the same pages. The
+ * to an index of symbols where there are none. Superclasses that are not documented go, and the date, so that the same sources give the same pages. The
  * script gets what pages need that are opened as files. Exit status: 1 where a link
- * leads nowhere, or a public name or a package is not described.
+ * leads nowhere, a public name or a package is not described, or a member is shown that only the engine's packages share.
  *
  *   node test/docs/asdoc.mjs bin/asdoc
  */
@@ -11,9 +11,10 @@ import { existsSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-/** A page with its links right, and without a date. */
+/** A page with its links right, without a date, and without superclasses that have no page. */
 export function repaired(html) {
 	return html.replaceAll('starlogo:', 'starlogo/').replace(/<a href="all-index-Symbols\.html"[^>]*>(.*?)<\/a>/g, '$1')
+		.replace(/ <img [^>]*class="inheritArrow"> starlogo\.[\w.]+(?=<)/g, '')
 		.replace(/<br\/>\w+ \w+ \d+ \d{4}, [\d:]+ [AP]M \w+/g, '');
 }
 
@@ -59,6 +60,11 @@ export function undescribedIn(html) {
 	return [...members, ...listed].filter(([, , description]) => textOf(description).replace('[override]', '') === '').map(([, name]) => name);
 }
 
+/** The members on a page that are in the namespace engine. */
+export function engineMembersIn(html) {
+	return [...html.matchAll(/<code> *(?:\w+ )*engine (?:\w+ )*(\w+)(?=[^\w ])/g)].map(([, name]) => name);
+}
+
 /** The links of a page that lead to no file. */
 export function brokenIn(html, exists) {
 	return [...html.matchAll(/(?:href|src)="([^"#?]+)[^"]*"/g)].map(([, to]) => to)
@@ -74,7 +80,8 @@ function look(folder) {
 		const html = repaired(readFileSync(at, 'utf8'));
 		writeFileSync(at, html);
 		const broken = brokenIn(html, (to) => existsSync(path.join(path.dirname(at), decodeURI(to))));
-		return [...broken.map((to) => `${file}: no ${to}`), ...undescribedIn(html).map((name) => `${file}: ${name} is not described`)];
+		return [...broken.map((to) => `${file}: no ${to}`), ...engineMembersIn(html).map((name) => `${file}: ${name} is the engine's own, so it needs @private`),
+			...undescribedIn(html).map((name) => `${file}: ${name} is not described`)];
 	});
 }
 

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { read, sourcesBelow } from '../structure/sources.mjs';
-import { brokenIn, repaired, undescribedIn } from './asdoc.mjs';
+import { brokenIn, engineMembersIn, repaired, undescribedIn } from './asdoc.mjs';
 
 const member = (name, description) => `<a href="#${name}()" class="signatureLink">${name}</a>()</div><div class="summaryTableDescription">${description}</div>`;
 const listed = (name, description) => `<td class="summaryTableSecondCol"><a href="${name}.html" onclick="x">${name}</a></td><td class="summaryTableLastCol">${description}&nbsp;</td>`;
@@ -15,6 +15,20 @@ test('links that lead nowhere are found, and two of asdoc put right', () => {
 	const html = '<a href="../starlogo:GreatLand.html">a</a><a href="all-index-Symbols.html" onclick="x">b</a><a href="c.html#d">e</a><a href="https://f">g</a>';
 	assert.deepEqual(brokenIn(html, (to) => to === 'c.html'), ['../starlogo:GreatLand.html', 'all-index-Symbols.html']);
 	assert.deepEqual(brokenIn(repaired(html), (to) => ['c.html', '../starlogo/GreatLand.html'].includes(to)), []);
+});
+
+test('members of the namespace engine are found, and superclasses without a page go', () => {
+	const code = (text) => `<code>${text}</code>`;
+	assert.deepEqual(engineMembersIn(code('override engine function findNarrowPhase():NarrowPhase') + code('engine static const EDGES:int') + code('public function find():void')), ['findNarrowPhase', 'EDGES']);
+	const arrow = '<img src="inherit-arrow.gif" class="inheritArrow">';
+	assert.equal(repaired(`Bin ${arrow} <a href="B.html">B</a> ${arrow} starlogo.collision.QuerySource</td>`), `Bin ${arrow} <a href="B.html">B</a></td>`);
+});
+
+test('no page has a member that only the engine\'s packages share', () => {
+	const isPrivate = (source) => /@private(?:(?!\*\/)[^])*\*\/\s*public (?:final |dynamic )*(?:class|interface)/.test(source) || /internal (?:final )?class/.test(source);
+	const shown = (source) => [...source.matchAll(/(\/\*\*(?:(?!\*\/)[^])*\*\/\s*)?^ *((?:override |static |final )*engine (?:static |final )*(?:function|var|const) [^\n]*)/gm)]
+		.filter(([, comment = '']) => !comment.includes('@private')).map(([, , code]) => code);
+	assert.deepEqual(sourcesBelow('src/starlogo').flatMap((file) => (isPrivate(read(file)) ? [] : shown(read(file)).map((code) => `${file}: ${code}`))), []);
 });
 
 test('no page says when it was written', () => {

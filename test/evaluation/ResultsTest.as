@@ -58,7 +58,44 @@ package evaluation
             assertEquals(0.1, entry.thesis);
             // where the machine is too busy it is refused, as below
             assertEquals(entry.refused ? null : measurement.nanoseconds / NS_PER_MS, entry.value);
-            assertEquals(entry.refused ? null : measurement.timesAsLongAs(base), entry.multiple);
+            var isKnown:Boolean = !entry.refused && measurement.multiplesOf(base).isSteady;
+            assertEquals(isKnown ? measurement.timesAsLongAs(base) : null, entry.multiple);
+        }
+
+        [Test]
+        public function aMultipleIsRefusedByItsOwnRange():void
+        {
+            var base:Measurement = clocked("base", [1, 3, 1, 3, 1]);
+            var steady:Measurement = clocked("steady", [2, 2, 2, 2, 2]);
+            var entry:Object = _results.addTime("tests", "boxBox", "engine", steady, base);
+            assertEquals(2, entry.value);
+            assertTrue("from 0.67 to 2", entry.multiple === null && entry.refused == null && entry.multipleHigh == 2);
+            var noisy:Measurement = clocked("noisy", [1, 9, 1, 9, 1]);
+            _results.addTime("tests", "boxBox", "engine", noisy, clocked("base", [1, 1, 1, 1, 1]));
+            assertEquals("times that say nothing replace none", 2, entry.value);
+            _results.addTime("tests", "boxBox", "engine", clocked("again", [3, 3, 3, 3, 3]), clocked("base", [1, 1, 1, 1, 1]));
+            assertEquals("both were measured again", "3,3", [entry.value, entry.multiple].join());
+            assertEquals("the base is 1, however noisy", 1, base.multiplesOf(base).high);
+        }
+
+        // A measurement whose samples have these milliseconds.
+        private static function clocked(name:String, ms:Array):Measurement
+        {
+            var now:Number = 0;
+            var next:int = -1;
+            var measurement:Measurement = new Measurement(name, function():void
+                {
+                    now += next < 0 ? 20 : ms[next];
+                }, 1, function():Number
+                {
+                    return now;
+                });
+            measurement.warmUp();
+            for (next = 0; next < ms.length; next++)
+            {
+                measurement.sample();
+            }
+            return measurement;
         }
 
         [Test]

@@ -1,7 +1,7 @@
 /** Tests of what the runner says of a SWF that gives no sign of life. */
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
@@ -16,10 +16,17 @@ const SHOW = [0x40, 0x00];
 const END = [0x00, 0x00];
 const LOOP = [0x06, 0x03, 0x99, 0x02, 0x00, 0xfb, 0xff, 0x00]; // DoAction: a jump to itself
 
+/** DoAction: traces a text, and then jumps to itself. */
+function traceAndLoop(text) {
+	const push = [0x00, ...Buffer.from(text), 0x00];
+	const actions = [0x96, push.length, 0x00, ...push, 0x26, ...LOOP.slice(2)];
+	return [0x3f, 0x03, actions.length, 0x00, 0x00, 0x00, ...actions];
+}
+
 /** Writes a SWF of version 6 with these tags. */
 function swf(name, ...tags) {
 	const body = [...STAGE, ...RATE, ...tags.flat(), ...SHOW, ...END];
-	const length = body.length + 8;
+	const length = body.length + 8; // below 256
 	mkdirSync(folder, { recursive: true });
 	const file = path.join(folder, name);
 	writeFileSync(file, Buffer.from([0x46, 0x57, 0x53, 6, length, 0, 0, 0, ...body]));
@@ -46,4 +53,13 @@ test('a part that fails does not stop the others', { skip }, () => {
 	const { status, stderr } = run(swf('parts.swf', LOOP), 3, '--parts', '2');
 	assert.equal(status, 70);
 	assert.match(stderr, /part 1\/2: the SWF stalled.*\n.*part 2\/2: the SWF stalled/);
+});
+
+test('the last test that a client\'s SWF has begun is the one that did not end', { skip }, () => {
+	const counts = path.join(folder, 'counts.txt');
+	const file = swf('hanging.swf', traceAndLoop('  3/5 game.MeetTest.hangs (MeetTest.as:7)'));
+	const { status, stdout } = spawnSync(process.execPath, [path.join(root, 'test/client-tests-run.mjs'), file, '5', counts], { encoding: 'utf8' });
+	assert.equal(status, 70);
+	assert.match(stdout, /^FAILED game\.MeetTest\.hangs \(MeetTest\.as:7\): did not end within 5 s, and no frame in the last \d+ s: .*\n2 passed, 1 failed, 0 ignored, 2 not run\n$/m);
+	assert.equal(readFileSync(counts, 'utf8'), '2 passed, 1 failed, 0 ignored, 2 not run');
 });

@@ -43,6 +43,7 @@ export const ALLOWED = {
 	'starlogo.agents.Agent.collideAs': { count: 2, why: 'the text of an error' },
 	'starlogo.agents.Agent.requireName': { count: 2, why: 'the text of an error' },
 	'starlogo.collision.Collision.update': { count: 1, why: 'what a finally throws again' },
+	'starlogo.handlers.requireParameters': { count: 2, why: 'the text of an error' },
 	'starlogo.search.table.ListedAgents.requireAgent': { count: 2, why: 'the text of an error' },
 	'starlogo.queries.trees.Collector.ask': { count: 1, why: 'what a finally throws again' },
 	'starlogo.collision.HandlerCalls.callAll': { count: 2, why: 'what a handler threw' },

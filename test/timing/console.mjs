@@ -1,16 +1,17 @@
-import { FIGURES } from './figures.mjs';
+import { FIGURES, isNoisy } from './figures.mjs';
 import { ratio, time } from './format.mjs';
 import { key } from './statistics.mjs';
 
-const WIDTH = 100;
+const WIDTH = 112;
 
-/** All figures as text, in lines of at most 100 characters. */
+/** All figures as text, in lines of at most 112 characters. */
 export function tables(entries) {
 	const parts = [];
 	for (const figure of FIGURES) {
 		const own = entries.filter((entry) => entry.figure === figure.id);
 		if (own.length > 0) {
-			parts.push([figure.title, '', table(figure.head(own), figure.rows(own), figure.text ?? 1), '', wrap(figure.note)].join('\n'));
+			const lines = (figure.lines?.(own) ?? []).map(wrap);
+			parts.push([figure.title, '', table(figure.head(own), figure.rows(own), figure.text ?? 1), '', ...lines, wrap(figure.note)].join('\n'));
 		}
 	}
 	return parts.join('\n\n\n');
@@ -54,7 +55,7 @@ const MODELS = ['fits', 'access', 'hierarchies'];
 
 /** Names the entries that are too noisy, with a command for each figure that measures them again; or an empty text. */
 export function repeats(entries) {
-	const noisy = entries.filter((entry) => entry.refused);
+	const noisy = entries.filter(isNoisy);
 	if (noisy.length === 0) {
 		return '';
 	}

@@ -28,7 +28,17 @@ export function measured(entry) {
 	if (!entry) {
 		return '';
 	}
-	return entry.refused ? entry.refused : `${time(entry.value)} ±${percent((entry.high - entry.low) / 2 / entry.value)}`;
+	return entry.refused ? entry.refused : `${time(entry.value)} ${spread(entry.value, entry.low, entry.high)}`;
+}
+
+/** Half of a range, as a part of its median. */
+function spread(median, low, high) {
+	return `±${percent((high - low) / 2 / median)}`;
+}
+
+/** Whether an entry has no time or no multiple, because its range is too wide. */
+export function isNoisy(entry) {
+	return Boolean(entry.refused) || entry.multiple === null;
 }
 
 /** How many times as long as ours the literal algorithm takes; both must be there. */
@@ -36,7 +46,17 @@ export function faster(ours, literal) {
 	return ours?.value && literal?.value ? literal.value / ours.value : undefined;
 }
 
-const multiple = (entry) => (entry?.multiple ? ratio(entry.multiple) : '');
+/** A multiple of the sphere-sphere test with its spread. That of the test itself is 1, and has none. */
+function multiple(entry) {
+	if (!entry || entry.refused || entry.multiple === undefined) {
+		return '';
+	}
+	if (entry.multiple === null) {
+		return 'noisy';
+	}
+	return ratio(entry.multiple) + (entry.multipleLow === entry.multipleHigh ? '' : ` ${spread(entry.multiple, entry.multipleLow, entry.multipleHigh)}`);
+}
+
 const thesisTime = (entry) => (entry?.thesis === undefined ? '' : quoted(entry.thesis));
 const times = (value) => (value === undefined ? '' : ratio(value));
 const beside = (entry) => (entry?.beside === undefined ? '' : entry.beside === null ? 'noisy' : time(entry.beside));
@@ -124,6 +144,26 @@ export function growth(entries) {
 	});
 }
 
+const FRAME_MS = 40;
+
+/** Up to how many agents each collider has frames of at most 40 ms, 25 a second, in the games that were measured: a line for each cast. */
+export function holding(entries) {
+	return [...new Set(entries.map((entry) => castOf(entry)))].map((cast) => {
+		const colliders = [...COLLIDERS, ...others(entries, COLLIDERS)].map((name) => [name, entries.filter((entry) => entry.variant === name && castOf(entry) === cast && entry.value)])
+			.filter(([, games]) => games.length > 0).map(([name, games]) => `${name.replace('Collider', '')} ${most(games)}`);
+		return colliders.length > 0 ? `25 frames a second (40 ms each), ${cast}: ${colliders.join(', ')} agents` : '';
+	}).filter(Boolean);
+}
+
+function most(games) {
+	const holds = games.filter((entry) => entry.value <= FRAME_MS).map((entry) => entry.agents);
+	const fails = games.filter((entry) => entry.value > FRAME_MS).map((entry) => entry.agents);
+	if (holds.length === 0) {
+		return `fewer than ${Math.min(...fails)}`;
+	}
+	return fails.length === 0 ? `at least ${Math.max(...holds)}` : `${Math.max(...holds)}, not ${Math.min(...fails)}`;
+}
+
 /** Who plays in a game: the subject without its number. */
 export function castOf(entry) {
 	return entry.subject.slice(entry.subject.indexOf(' ') + 1);
@@ -191,6 +231,7 @@ export const FIGURES = [
 		head: () => [['crowd', 'collider', 'engine', '× sphere', 'JIT', 'literal', 'takes', 'thesis', 'pairs', 'checked']],
 		text: 2,
 		rows: gameRows,
+		lines: holding,
 		note: 'Handlers included. The literal colliders are timed on 300 of the pairs and multiplied, each pair once'
 			+ ' (the thesis counts it twice), without bins and breeds. One agent of the CombinationCollider\'s crowds is hierarchical.'
 			+ ' Pairs: those that collide. Checked: whether a test of all pairs finds the same.',
@@ -226,6 +267,7 @@ export const FIGURES = [
 		id: 'scattered', title: 'Scattered games: a frame, by the number of agents',
 		head: (entries) => [['game', 'bins', 'tightest fit', 'hierarchical', 'combination', ...others(entries, COLLIDERS).map(shortName), 'pairs', 'checked']],
 		rows: scatteredRows,
+		lines: holding,
 		note: 'Agents all over SpaceLand\'s 100 by 100 patches, all moving: of size 1, and of sizes with which any number of them covers as'
 			+ ' much of the ground ("as dense"). Pairs: those that collide, by collider.'
 			+ ' Exponent e: for n times as many agents a frame takes n to the power of e times as long, fitted to all games of the list.'

@@ -15,6 +15,17 @@ export function machine() {
 	};
 }
 
+/** How many programs wanted a processor, on average over the last minute. */
+export function load() {
+	return Number(os.loadavg()[0].toFixed(1));
+}
+
+/** The load at the start and the end of a run, in words. */
+export function loadText({ start, end }, cores) {
+	const others = start > cores / 2 ? '. Something else was running, so times may be too long, and many too noisy' : '';
+	return `Load of the machine: ${start ?? '?'} before the run, ${end} after it, on ${cores} cores${others}.`;
+}
+
 /** What it ran with. */
 export function versions(player) {
 	return {

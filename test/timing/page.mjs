@@ -2,6 +2,7 @@ import { readFile } from 'node:fs/promises';
 import { chartsOf } from './charts.mjs';
 import { FIGURES, bySubject, faster } from './figures.mjs';
 import { inWords, ratio, time } from './format.mjs';
+import { loadText } from './machine.mjs';
 
 const library = new URL('../../node_modules/chart.js/dist/chart.umd.min.js', import.meta.url);
 const own = (name) => readFile(new URL(name, import.meta.url), 'utf8');
@@ -32,8 +33,9 @@ amber the thesis's algorithms as it describes them in the same player, grey the 
 ${FIGURES.map((figure) => section(figure, report.entries, charts)).join('\n')}
 </main>
 <footer>
-<p>Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up; times that vary by more than 30 % are not reported. “×” is a multiple of the sphere-sphere test, measured in turns
+<p>Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up; a time or a multiple whose own range is wider than 30 % either way is not reported. “×” is a multiple of the sphere-sphere test, measured in turns
 with it: only these can be compared across machines.</p>
+<p>${report.load ? escape(loadText(report.load, report.machine.cores)) : ''}</p>
 <p>${Object.entries({ ...report.machine, ...report.versions }).map(([name, value]) => `<span>${words(name)}: ${escape(value)}</span>`).join(' · ')}</p>
 </footer>
 <script>${chart.replaceAll('</script', '<\\/script')}</script>
@@ -66,6 +68,7 @@ function section(figure, entries, charts) {
 <h2>${escape(figure.title)}</h2>
 ${picture}
 <div class="scroll">${table(figure, figure.head(mine), figure.rows(mine))}</div>
+${(figure.lines?.(mine) ?? []).map((line) => `<p>${escape(line)}.</p>`).join('\n')}
 <p class="note">${escape(figure.note.replace(/^\* /, 'Bold: '))}</p>
 </section>`;
 }
@@ -103,7 +106,7 @@ function tiles({ entries, exponents }) {
 	}
 	const bears = Object.fromEntries(bySubject(of('crowds')))['100 bears'];
 	if (bears?.TightestFitCollider?.value) {
-		found.push([time(bears.TightestFitCollider.value), 'a frame of 100 colliding bears (thesis: 1300 ms)']);
+		found.push([time(bears.TightestFitCollider.value), 'a frame of 100 colliding bears, TightestFitCollider (thesis: 1300 ms)']);
 	}
 	const exponent = exponents.find(({ cast }) => cast.endsWith('as dense'))?.exponents.TightestFitCollider;
 	if (exponent !== undefined) {

@@ -17,7 +17,7 @@ import { addBeside, timesAsFast } from './beside.mjs';
 import { comparison, repeats, tables } from './console.mjs';
 import { csv } from './csv.mjs';
 import { growth } from './figures.mjs';
-import { machine, versions } from './machine.mjs';
+import { load, loadText, machine, versions } from './machine.mjs';
 import { moduleText, page } from './page.mjs';
 import { changes, merged } from './statistics.mjs';
 
@@ -47,6 +47,7 @@ const report = {
 	schema: 1,
 	created: new Date().toISOString(),
 	...measured,
+	load: { start: existsSync(file('load.txt')) ? Number(await readFile(file('load.txt'), 'utf8')) : undefined, end: load() },
 	...(module && { module: { player: module.player, ...timesAsFast(results.entries, module.entries) } }),
 	exponents: growth(entries.filter((entry) => entry.figure === 'scattered')),
 	entries,
@@ -54,24 +55,28 @@ const report = {
 await writeFile(file('report.json'), JSON.stringify(report, null, 1) + '\n');
 await writeFile(file('report.csv'), csv(report.entries));
 await writeFile(file('report.html'), await page(report));
-const text = tables(report.entries);
-await writeFile(file('timing.txt'), text + '\n');
-console.log(`\n${text}\n`);
+await writeFile(file('timing.txt'), tables(report.entries) + '\n');
+console.log(`\n${tables(taken)}\n`);
 console.log(`Taken in ${report.versions.player}${beside ? `; the columns and rows named JIT in ${beside.player}` : ''}.`);
 if (report.module) {
 	console.log(moduleText(report.module));
 }
-console.log('Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth.');
+console.log('Times and multiples are medians ± half the range of the repetitions, without the fastest and the slowest fifth.');
+console.log(loadText(report.load, report.machine.cores));
 if (older) {
 	console.log('\n' + comparison(changes(older.entries, report.entries), older.created.slice(0, 16).replace('T', ' ')));
 }
 if (entries.length > taken.length) {
-	console.log(`${entries.length - taken.length} of ${entries.length} entries are of earlier runs of the same commit.`);
+	console.log(`${entries.length - taken.length} of the report's ${entries.length} entries are of earlier runs of the same commit; their tables are in ${file('timing.txt')}.`);
 }
-if (repeats(report.entries)) {
-	console.log('\n' + repeats(report.entries));
+if (repeats(taken)) {
+	console.log('\n' + repeats(taken));
 }
 console.log(`\nThe report: ${file('report.html')}`);
+if (results.isComplete === false) {
+	console.error(`The run ended early. The report has the ${taken.length} entries that it had measured.`);
+	process.exitCode = 1;
+}
 
 /** Whether two runs may share a report: what they measured is the same, and the commit says all of it. */
 function areOfOne(one, other) {

@@ -4,7 +4,8 @@ import { addBeside, timesAsFast } from './beside.mjs';
 import { chartsOf } from './charts.mjs';
 import { comparison, repeats, tables } from './console.mjs';
 import { csv } from './csv.mjs';
-import { FIGURES, growth } from './figures.mjs';
+import { FIGURES, growth, holding } from './figures.mjs';
+import { loadText } from './machine.mjs';
 import { inWords, percent, quoted, ratio, significant, time } from './format.mjs';
 import { moduleText, page } from './page.mjs';
 import { changes, exponent, merged } from './statistics.mjs';
@@ -78,14 +79,41 @@ test('the exponent of a power is found', () => {
 	assert.ok(Math.abs(growth(entries.filter((entry) => entry.figure === 'scattered'))[0].exponents.BinCollider - 1) < 1e-9);
 });
 
-test('tables are at most 100 columns wide and say what is not reported', () => {
+test('tables are at most 112 columns wide and say what is not reported', () => {
 	const text = tables(entries);
 	for (const line of text.split('\n')) {
-		assert.ok(line.length <= 100, line);
+		assert.ok(line.length <= 112, line);
 	}
-	assert.match(text, /bear +547 +box +6\.80 ms ±3 % +27,200× +243 ms +36× +555 ms/);
+	assert.match(text, /bear +547 +box +6\.80 ms ±3 % +27,200× ±3 % +243 ms +36× +555 ms/);
 	assert.match(text, /±79 %, noisy/);
 	assert.match(text, /NO$/m);
+});
+
+test('a multiple is refused by its own range, and that of the base is 1', () => {
+	const found = [
+		timed('tests', 'sphereSphere', 'engine', 0.00024, { multiple: 1, multipleLow: 1, multipleHigh: 1 }),
+		timed('tests', 'boxBox', 'engine', 0.0019, { multiple: 8, multipleLow: 7, multipleHigh: 9 }),
+		timed('tests', 'hullHull', 'engine', 0.005, { multiple: null, multipleLow: 10, multipleHigh: 30 }),
+	];
+	const text = tables(found);
+	assert.match(text, /^sphereSphere +240 ns ±3 % +1\.0×$/m);
+	assert.match(text, /^boxBox +1\.90 µs ±3 % +8\.0× ±13 %$/m);
+	assert.match(text, /^hullHull +5\.00 µs ±3 % +noisy$/m);
+	assert.match(repeats(found), /tests \/ hullHull \/ engine\nTo/);
+});
+
+test('the games that keep 25 frames a second are named by their colliders', () => {
+	const game = (agents, variant, value) => timed('scattered', `${agents} mix`, variant, value, { agents, collisions: 0, agrees: true });
+	const games = [game(100, 'BinCollider', 1), game(1000, 'BinCollider', 9), game(100, 'TightestFitCollider', 4), game(1000, 'TightestFitCollider', 41),
+		game(100, 'HierarchicalCollider', 50), game(1000, 'HierarchicalCollider', null)];
+	const line = '25 frames a second (40 ms each), mix: Bin at least 1000, TightestFit 100, not 1000, Hierarchical fewer than 100 agents';
+	assert.deepEqual(holding(games), [line]);
+	assert.ok(tables(games).replaceAll('\n', ' ').includes(line));
+});
+
+test('a busy machine is told', () => {
+	assert.equal(loadText({ start: 0.2, end: 1.1 }, 2), 'Load of the machine: 0.2 before the run, 1.1 after it, on 2 cores.');
+	assert.match(loadText({ start: 9.7, end: 11 }, 2), /on 2 cores\. Something else was running/);
 });
 
 test('what another player took stands beside, and nowhere else', async () => {
@@ -96,9 +124,9 @@ test('what another player took stands beside, and nowhere else', async () => {
 	assert.equal(both.find((entry) => entry.subject === 'boxBox' && entry.variant === 'engine').beside, null);
 	const text = tables(both);
 	for (const line of text.split('\n')) {
-		assert.ok(line.length <= 100, line);
+		assert.ok(line.length <= 112, line);
 	}
-	assert.match(text, /bear +547 +box +6\.80 ms ±3 % +27,200× +310 µs +243 ms/);
+	assert.match(text, /bear +547 +box +6\.80 ms ±3 % +27,200× ±3 % +310 µs +243 ms/);
 	assert.match(text, /boxBox .* noisy /);
 	assert.match(text, /^1000 mix .*\n  JIT +250 µs$/m);
 	assert.doesNotMatch(tables(entries), /JIT/);

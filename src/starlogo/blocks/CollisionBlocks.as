@@ -131,6 +131,7 @@ package starlogo.blocks
          * @param otherBreed the breed that it collides with, or Collision.ANY_BREED
          * @param script called with the collider and the collidee in every frame in which they touch
          * @throws BlockError if something is missing
+         * @throws ArgumentError if the script takes another number of arguments than a handler of Collision.onCollision
          */
         public function onCollision(breed:String, otherBreed:String, script:Function):void
         {
@@ -145,6 +146,7 @@ package starlogo.blocks
          * @param otherBreed as in onCollision
          * @param script called in the first frame in which the two agents touch
          * @throws BlockError if something is missing
+         * @throws ArgumentError as in onCollision
          */
         public function whenTouchingStarts(breed:String, otherBreed:String, script:Function):void
         {
@@ -159,6 +161,7 @@ package starlogo.blocks
          * @param otherBreed as in onCollision
          * @param script called in the first frame in which the two agents no longer touch
          * @throws BlockError if something is missing
+         * @throws ArgumentError as in onCollision
          */
         public function whenTouchingEnds(breed:String, otherBreed:String, script:Function):void
         {

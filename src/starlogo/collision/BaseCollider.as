@@ -111,6 +111,7 @@ package starlogo.collision
             return inside == null ? null : inside.innerCollider;
         }
 
+        /** @private */
         override engine function findNarrowPhase():NarrowPhase
         {
             var collider:Collider = equivalentCollider;

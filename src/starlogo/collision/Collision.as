@@ -167,8 +167,11 @@ package starlogo.collision
          * @param breed the breed of the collider, the agent whose handler it is; ANY_BREED for all agents
          * @param otherBreed the breed of the collidee, the agent it collides with; ANY_BREED for any other agent
          * @param handler <code>function(collider:Agent, collidee:Agent):void</code>, or with a third argument,
-         *     <code>contact:Contact</code>. The engine computes contacts only for handlers that take them
-         * @throws ArgumentError if one is null, or a breed has no name
+         *     <code>contact:Contact</code>. The engine computes contacts only for handlers that take them. A parameter counts whether it has
+         *     a default value or not. A handler <code>function(...all):void</code> gets the two agents. A handler that takes no arguments
+         *     at all passes here, but Adobe's player throws an ArgumentError when it is called
+         * @throws ArgumentError if one is null, a breed has no name, or the handler has one parameter or more than three. In JavaScript a
+         *     handler may have any number
          */
         public function onCollision(breed:String, otherBreed:String, handler:Function):void
         {
@@ -184,7 +187,7 @@ package starlogo.collision
          * @param breed as in onCollision
          * @param otherBreed as in onCollision
          * @param handler as in onCollision
-         * @throws ArgumentError if one is null, or a breed has no name
+         * @throws ArgumentError as in onCollision
          */
         public function onCollisionStart(breed:String, otherBreed:String, handler:Function):void
         {
@@ -201,8 +204,8 @@ package starlogo.collision
          *
          * @param breed as in onCollision
          * @param otherBreed as in onCollision
-         * @param handler <code>function(collider:Agent, collidee:Agent):void</code>; a third argument would be null
-         * @throws ArgumentError if one is null, or a breed has no name
+         * @param handler as in onCollision; a third argument would be null
+         * @throws ArgumentError as in onCollision
          */
         public function onCollisionEnd(breed:String, otherBreed:String, handler:Function):void
         {
@@ -353,16 +356,19 @@ package starlogo.collision
             _lastFrame.hasFailed = false;
         }
 
+        /** @private */
         override engine function findNarrowPhase():NarrowPhase
         {
             return _system.findNarrowPhase();
         }
 
+        /** @private */
         override engine function terrainFor(own:Terrain):Terrain
         {
             return terrain;
         }
 
+        /** @private */
         override engine function setTerrain(value:Terrain):void
         {
             terrain = value;

@@ -27,6 +27,13 @@ package starlogo.collision
         /** Milliseconds of the whole frame, handlers included. In a Flash player it is a whole number, as findMs is. */
         public var frameMs:Number = 0;
 
+        /** The most important counts of the frame, in words. */
+        public function toString():String
+        {
+            return agents + " agents, " + candidatePairs + " candidates, " + collisions + " collisions, " + handlerCalls + " calls of handlers, "
+                + frameMs + " ms";
+        }
+
         /** Sets every number to 0. */
         public function reset():void
         {

@@ -12,6 +12,9 @@ package starlogo.collision
      * HierarchicalCollider. If only one is hierarchical, its hierarchy is tested with the other's structure. They collide if the structure overlaps
      * a leaf, or a node at the depth limit. The trait may change between frames.</p>
      *
+     * <p>To be exact for one agent, set <code>exact</code> of this collider and <code>hierarchical</code> of the agent. Then its triangles are
+     * tested, with the structures of agents that are not hierarchical.</p>
+     *
      * <p>Models of hierarchical agents need hierarchies. Other models need tightest fits.</p>
      */
     public class CombinationCollider extends TreeCollider

@@ -348,6 +348,8 @@ package starlogo.geometry
          * @param out overwritten from an index on; stays longer if it had more points
          * @param to that index
          * @return out
+         *
+         * @private
          */
         engine function placePoints(from:Vector.<Number>, first:int, end:int, out:Vector.<Number>, to:int = 0):Vector.<Number>
         {
@@ -382,6 +384,8 @@ package starlogo.geometry
          *
          * @param from x, y, z of each
          * @param out receives as many numbers; may be from
+         *
+         * @private
          */
         engine function scaleAndTurnPoints(from:Vector.<Number>, out:Vector.<Number>):void
         {
@@ -398,7 +402,7 @@ package starlogo.geometry
             }
         }
 
-        /** Writes the rotation row by row, from an index on. */
+        /** @private Writes the rotation row by row, from an index on. */
         engine function writeRotation(out:Vector.<Number>, at:int):void
         {
             out[at] = r00;
@@ -412,7 +416,7 @@ package starlogo.geometry
             out[int(at + 8)] = r22;
         }
 
-        /** Reads a rotation that writeRotation has written. */
+        /** @private Reads a rotation that writeRotation has written. */
         engine function readRotation(from:Vector.<Number>, at:int):void
         {
             r00 = from[at];

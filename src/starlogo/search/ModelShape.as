@@ -21,7 +21,7 @@ package starlogo.search
         /** @private The forms of the ground and of the edges of the world. The forms of agents are lower. */
         engine static const GROUND:int = 17;
 
-        /** @copy #GROUND */
+        /** @private @copy #GROUND */
         engine static const EDGES:int = 18;
 
         /** The model's name. */
@@ -43,10 +43,16 @@ package starlogo.search
         engine var form:int = -1;
 
         // The structure, or the structure around the hierarchy; and the hierarchy, or null.
+
+        /** @private */
         engine var structure:BoundingStructure = null;
+
+        /** @private */
         engine var hierarchy:ModelTree = null;
 
         // Whether the shape stays upright and faces along the x axis, however its agent is turned.
+
+        /** @private */
         engine var isUpright:Boolean = false;
 
         /** @private The model; null for shapes that have none. */

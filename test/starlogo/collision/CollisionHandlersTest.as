@@ -56,6 +56,43 @@ package starlogo.collision
         }
 
         [Test]
+        public function handlersThatFlashCouldNotCallAreRefused():void
+        {
+            var one:Function = function(collider:Agent):void
+            {
+            };
+            var four:Function = function(collider:Agent, collidee:Agent, contact:Contact = null, loud:Boolean = false):void
+            {
+            };
+            for each (var add:Function in [_collision.onCollision, _collision.onCollisionStart, _collision.onCollisionEnd])
+            {
+                assertThrows(ArgumentError, /^the handler for "bears" and "balls" has 1 parameter, and gets two agents/, add, "bears", "balls", one);
+                assertThrows(ArgumentError, /^the handler for "\*" and "balls" has 4 parameters,.*contact:Contact/, add, "*", "balls", four);
+            }
+            addAll("bears", "balls");
+            _collision.update(_agents);
+            assertEquals("none was added", 0, _collision.statistics.handlerCalls);
+        }
+
+        [Test]
+        public function aHandlerMayTakeAllItGets():void
+        {
+            addAll("bears", "balls");
+            _collision.onCollision("bears", "balls", function(...all):void
+                {
+                    _calls.push(["all", all[0], all[1]]);
+                });
+            _collision.onCollision("bears", "balls", function(collider:Agent, collidee:Agent = null, contact:Contact = null):void
+                {
+                    _calls.push([contact == null ? "none" : "contact", collider, collidee]);
+                });
+            _collision.update(_agents);
+            assertEquals("all,contact", names());
+            assertEquals(_agents[0], _calls[0][1]);
+            assertEquals(_agents[1], _calls[0][2]);
+        }
+
+        [Test]
         public function everyErrorOfAFrameIsKept():void
         {
             addAll("bears", "bears", "bears");

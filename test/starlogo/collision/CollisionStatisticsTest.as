@@ -34,6 +34,18 @@ package starlogo.collision
         }
 
         [Test]
+        public function itsTextHasTheMainCounts():void
+        {
+            var statistics:CollisionStatistics = new CollisionStatistics();
+            statistics.agents = 100;
+            statistics.candidatePairs = 12;
+            statistics.collisions = 3;
+            statistics.handlerCalls = 6;
+            statistics.frameMs = 2;
+            assertEquals("100 agents, 12 candidates, 3 collisions, 6 calls of handlers, 2 ms", String(statistics));
+        }
+
+        [Test]
         public function testsAreThoseOfAllPairsOfStructures():void
         {
             var statistics:CollisionStatistics = new CollisionStatistics();

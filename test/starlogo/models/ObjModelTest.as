@@ -54,6 +54,14 @@ package starlogo.models
         }
 
         [Test]
+        public function refusesOtherTextsByTheirBeginning():void
+        {
+            var expected:RegExp = /no OBJ text: it begins with "<!doctype html>"\. A ColladaModel/;
+            assertThrows(ModelError, expected, create, ObjModel, "a", "\n  <!doctype html>\n<p>404</p>");
+            assertThrows(ModelError, /begins with "<\?xml version=.*\.\.\."/, create, ObjModel, "a", "<?xml version=\"1.0\"?><COLLADA" + new Array(99).join(" "));
+        }
+
+        [Test]
         public function refusesNumbersThatOnlySomePlayersRead():void
         {
             for each (var word:String in ["0x10", "0b11", "0o7", "\u00A01", "\f1"])

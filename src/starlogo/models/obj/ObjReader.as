@@ -46,6 +46,8 @@ package starlogo.models.obj
             super(name, upAxis, scaling);
             refuseIf(text == null, name, "there is no text to read");
             refuseIf(text.indexOf("\u0000") >= 0, name, "this is a binary file, not OBJ text");
+            var tag:Array = text.substr(0, 1000).match(/^\s*(<[^\n\r]*)/);
+            refuseIf(tag != null, name, "this is no OBJ text: it begins with \"" + (tag && TextWords.shorten(tag[1])) + "\". A ColladaModel reads COLLADA");
             _lines = new LineReader(name, text);
             _limits = new FileLimits(name, text.length);
             repeat(readSome).call(checkIndices).begin(cutting).begin(turningUp).begin(normalising);

@@ -45,7 +45,7 @@ export const ALLOWED = {
 	'starlogo.collision.Collision.update': { count: 1, why: 'what a finally throws again' },
 	'starlogo.handlers.requireParameters': { count: 2, why: 'the text of an error' },
 	'starlogo.search.table.ListedAgents.requireAgent': { count: 2, why: 'the text of an error' },
-	'starlogo.queries.trees.Collector.ask': { count: 1, why: 'what a finally throws again' },
+	'starlogo.queries.trees.Collector.askBelow': { count: 1, why: 'what a finally throws again' },
 	'starlogo.collision.HandlerCalls.callAll': { count: 2, why: 'what a handler threw' },
 };
 

@@ -32,9 +32,6 @@ package starlogo.hierarchy
         // The radii of the spheres around both trees together. The rounding error is relative to it.
         private var _radii:Number;
 
-        // Receives the closest points of the nearest pair so far.
-        private var _points:ClosestPoints;
-
         private var _measured:ClosestPoints = new ClosestPoints();
         private var _boxA:Box = BoxTree.newBox();
         private var _boxB:Box = BoxTree.newBox();
@@ -48,15 +45,13 @@ package starlogo.hierarchy
         /**
          * Finds the closest points of two trees. The other parameters are those of <code>NodePairTraversal.find()</code>.
          *
-         * @param out receives the points and their distance, in the first model's space. If there is a decider, it writes them
+         * @param out receives the points and their distance, in the first model's space
          */
         public function findClosest(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairSearch, out:ClosestPoints):void
         {
-            _points = out;
-            out.distance = Infinity;
             _radii = treeA.radius + treeB.radius * pose.placement.size;
             _axes.readAxes(pose.placement, pose.placement.size);
-            find(pose, treeA, depthA, treeB, depthB, decider);
+            out.copyFrom(find(pose, treeA, depthA, treeB, depthB, decider).points);
         }
 
         /**
@@ -144,11 +139,12 @@ package starlogo.hierarchy
             var bound:Number = Math.sqrt(squared > squaredInB ? squared : squaredInB);
 
             // The line between the closest points so far rules out most of the pairs that are not nearer.
-            var toX:Number = _points.bX - _points.aX;
-            var toY:Number = _points.bY - _points.aY;
-            var toZ:Number = _points.bZ - _points.aZ;
+            var points:ClosestPoints = out.points;
+            var toX:Number = points.bX - points.aX;
+            var toY:Number = points.bY - points.aY;
+            var toZ:Number = points.bZ - points.aZ;
             var length:Number = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
-            if (length > 0 && _points.distance < Infinity)
+            if (length > 0 && points.distance < Infinity)
             {
                 var alongX:Number = toX * axes.m00 + toY * axes.m10 + toZ * axes.m20;
                 var alongY:Number = toX * axes.m01 + toY * axes.m11 + toZ * axes.m21;
@@ -186,7 +182,7 @@ package starlogo.hierarchy
             out.current = _measured.distance;
             if (out.current < out.least)
             {
-                _points.copyFrom(_measured);
+                out.points.copyFrom(_measured);
             }
         }
 

@@ -21,7 +21,7 @@ package starlogo.hierarchy
      */
     public final class BoxTraversal
     {
-        /** Whether the roots overlapped in the last search that found no overlap of the trees. */
+        /** Whether the roots overlapped in the last search. */
         public var rootsOverlapped:Boolean = false;
 
         // The pairs of nodes still to visit.
@@ -168,6 +168,7 @@ package starlogo.hierarchy
                         if (decider == null || decider.areTouching(treeA, a, treeB, b))
                         {
                             _counts.nodeVisits += visits;
+                            rootsOverlapped = true;
                             return true;
                         }
                     }

@@ -18,7 +18,7 @@ package starlogo.hierarchy
          * @param treeB the second model's tree
          * @param b a node of it
          * @param bounds <code>least</code> is the best time or distance so far, and <code>current</code> receives that of the two nodes. If it is not
-         *     better, it need not be exact
+         *     better, it need not be exact. If it is, the items or points of the best pair are replaced too
          */
         public function findBest(treeA:BoxTree, a:int, treeB:BoxTree, b:int, bounds:NodePairBounds):void
         {

@@ -57,7 +57,7 @@ package starlogo.hierarchy
             var scale:Number = pose.placement.size;
             var top:int = 0;
             var visits:int = 1;
-            out.least = Infinity;
+            out.least = out.points.distance = Infinity;
             out.current = 0;
             estimate(pose, treeA, a, treeB, b, out);
             while (true)
@@ -105,8 +105,6 @@ package starlogo.hierarchy
                     if (out.current < out.least)
                     {
                         out.least = out.current;
-                        out.bestA = a;
-                        out.bestB = b;
                     }
                 }
                 if (top == 0 || !(out.least > 0))
@@ -141,8 +139,8 @@ package starlogo.hierarchy
         }
 
         /**
-         * Sets <code>out.current</code> to the time or distance of a pair that decides. If it is not less than <code>out.least</code>, it
-         * need not be exact.
+         * Sets <code>out.current</code> to the time or distance of a pair that decides. If it is less than <code>out.least</code>, also sets what
+         * <code>out</code> has of the best pair. Otherwise it need not be exact.
          */
         protected function settle(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairSearch, out:NodePairBounds):void
         {

@@ -68,17 +68,7 @@ package starlogo.hierarchy
                 sweep.latest = limit;
                 PairTable.findTime(_structure, _box, sweep);
             }
-            if (sweep.time <= limit && sweep.time < _found.time)
-            {
-                _found.time = sweep.time;
-                _found.a = node;
-                limit = sweep.time;
-                if (!(limit > 0))
-                {
-                    // no node can be touched earlier than at the beginning
-                    endSearch();
-                }
-            }
+            keepEarlier(node, sweep, _found);
         }
     }
 }

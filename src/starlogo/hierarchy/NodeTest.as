@@ -1,6 +1,7 @@
 package starlogo.hierarchy
 {
     import flash.errors.IllegalOperationError;
+    import starlogo.convex.RelativeMotion;
 
     /**
      * Tests the nodes of a tree that decide. A BoxSearch calls it for each node, in the order in which its box may meet them, or from the nearest
@@ -21,6 +22,27 @@ package starlogo.hierarchy
         protected final function endSearch():void
         {
             limit = -Infinity;
+        }
+
+        /**
+         * Keeps a node or an item that something touches, if it does so within the limit and earlier than it touches all before. Then the limit is that
+         * time. The search ends if it is 0, because nothing is touched earlier than at the beginning.
+         *
+         * @param part the node, or the item's slot
+         * @param motion has the time
+         * @param out has the earliest touch so far; receives this one if it is earlier
+         */
+        protected final function keepEarlier(part:int, motion:RelativeMotion, out:FirstTouch):void
+        {
+            if (motion.time <= limit && motion.time < out.time)
+            {
+                limit = out.time = motion.time;
+                out.a = part;
+                if (!(limit > 0))
+                {
+                    endSearch();
+                }
+            }
         }
 
         /**

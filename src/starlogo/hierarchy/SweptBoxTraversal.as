@@ -30,7 +30,7 @@ package starlogo.hierarchy
          * Finds when two trees first touch. The other parameters are those of <code>NodePairTraversal.find()</code>.
          *
          * @param motion of the second tree, from the pose on
-         * @param out receives the time, and the nodes if their boxes decide
+         * @param out receives the time, and the nodes or their items
          */
         public function findTouch(pose:RelativePose, motion:RelativeMotion, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairSearch,
                 out:FirstTouch):void
@@ -44,11 +44,8 @@ package starlogo.hierarchy
                 + Touching.marginOfMotion(motion.x, motion.y, motion.z);
             var bounds:NodePairBounds = find(pose, treeA, depthA, treeB, depthB, decider);
             out.time = bounds.least;
-            if (decider == null)
-            {
-                out.a = bounds.bestA;
-                out.b = bounds.bestB;
-            }
+            out.a = bounds.bestA;
+            out.b = bounds.bestB;
         }
 
         /** @inheritDoc */
@@ -60,13 +57,16 @@ package starlogo.hierarchy
         /** @inheritDoc */
         override protected function settle(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairSearch, out:NodePairBounds):void
         {
-            if (decider == null)
-            {
-                sweep(pose.placement, treeA.boxes, a, treeB.boxes, b, true, out);
-            }
-            else
+            if (decider != null)
             {
                 decider.findBest(treeA, a, treeB, b, out);
+                return;
+            }
+            sweep(pose.placement, treeA.boxes, a, treeB.boxes, b, true, out);
+            if (out.current < out.least)
+            {
+                out.bestA = a;
+                out.bestB = b;
             }
         }
 

@@ -3,6 +3,7 @@ package starlogo.solid
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
+    import starlogo.convex.ClosestPoints;
     import starlogo.convex.ConvexShape;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -20,64 +21,64 @@ package starlogo.solid
      */
     internal final class ContainmentTest
     {
-        /** Whether the point that was found last is in the second model's space, because it is a point of the first model. */
-        public var isInSpaceOfSecond:Boolean = false;
-
-        /** The point that was found last. It is in the space of the model around it. */
-        public var innerPoint:Vector3D = new Vector3D();
+        // A point of one model, in the space of the model that may be around it.
+        private var _point:Vector3D = new Vector3D();
 
         private var _shape:ConvexShape = new ConvexShape();
         private var _inverse:Placement = new Placement();
 
         /**
-         * Finds a point of a part of one model that is inside of the other. There is none if one of them has no triangles. The boxes of the two roots
-         * must overlap: otherwise the insides would be prepared in vain.
+         * Finds a point of a part of one model that is inside of the other. There is none if a tree has no triangles. The surfaces must not touch, and
+         * the boxes of two roots must overlap: otherwise the insides would be prepared in vain.
          *
          * @param pose the second model's pose in the first model's space
+         * @param out receives the point twice, in the world, if there is one; null if only the answer is needed
          * @return whether there is one
          */
-        public function findInside(a:ModelTree, b:ModelTree, pose:RelativePose):Boolean
+        public function findInside(pair:TreePair, pose:RelativePose, out:ClosestPoints):Boolean
         {
-            if (!a.hasTriangles || !b.hasTriangles)
+            var outer:Placement = pair.b == null ? (isStructureInside(pair, pose) ? pair.placementA : null) : findOuter(pair, pose);
+            if (outer != null && out != null)
             {
-                return false;
+                out.setPoint(_point);
+                out.place(outer);
             }
-            var insideA:Interior = a.prepareInterior();
-            var insideB:Interior = b.prepareInterior();
-            var treeA:BoxTree = a.boxTree;
-            var treeB:BoxTree = b.boxTree;
+            return outer != null;
+        }
+
+        // Whether the structure that stands for the second model is inside of the first one. It does not touch the surface, so one point of it decides.
+        private function isStructureInside(pair:TreePair, pose:RelativePose):Boolean
+        {
+            var structure:BoundingStructure = pose.place(pair.structureB);
+            // The origin of its points is inside of it, and so is a ball around it.
+            _shape.setStructure(structure);
+            _point.setTo(_shape.x, _shape.y, _shape.z);
+            var box:Box = structure as Box;
+            return pair.a.isInside(_point, box == null ? _shape.radius : Math.min(box.halfX, Math.min(box.halfY, box.halfZ)));
+        }
+
+        // Returns the placement of the tree that has a part of the other one inside; null if none has.
+        private function findOuter(pair:TreePair, pose:RelativePose):Placement
+        {
+            if (!pair.a.hasTriangles || !pair.b.hasTriangles)
+            {
+                return null;
+            }
+            var insideA:Interior = pair.a.prepareInterior();
+            var insideB:Interior = pair.b.prepareInterior();
+            var treeA:BoxTree = pair.a.boxTree;
+            var treeB:BoxTree = pair.b.boxTree;
             var size:Number = pose.placement.size;
-            isInSpaceOfSecond = false;
             if (insideA.hasClosedShell && insideB.leastPartExtent * size <= 2 * treeA.radius && findPartInside(treeA, insideA, insideB, pose.placement))
             {
-                return true;
+                return pair.placementA;
             }
             if (!insideB.hasClosedShell || insideA.leastPartExtent > 2 * treeB.radius * size)
             {
-                return false;
+                return null;
             }
-            isInSpaceOfSecond = true;
             _inverse.setInverse(pose.placement);
-            return findPartInside(treeB, insideB, insideA, _inverse);
-        }
-
-        /**
-         * Finds a point of a structure that is inside of a model. The structure must not touch the model's surface, so one point of it decides.
-         *
-         * @param outer the first model
-         * @param inner the structure that stands for the second model, in its space
-         * @param pose the second model's pose in the first model's space
-         * @return whether there is one
-         */
-        public function findStructureInside(outer:ModelTree, inner:BoundingStructure, pose:RelativePose):Boolean
-        {
-            var structure:BoundingStructure = pose.place(inner);
-            isInSpaceOfSecond = false;
-            // The origin of its points is inside of it, and so is a ball around it.
-            _shape.setStructure(structure);
-            innerPoint.setTo(_shape.x, _shape.y, _shape.z);
-            var box:Box = structure as Box;
-            return outer.isInside(innerPoint, box == null ? _shape.radius : Math.min(box.halfX, Math.min(box.halfY, box.halfZ)));
+            return findPartInside(treeB, insideB, insideA, _inverse) ? pair.placementB : null;
         }
 
         // Finds a point of a part of the inner model that is inside of the outer one. Returns whether there is such a point. The pose is that of the
@@ -134,10 +135,10 @@ package starlogo.solid
                 }
                 if (at == end)
                 {
-                    innerPoint.x = x + box[0];
-                    innerPoint.y = y + box[1];
-                    innerPoint.z = z + box[2];
-                    if (outer.windingCounter.isInside(innerPoint))
+                    _point.x = x + box[0];
+                    _point.y = y + box[1];
+                    _point.z = z + box[2];
+                    if (outer.windingCounter.isInside(_point))
                     {
                         return true;
                     }

@@ -1,5 +1,7 @@
 package starlogo.solid
 {
+    import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexPair;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
@@ -13,27 +15,37 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Two models' triangles in one space: those of the first model as they are, by slot, and those of one node of the second model, moved, by their
-     * index in the node. A triangle of each is a shape, and ConvexPair decides about the two.
+     * The triangles of one node of the second model, moved into the first model's space, and what decides about one of them and a triangle of the
+     * first model. <code>begin()</code> sets the models, <code>move()</code> the node, and <code>setSecond()</code> the triangle of the node. A
+     * triangle of each is a shape. ConvexPair decides about the two, unless a quick test rules them out.
      */
     internal final class MovedTriangles
     {
-        public var meshA:TriangleMesh = null;
-        public var meshB:TriangleMesh = null;
+        private var _meshA:TriangleMesh = null;
+        private var _meshB:TriangleMesh = null;
 
-        /** The corners of the triangles of the node of the last <code>move()</code>, by index: nine numbers each. */
-        public var moved:Vector.<Number> = new Vector.<Number>();
+        // The second model's pose in the first model's space.
+        private var _pose:RelativePose = null;
 
-        /** The extents of these triangles: minX, maxX, minY, maxY, minZ, maxZ of each. */
-        public var extents:Vector.<Number> = new Vector.<Number>();
+        // The slot of the first triangle of the node of the last move(), or -1.
+        private var _movedFrom:int = -1;
 
-        /** A triangle of the first model, a triangle of the second, and what decides about them. */
-        public var a:ConvexShape = new ConvexShape();
-        public var b:ConvexShape = new ConvexShape();
-        public var pair:ConvexPair = new ConvexPair();
+        // The corners of the triangles of that node, by index: nine numbers each. Their extents: minX, maxX, minY, maxY, minZ, maxZ of each.
+        private var _moved:Vector.<Number> = new Vector.<Number>();
+        private var _extents:Vector.<Number> = new Vector.<Number>();
 
-        /** Counts the pairs of triangles that are tested or measured. */
-        public var counts:TreeCounts;
+        // The index of the second model's triangle in the node.
+        private var _index:int = 0;
+
+        // The extents of the second model's triangle and of its motion, with the tolerance of quick tests: minX, maxX, minY, ...
+        private var _extentsOfB:Vector.<Number> = new Vector.<Number>(6, true);
+
+        // A triangle of the first model, a triangle of the second, and what decides about them.
+        private var _a:ConvexShape = new ConvexShape();
+        private var _b:ConvexShape = new ConvexShape();
+        private var _pair:ConvexPair = new ConvexPair();
+
+        private var _counts:TreeCounts;
 
         // The largest distance at which triangles of these models touch.
         private var _tolerance:Number = 0;
@@ -45,19 +57,10 @@ package starlogo.solid
         // How far off a plane corners have to be to be certainly on one side of it.
         private var _off:Number = 0;
 
-        // The extents of the second model's triangle and of its motion, with the tolerance of quick tests: minX, maxX, minY, ...
-        private var _extentsOfB:Vector.<Number> = new Vector.<Number>(6, true);
-
-        // The second model's pose in the first model's space.
-        private var _pose:RelativePose = null;
-
-        // The first triangle of the node of the last move(), or -1.
-        private var _first:int = -1;
-
-        /** @param counts counts the pairs of triangles */
+        /** @param counts counts the pairs of triangles that are tested or measured */
         public function MovedTriangles(counts:TreeCounts)
         {
-            this.counts = counts;
+            _counts = counts;
         }
 
         /** Begins with two models that have triangles. The pose must relate them already, and the motion is the second one's. */
@@ -68,13 +71,14 @@ package starlogo.solid
             {
                 _pose = pose;
             }
-            meshA = a.prepareMesh();
-            meshB = b.prepareMesh();
-            meshA.prepareExtents();
-            _first = -1;
+            _meshA = a.prepareMesh();
+            _meshB = b.prepareMesh();
+            _meshA.prepareExtents();
+            _meshA.preparePlanes();
+            _movedFrom = -1;
             _tolerance = pose.tolerance + Touching.marginOfSurface(a.boxTree.radius + b.boxTree.radius * pose.placement.size);
             _outerTolerance = 2 * _tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            _off = _outerTolerance + meshA.flatness;
+            _off = _outerTolerance + _meshA.flatness;
         }
 
         /**
@@ -86,14 +90,14 @@ package starlogo.solid
         {
             var first:int = tree.first[node];
             var count:int = tree.end[node] - first;
-            if (first == _first)
+            if (first == _movedFrom)
             {
                 return count;
             }
-            _first = first;
-            _pose.placement.placePoints(meshB.corners, 9 * first, 9 * (first + count), moved);
-            var corners:Vector.<Number> = moved;
-            var spans:Vector.<Number> = extents;
+            _movedFrom = first;
+            _pose.placement.placePoints(_meshB.corners, 9 * first, 9 * (first + count), _moved);
+            var corners:Vector.<Number> = _moved;
+            var spans:Vector.<Number> = _extents;
             if (spans.length < 6 * count)
             {
                 spans.length = 6 * count;
@@ -106,34 +110,122 @@ package starlogo.solid
         }
 
         /**
-         * Whether a triangle of the first model may touch the second model's current triangle until the motion's latest time. Quick tests of extents
-         * and planes. If the extents are near, it counts the pair. The first model's planes must be prepared.
+         * Sets the second model's triangle for the pairs that follow. Its shape has the margin of both.
          *
-         * @param slot the first model's triangle
-         * @param index the second model's triangle, which is that of the last <code>setSecond()</code>
-         * @param motion of the second model; RelativeMotion.NONE if it stands
+         * @param index its index in the node
+         * @param motion of the second model; RelativeMotion.NONE if it stands. Its latest time may become earlier afterwards
          */
-        public function mayTouch(slot:int, index:int, motion:RelativeMotion):Boolean
+        public function setSecond(index:int, motion:RelativeMotion):void
         {
-            var ofA:Vector.<Number> = meshA.extents;
-            var ofB:Vector.<Number> = _extentsOfB;
-            var at:int = 6 * slot;
-            if (ofA[at] > ofB[1] || ofA[int(at + 1)] < ofB[0] || ofA[int(at + 2)] > ofB[3] || ofA[int(at + 3)] < ofB[2] || ofA[int(at + 4)] > ofB[5]
-                    || ofA[int(at + 5)] < ofB[4])
+            _index = index;
+            _b.setTriangle(_moved, 9 * index);
+            _b.margin += _tolerance;
+            writeExtentsOfB(0, motion.latest * motion.x);
+            writeExtentsOfB(2, motion.latest * motion.y);
+            writeExtentsOfB(4, motion.latest * motion.z);
+        }
+
+        // Writes the extents of the second model's triangle and of its motion along an axis.
+        private function writeExtentsOfB(axis:int, travel:Number):void
+        {
+            var at:int = 6 * _index + axis;
+            var low:Number = _extents[at] - _outerTolerance;
+            var high:Number = _extents[int(at + 1)] + _outerTolerance;
+            _extentsOfB[axis] = travel < 0 ? low + travel : low;
+            _extentsOfB[int(axis + 1)] = travel > 0 ? high + travel : high;
+        }
+
+        /** Whether a triangle of the first model, by its slot, touches the second model's triangle, which stands. */
+        public function touches(slot:int):Boolean
+        {
+            if (!areExtentsNear(slot))
             {
                 return false;
             }
-            counts.triangleTests++;
-            return !stayApart(slot, index, motion);
+            _counts.triangleTests++;
+            if (staysBeside(slot, RelativeMotion.NONE) || TriangleSeparation.areApart(_meshA.corners, 9 * slot, _b))
+            {
+                return false;
+            }
+            _a.setTriangle(_meshA.corners, 9 * slot);
+            return _pair.areTouching(_a, _b);
         }
 
-        // Whether the second model's triangle stays on one side of the plane of the first one's.
-        private function stayApart(slot:int, index:int, motion:RelativeMotion):Boolean
+        /**
+         * Finds when the second model's triangle first touches a triangle of the first model.
+         *
+         * @param slot the first model's triangle
+         * @param motion of the second model; receives the time if the two touch until its latest time
+         * @return whether they do
+         */
+        public function findTime(slot:int, motion:RelativeMotion):Boolean
         {
-            var planes:Vector.<Number> = meshA.planes;
-            var corners:Vector.<Number> = moved;
+            if (!areExtentsNear(slot))
+            {
+                return false;
+            }
+            _counts.triangleTests++;
+            if (staysBeside(slot, motion))
+            {
+                return false;
+            }
+            _a.setTriangle(_meshA.corners, 9 * slot);
+            _pair.findTime(_b, _a, motion);
+            return motion.time <= motion.latest;
+        }
+
+        /**
+         * Measures the distance of the second model's triangle, which stands, from a triangle of the first model.
+         *
+         * @param slot the first model's triangle
+         * @param points the closest points so far; receives those of the two if they are nearer
+         * @return whether they are
+         */
+        public function findCloser(slot:int, points:ClosestPoints):Boolean
+        {
+            if (squaredDistanceOfExtents(slot) >= points.distance * points.distance || isBeyond(slot, points))
+            {
+                return false;
+            }
+            _counts.triangleTests++;
+            _a.setTriangle(_meshA.corners, 9 * slot);
+            return _pair.findCloser(_a, _b, points);
+        }
+
+        /**
+         * Finds the contact of two triangles that touch, in the first model's space. Afterwards, no triangle is moved.
+         *
+         * @param first the slot of the first model's triangle
+         * @param second the slot of the second model's triangle
+         * @param motion of the second model, which is where it is at the motion's time
+         * @param out receives the contact, with a normal from the first model to the second
+         */
+        public function findContact(first:int, second:int, motion:RelativeMotion, out:ContactPoint):void
+        {
+            _movedFrom = -1;
+            _pose.placement.placePoints(_meshB.corners, 9 * second, 9 * second + 9, _moved);
+            _a.setTriangle(_meshA.corners, 9 * first);
+            _b.setTriangle(_moved, 0);
+            _pair.findContact(_b, _a, motion, out);
+        }
+
+        // Whether the extents of a triangle of the first model meet those of the second model's triangle and of its motion.
+        private function areExtentsNear(slot:int):Boolean
+        {
+            var ofA:Vector.<Number> = _meshA.extents;
+            var ofB:Vector.<Number> = _extentsOfB;
+            var at:int = 6 * slot;
+            return !(ofA[at] > ofB[1] || ofA[int(at + 1)] < ofB[0] || ofA[int(at + 2)] > ofB[3] || ofA[int(at + 3)] < ofB[2]
+                    || ofA[int(at + 4)] > ofB[5] || ofA[int(at + 5)] < ofB[4]);
+        }
+
+        // Whether the second model's triangle stays on one side of the plane of a triangle of the first model.
+        private function staysBeside(slot:int, motion:RelativeMotion):Boolean
+        {
+            var planes:Vector.<Number> = _meshA.planes;
+            var corners:Vector.<Number> = _moved;
             var at:int = 4 * slot;
-            var corner:int = 9 * index;
+            var corner:int = 9 * _index;
             var x:Number = planes[at];
             var y:Number = planes[int(at + 1)];
             var z:Number = planes[int(at + 2)];
@@ -147,43 +239,50 @@ package starlogo.solid
             return p > low && q > low && r > low || p < high && q < high && r < high;
         }
 
-        /** Sets the shapes of a triangle of each model, by their slots, without a margin. */
-        public function setPair(first:int, second:int):void
+        // The squared distance of the extents of a triangle of the first model and of the second model's triangle.
+        private function squaredDistanceOfExtents(slot:int):Number
         {
-            setFirst(first);
-            _first = -1;
-            _pose.placement.placePoints(meshB.corners, 9 * second, 9 * second + 9, moved);
-            b.setTriangle(moved, 0);
+            var ofA:Vector.<Number> = _meshA.extents;
+            var ofB:Vector.<Number> = _extents;
+            var a:int = 6 * slot;
+            var b:int = 6 * _index;
+            var squared:Number = 0;
+            for (var end:int = a + 6; a < end; a += 2)
+            {
+                var distance:Number = ofA[a] - ofB[int(b + 1)];
+                if (distance < 0)
+                {
+                    distance = ofB[b] - ofA[int(a + 1)];
+                }
+                if (distance > 0)
+                {
+                    squared += distance * distance;
+                }
+                b += 2;
+            }
+            return squared;
         }
 
-        /** Sets the shape of the first model's triangle. */
-        public function setFirst(slot:int):void
+        // Whether a triangle of the first model is so far before the second model's triangle, along the vector from the first model's closest point so
+        // far to the second's, that the two cannot be nearer. Places along it are scaled by its length, so the distance so far becomes its square.
+        private function isBeyond(slot:int, points:ClosestPoints):Boolean
         {
-            a.setTriangle(meshA.corners, 9 * slot);
-        }
-
-        /**
-         * Sets the shape of the second model's triangle. It has the margin of both.
-         *
-         * @param index its index in the node
-         * @param motion of the second model; RelativeMotion.NONE if it stands. Its latest time may become earlier afterwards
-         */
-        public function setSecond(index:int, motion:RelativeMotion):void
-        {
-            b.setTriangle(moved, 9 * index);
-            b.margin += _tolerance;
-            widen(6 * index, 0, motion.latest * motion.x);
-            widen(6 * index, 2, motion.latest * motion.y);
-            widen(6 * index, 4, motion.latest * motion.z);
-        }
-
-        // Writes the extents of the second model's triangle and of its motion along an axis.
-        private function widen(at:int, axis:int, travel:Number):void
-        {
-            var low:Number = extents[int(at + axis)] - _outerTolerance;
-            var high:Number = extents[int(at + axis + 1)] + _outerTolerance;
-            _extentsOfB[axis] = travel < 0 ? low + travel : low;
-            _extentsOfB[int(axis + 1)] = travel > 0 ? high + travel : high;
+            var x:Number = points.bX - points.aX;
+            var y:Number = points.bY - points.aY;
+            var z:Number = points.bZ - points.aZ;
+            var corners:Vector.<Number> = _moved;
+            var at:int = 9 * _index;
+            var p:Number = x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)];
+            var q:Number = x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)];
+            var r:Number = x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)];
+            p = p < q ? p : q;
+            p = p < r ? p : r;
+            var end:Number = p - points.distance * points.distance;
+            corners = _meshA.corners;
+            at = 9 * slot;
+            return x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)] <= end
+                && x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)] <= end
+                && x * corners[int(at + 6)] + y * corners[int(at + 7)] + z * corners[int(at + 8)] <= end;
         }
     }
 }

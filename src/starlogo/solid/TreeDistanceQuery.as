@@ -76,7 +76,7 @@ package starlogo.solid
             var b:ModelTree = pair.b;
             if (b != null)
             {
-                var decider:NodePairSearch = pair.isExact ? _trianglePairDistance.begin(a, b, _pose, out) : null;
+                var decider:NodePairSearch = pair.isExact ? _trianglePairDistance.begin(a, b, _pose) : null;
                 _traversal.findClosest(_pose, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider, out);
             }
             else if (pair.isExact)

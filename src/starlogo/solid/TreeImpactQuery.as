@@ -10,7 +10,6 @@ package starlogo.solid
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.FirstTouch;
     import starlogo.hierarchy.NodePairSearch;
-    import starlogo.hierarchy.NodeStructureTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.SweptBoxTraversal;
     import starlogo.hierarchy.TreeCounts;
@@ -29,7 +28,7 @@ package starlogo.solid
         private var _overlaps:TreeOverlapQuery;
         private var _pair:TreePair;
 
-        // Where the first model's motion has brought it at a time, and the second model's pose as seen from there.
+        // Where the first model's motion has brought it at a time, and the second model's pose as seen from there. Every question begins with them.
         private var _placed:Placement = new Placement();
         private var _pose:RelativePose = new RelativePose();
 
@@ -41,10 +40,8 @@ package starlogo.solid
 
         private var _traversal:SweptBoxTraversal;
 
-        // What decides about nodes.
+        // What decides about nodes if triangles do.
         private var _trianglePairSweep:TrianglePairSweep;
-        private var _nodeTest:NodeStructureTest;
-        private var _triangleTest:TriangleStructureTest;
 
         // For contacts: nodes.
         private var _boxA:Box = BoxTree.newBox();
@@ -61,8 +58,6 @@ package starlogo.solid
             _overlaps = overlaps;
             _traversal = new SweptBoxTraversal(counts);
             _trianglePairSweep = new TrianglePairSweep(counts);
-            _nodeTest = new NodeStructureTest(counts);
-            _triangleTest = new TriangleStructureTest(counts);
         }
 
         /** @inheritDoc */
@@ -116,8 +111,8 @@ package starlogo.solid
                 out:ContactPoint):void
         {
             _pose.relate(placementA, placementB);
-            RelativePose.relateMotion(placementA, RelativeMotion.NONE, _motion);
-            findContactOf(a, placementA, b, RelativeMotion.NONE, out);
+            PairTable.findContact(_pose.place(b), a, RelativeMotion.NONE, out);
+            moveToWorld(out, placementA, RelativeMotion.NONE);
         }
 
         private function placeFirst(motion:RelativeMotion, time:Number):void
@@ -137,19 +132,13 @@ package starlogo.solid
             placeFirst(motion, 0);
             _pose.relate(_placed, pair.placementB);
             RelativePose.relateMotion(pair.placementA, motion, _motion);
-            if (b != null)
+            if (b == null)
             {
-                var decider:NodePairSearch = pair.isExact ? _trianglePairSweep.begin(a, b, _pose, _motion, _touch) : null;
-                _traversal.findTouch(_pose, _motion, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider, _touch);
+                _overlaps.findStructureTouch(pair, _pose, _motion, _touch);
+                return;
             }
-            else if (pair.isExact)
-            {
-                _triangleTest.findTouch(a, pair.structureB, _pose, _motion, _touch);
-            }
-            else
-            {
-                _nodeTest.findTouch(a.boxTree, pair.depthA, pair.structureB, _pose, _motion, _touch);
-            }
+            var decider:NodePairSearch = pair.isExact ? _trianglePairSweep.begin(a, b, _pose, _motion) : null;
+            _traversal.findTouch(_pose, _motion, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider, _touch);
         }
 
         // The contact of the two that findTouch has found, at the motion's time.
@@ -162,7 +151,7 @@ package starlogo.solid
             }
             if (_pair.b == null)
             {
-                _triangleTest.findContact(_touch.a, _motion, out);
+                _overlaps.findTriangleContact(_touch.a, _motion, out);
             }
             else
             {
@@ -175,15 +164,8 @@ package starlogo.solid
         private function findContactOfNodes(a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
             var structureB:BoundingStructure = _pair.b == null ? _pair.structureB : _pair.b.boxTree.writeBox(b, _boxB);
-            findContactOf(_pair.a.boxTree.writeBox(a, _boxA), _pair.placementA, structureB, motion, out);
-        }
-
-        // The contact of two structures in their models' spaces, at the motion's time.
-        private function findContactOf(a:BoundingStructure, placementA:Placement, b:BoundingStructure, motion:RelativeMotion,
-                out:ContactPoint):void
-        {
-            PairTable.findContact(_pose.place(b), a, _motion, out);
-            moveToWorld(out, placementA, motion);
+            PairTable.findContact(_pose.place(structureB), _pair.a.boxTree.writeBox(a, _boxA), _motion, out);
+            moveToWorld(out, _pair.placementA, motion);
         }
 
         // Turns the contact of the second model with the first, in the first one's space, into the contact of the first with the second, in the world.

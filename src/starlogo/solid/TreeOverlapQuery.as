@@ -1,6 +1,7 @@
 package starlogo.solid
 {
     import starlogo.convex.ClosestPoints;
+    import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -63,26 +64,44 @@ package starlogo.solid
             pose.relate(placementA, pair.placementB);
             if (b == null)
             {
-                return touchesStructure(pair) || findInside(pair);
+                findStructureTouch(pair, pose, RelativeMotion.NONE, _touch);
+                return _touch.time == 0 || _containment.findInside(pair, pose, null);
             }
             var decider:NodePairTest = pair.isExact ? _trianglePairTest.begin(a, b, pose) : null;
             // If the roots do not overlap, neither model is inside of the other. This holds for most models that are close but do not collide.
             return _traversal.find(pose, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider)
-                || _traversal.rootsOverlapped && findInside(pair);
+                || _traversal.rootsOverlapped && _containment.findInside(pair, pose, null);
         }
 
-        // Whether a triangle or a node of the first model touches the structure that stands for the second one.
-        private function touchesStructure(pair:TreePair):Boolean
+        /**
+         * Finds when the structure that stands for the second model first touches the first model: a triangle of it, or a node.
+         *
+         * @param pose the second model's pose in the first model's space
+         * @param motion of the structure, from the pose on. If it is still, it touches at time 0 or never
+         * @param out receives the time and the triangle or node
+         */
+        internal function findStructureTouch(pair:TreePair, pose:RelativePose, motion:RelativeMotion, out:FirstTouch):void
         {
             if (pair.isExact)
             {
-                _triangleTest.findTouch(pair.a, pair.structureB, _pose, RelativeMotion.NONE, _touch);
+                _triangleTest.findTouch(pair.a, pair.structureB, pose, motion, out);
             }
             else
             {
-                _nodeTest.findTouch(pair.a.boxTree, pair.depthA, pair.structureB, _pose, RelativeMotion.NONE, _touch);
+                _nodeTest.findTouch(pair.a.boxTree, pair.depthA, pair.structureB, pose, motion, out);
             }
-            return _touch.time == 0;
+        }
+
+        /**
+         * Finds the contact of the structure with a triangle that it touches, in the first model's space, after <code>findStructureTouch()</code>.
+         *
+         * @param slot the triangle's slot
+         * @param motion of the structure, which is where it is at the motion's time
+         * @param out receives the contact, with a normal from the triangle to the structure
+         */
+        internal function findTriangleContact(slot:int, motion:RelativeMotion, out:ContactPoint):void
+        {
+            _triangleTest.findContact(slot, motion, out);
         }
 
         /**
@@ -94,18 +113,7 @@ package starlogo.solid
         public function findCommonPoint(pair:TreePair, out:ClosestPoints):Boolean
         {
             _pose.relate(pair.placementA, pair.placementB);
-            var isFound:Boolean = findInside(pair);
-            if (isFound)
-            {
-                out.setPoint(_containment.innerPoint);
-                out.place(_containment.isInSpaceOfSecond ? pair.placementB : pair.placementA);
-            }
-            return isFound;
-        }
-
-        private function findInside(pair:TreePair):Boolean
-        {
-            return pair.b == null ? _containment.findStructureInside(pair.a, pair.structureB, _pose) : _containment.findInside(pair.a, pair.b, _pose);
+            return _containment.findInside(pair, _pose, out);
         }
     }
 }

@@ -18,24 +18,16 @@ package starlogo.solid
         private var _triangles:MovedTriangles;
         private var _motion:RelativeMotion = new RelativeMotion();
 
-        private var _found:FirstTouch;
-
         /** @param counts counts the pairs of triangles that are tested */
         public function TrianglePairSweep(counts:TreeCounts)
         {
             _triangles = new MovedTriangles(counts);
         }
 
-        /**
-         * Begins with two models that have triangles. The pose must relate them already. Returns this.
-         *
-         * @param found receives the triangles that touch first; kept
-         */
-        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, motion:RelativeMotion, found:FirstTouch):NodePairSearch
+        /** Begins with two models that have triangles. The pose must relate them already, and the motion is the second one's. Returns this. */
+        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, motion:RelativeMotion):NodePairSearch
         {
-            _found = found;
             _triangles.begin(a, b, pose, motion);
-            _triangles.meshA.preparePlanes();
             _motion.copyVector(motion);
             return this;
         }
@@ -52,7 +44,7 @@ package starlogo.solid
             {
                 if (keepEarlier(k, treeA.first[a], treeA.end[a], bounds))
                 {
-                    _found.b = treeB.first[b] + k;
+                    bounds.bestB = treeB.first[b] + k;
                 }
             }
         }
@@ -66,16 +58,10 @@ package starlogo.solid
             _triangles.setSecond(index, motion);
             for (var i:int = end - 1; i >= first && bounds.current > 0; i--)
             {
-                if (!_triangles.mayTouch(i, index, motion))
-                {
-                    continue;
-                }
-                _triangles.setFirst(i);
-                _triangles.pair.findTime(_triangles.b, _triangles.a, motion);
-                if (motion.time <= motion.latest && motion.time < bounds.current)
+                if (_triangles.findTime(i, motion) && motion.time < bounds.current)
                 {
                     bounds.current = motion.latest = motion.time;
-                    _found.a = i;
+                    bounds.bestA = i;
                     isEarlier = true;
                 }
             }
@@ -91,8 +77,7 @@ package starlogo.solid
          */
         public function findContact(touch:FirstTouch, motion:RelativeMotion, out:ContactPoint):void
         {
-            _triangles.setPair(touch.a, touch.b);
-            _triangles.pair.findContact(_triangles.b, _triangles.a, motion, out);
+            _triangles.findContact(touch.a, touch.b, motion, out);
         }
     }
 }

@@ -6,7 +6,6 @@ package starlogo.solid
     import starlogo.hierarchy.NodePairTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.intersection.TriangleSeparation;
 
     use namespace engine;
 
@@ -25,7 +24,6 @@ package starlogo.solid
         public function begin(a:ModelTree, b:ModelTree, pose:RelativePose):NodePairTest
         {
             _triangles.begin(a, b, pose, RelativeMotion.NONE);
-            _triangles.meshA.preparePlanes();
             return this;
         }
 
@@ -49,23 +47,12 @@ package starlogo.solid
             _triangles.setSecond(index, RelativeMotion.NONE);
             for (var i:int = first; i < end; i++)
             {
-                if (_triangles.mayTouch(i, index, RelativeMotion.NONE) && touches(i))
+                if (_triangles.touches(i))
                 {
                     return true;
                 }
             }
             return false;
-        }
-
-        // Whether the second model's triangle touches a triangle of the first.
-        private function touches(slot:int):Boolean
-        {
-            if (TriangleSeparation.areApart(_triangles.meshA.corners, 9 * slot, _triangles.b))
-            {
-                return false;
-            }
-            _triangles.setFirst(slot);
-            return _triangles.pair.areTouching(_triangles.a, _triangles.b);
         }
     }
 }

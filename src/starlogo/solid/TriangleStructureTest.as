@@ -30,6 +30,7 @@ package starlogo.solid
         private var _counts:TreeCounts;
 
         private var _mesh:TriangleMesh;
+        // The structure's motion, and a copy that has the times of one triangle.
         private var _motion:RelativeMotion;
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _pair:ConvexTrianglePair = new ConvexTrianglePair();
@@ -92,9 +93,9 @@ package starlogo.solid
             _radius = shape.radius + shape.margin + rounding;
             _search.setExtents(_extents, shape.margin + rounding);
             _search.setMotion(motion);
-            widen(0, motion.x);
-            widen(2, motion.y);
-            widen(4, motion.z);
+            sweepExtents(0, motion.x);
+            sweepExtents(2, motion.y);
+            sweepExtents(4, motion.z);
             _sweep.copyVector(motion);
             if (!motion.isStill)
             {
@@ -102,9 +103,9 @@ package starlogo.solid
             }
         }
 
-        // Makes the structure's extents along an axis those of its core and of the motion, from its earliest to its latest time. The travel is the whole
-        // motion's.
-        private function widen(axis:int, travel:Number):void
+        // Makes the structure's extents along an axis those of its core while it moves, from the motion's earliest to its latest time. The travel is the
+        // whole motion's.
+        private function sweepExtents(axis:int, travel:Number):void
         {
             var begin:Number = travel * _motion.earliest;
             var end:Number = travel * _motion.latest;
@@ -126,37 +127,22 @@ package starlogo.solid
                     continue;
                 }
                 _sweep.latest = limit;
-                findEarliest(i);
+                writeEarliest(i, _sweep);
                 if (_sweep.earliest > limit || !isStill && _separatingAxes.stayApart(_mesh.corners, 9 * i, _sweep))
                 {
                     continue;
                 }
                 _counts.triangleTests++;
                 _pair.setTriangle(_mesh.corners, 9 * i);
-                findTimeOfTriangle(isStill);
-                if (_sweep.time <= limit && _sweep.time < _found.time)
+                if (isStill)
                 {
-                    _found.time = _sweep.time;
-                    _found.a = i;
-                    limit = _sweep.time;
-                    if (!(limit > 0))
-                    {
-                        // no triangle can be touched earlier than at the beginning
-                        endSearch();
-                    }
+                    _sweep.time = _pair.areTouching() ? 0 : RelativeMotion.NEVER;
                 }
-            }
-        }
-
-        private function findTimeOfTriangle(isStill:Boolean):void
-        {
-            if (isStill)
-            {
-                _sweep.time = _pair.areTouching() ? 0 : RelativeMotion.NEVER;
-            }
-            else
-            {
-                _pair.findTime(_sweep);
+                else
+                {
+                    _pair.findTime(_sweep);
+                }
+                keepEarlier(i, _sweep, _found);
             }
         }
 
@@ -173,8 +159,8 @@ package starlogo.solid
             _pair.findContact(motion, out);
         }
 
-        // Finds when the structure first comes to a triangle's plane; it cannot touch the triangle before.
-        private function findEarliest(slot:int):void
+        // Writes when the structure first comes to a triangle's plane, as the earliest time: it cannot touch the triangle before.
+        private function writeEarliest(slot:int, out:RelativeMotion):void
         {
             var planes:Vector.<Number> = _mesh.planes;
             var at:int = 4 * slot;
@@ -195,7 +181,7 @@ package starlogo.solid
                 var time:Number = closing > 0 ? distance / closing : RelativeMotion.NEVER;
                 earliest = time > earliest ? time : earliest;
             }
-            _sweep.earliest = earliest;
+            out.earliest = earliest;
         }
     }
 }

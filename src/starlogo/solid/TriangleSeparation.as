@@ -1,4 +1,4 @@
-package starlogo.intersection
+package starlogo.solid
 {
     import starlogo.convex.ConvexShape;
 
@@ -7,11 +7,12 @@ package starlogo.intersection
      *
      * <p>The directions that it tries are the second triangle's normal, and those perpendicular to an edge of each. If each triangle crosses the
      * other's plane, each has one corner alone on its side of that plane. Then only the edges from these two corners can face each other (Guigue
-     * and Devillers, "Fast and robust triangle-triangle overlap test using orientation predicates", Journal of Graphics Tools, 2003).</p>
+     * and Devillers, "Fast and robust triangle-triangle overlap test using orientation predicates", Journal of Graphics Tools, 2003). If all of a
+     * triangle is on one side, it may have no such corner. Any of its corners is taken then, so fewer pairs are ruled out.</p>
      *
      * @private
      */
-    public final class TriangleSeparation
+    internal final class TriangleSeparation
     {
         // The first triangle is beside the second one's plane.
         private static const BESIDE:int = -1;
@@ -34,7 +35,7 @@ package starlogo.intersection
             return corner == BESIDE || areEdgesApart(a, at, corner, b, cornerAcrossA(a, at, b));
         }
 
-        // Returns which corner of a is alone on its side of b's plane, or BESIDE if all of a is far enough on one side.
+        // Returns which corner of a is alone on its side of b's plane; any one if none is; BESIDE if all of a is far enough on one side.
         private static function cornerAcrossB(a:Vector.<Number>, at:int, b:ConvexShape):int
         {
             var p:Vector.<Number> = b.points;
@@ -73,7 +74,7 @@ package starlogo.intersection
             return first * second > 0 ? 2 : first * third > 0 ? 1 : 0;
         }
 
-        // Returns which corner of b is alone on its side of a's plane.
+        // Returns which corner of b is alone on its side of a's plane; any one if none is.
         private static function cornerAcrossA(a:Vector.<Number>, at:int, b:ConvexShape):int
         {
             var p:Vector.<Number> = b.points;

@@ -1,4 +1,4 @@
-package starlogo.intersection
+package starlogo.solid
 {
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
@@ -8,7 +8,7 @@ package starlogo.intersection
     import support.PlainDistance;
 
     /** The tests of two triangles against their distance: right about all that are not within 1e-11 of their size of touching. */
-    public class TriangleTriangleTest
+    public class TriangleSeparationTest
     {
         private static const TOLERANCE:Number = 1e-12;
         private static const BAND:Number = 1e-11;

@@ -22,7 +22,12 @@ package starlogo.solid
         // How much larger a shell has to be to have the other one inside, as a fraction.
         private static const LARGER:Number = 1e-9;
 
+        /** For each shell, its state with the cavities, when no step is left: see <code>SurfaceTopology.shellStates</code>. */
+        public var states:Vector.<int>;
+
         private var _windingCounter:WindingCounter;
+        private var _surface:SurfaceTopology;
+        private var _order:Vector.<int>;
         private var _balances:Vector.<int>;
 
         // For each shell: its outermost points; one more than the index of the corner from which its volume is measured, or 0 if it has none; six times
@@ -35,19 +40,26 @@ package starlogo.solid
         // For each shell, the larger shells that are around all of its points tested so far. Null before the first point.
         private var _around:Vector.<Vector.<int>>;
 
+        // The shells that are around the last point, and for each shell whether it is one of them.
+        private var _aroundPoint:Vector.<int> = new Vector.<int>();
+        private var _isAround:Vector.<Boolean>;
+
         private var _face:FaceNormal = new FaceNormal();
         private var _windingCount:int = 0;
         private var _mostWindings:int;
 
         /**
-         * @param windingCounter of the surface, which has the shells; receives the cavities
+         * @param windingCounter of the surface, which has the shells
          * @param balances for each shell, the number of its triangles that are not reversed, minus the number of those that are
          */
         public function CavityFinder(windingCounter:WindingCounter, balances:Vector.<int>)
         {
             var shells:int = balances.length;
             _windingCounter = windingCounter;
-            _mostWindings = WINDINGS_PER_TRIANGLE * windingCounter.surface.signedShells.length;
+            _surface = windingCounter.surface;
+            _order = windingCounter.mesh.tree.order;
+            _mostWindings = WINDINGS_PER_TRIANGLE * _order.length;
+            states = _surface.shellStates.concat();
             _balances = balances;
             if (shells > 1)
             {
@@ -56,18 +68,14 @@ package starlogo.solid
                 _volumes = new Vector.<Number>(shells, true);
                 _orientations = new Vector.<int>(shells, true);
                 _around = new Vector.<Vector.<int>>(shells, true);
-                slices(windingCounter.surface.signedShells.length, 40 * TRIANGLES_PER_STEP, addVolumes).call(orient);
+                _isAround = new Vector.<Boolean>(shells, true);
+                slices(_order.length, 40 * TRIANGLES_PER_STEP, addVolumes).call(orient);
             }
         }
 
         private function isSolid(shell:int):Boolean
         {
-            return shell >= 0 && _windingCounter.surface.shellStates[shell] == SurfaceTopology.SOLID;
-        }
-
-        private function shellOf(slot:int):int
-        {
-            return Math.abs(_windingCounter.signedShellOf(slot)) - 1;
+            return shell >= 0 && states[shell] == SurfaceTopology.SOLID;
         }
 
         private function addVolumes(first:int, end:int):void
@@ -75,7 +83,7 @@ package starlogo.solid
             var corners:Vector.<Number> = _windingCounter.mesh.corners;
             for (var slot:int = first; slot < end; slot++)
             {
-                var shell:int = shellOf(slot);
+                var shell:int = _surface.shellOf(_order[slot]);
                 if (!isSolid(shell))
                 {
                     continue;
@@ -88,7 +96,7 @@ package starlogo.solid
                     var from:int = _origins[shell] - 1;
                     var volume:Number = _face.doubleArea * (_face.x * (corners[9 * slot] - corners[from])
                             + _face.y * (corners[9 * slot + 1] - corners[from + 1]) + _face.z * (corners[9 * slot + 2] - corners[from + 2]));
-                    _volumes[shell] += _windingCounter.signedShellOf(slot) > 0 ? volume : -volume;
+                    _volumes[shell] += _surface.isReversed(_order[slot]) ? -volume : volume;
                 }
             }
         }
@@ -105,7 +113,7 @@ package starlogo.solid
             }
             if (isFound[0] && isFound[2])
             {
-                slices(_windingCounter.surface.signedShells.length, TRIANGLES_PER_STEP, testSome).call(decide);
+                slices(_order.length, TRIANGLES_PER_STEP, testSome).call(decide);
             }
         }
 
@@ -119,11 +127,11 @@ package starlogo.solid
                 {
                     continue;
                 }
-                var shell:int = shellOf(slot);
+                var shell:int = _surface.shellOf(_order[slot]);
                 for (var corner:int = 3; corner >= 0 && isSolid(shell) && isUndecided(shell); corner--)
                 {
-                    countAround(shell, slot, corner);
-                    _around[shell] = takeAround(shell, _around[shell]);
+                    findAround(shell, slot, corner);
+                    _around[shell] = keepAround(shell, _around[shell]);
                 }
             }
         }
@@ -134,13 +142,13 @@ package starlogo.solid
             return _around[shell] == null || _around[shell].length > 0 && _windingCount < _mostWindings;
         }
 
-        // Counts the windings around a point of _face that is a little inside of its shell.
-        private function countAround(shell:int, slot:int, corner:int):void
+        // Finds the shells around a point of _face that is a little inside of its shell.
+        private function findAround(shell:int, slot:int, corner:int):void
         {
             var corners:Vector.<Number> = _windingCounter.mesh.corners;
             var at:int = 9 * slot;
             var inwards:Number = INWARDS * _extremes.extentAt(_extremes.pointsAt[shell]);
-            inwards = _windingCounter.signedShellOf(slot) > 0 == _volumes[shell] > 0 ? -inwards : inwards;
+            inwards = _surface.isReversed(_order[slot]) == _volumes[shell] > 0 ? inwards : -inwards;
             var share:Number = corner == 3 ? 1 / 3 : 0.01;
             var point:Vector.<Number> = new <Number>[inwards * _face.x, inwards * _face.y, inwards * _face.z];
             for (var axis:int = 0; axis < 3; axis++)
@@ -148,27 +156,30 @@ package starlogo.solid
                 point[axis] += share * (corners[at + axis] + corners[at + 3 + axis] + corners[at + 6 + axis])
                     + (corner == 3 ? 0 : 0.97 * corners[at + 3 * corner + axis]);
             }
-            _windingCounter.count(point[0], point[1], point[2]);
-            _windingCount += _windingCounter.crossedCount;
+            _windingCount += _windingCounter.findAround(point[0], point[1], point[2], _aroundPoint);
         }
 
-        // Returns the shells that wind around the last point; none if all of them have the orientation of this shell. Takes their windings, so that a
-        // shell that is listed several times is returned once.
-        private function takeAround(shell:int, before:Vector.<int>):Vector.<int>
+        // Returns which of some shells are around the last point: of those before, or if they are null of all larger shells. Returns none if all of them
+        // have the orientation of this shell.
+        private function keepAround(shell:int, before:Vector.<int>):Vector.<int>
         {
+            for each (var found:int in _aroundPoint)
+            {
+                _isAround[found] = true;
+            }
             var around:Vector.<int> = new Vector.<int>();
             var hasOpposite:Boolean = false;
-            var from:Vector.<int> = before == null ? _windingCounter.crossed : before;
-            var count:int = before == null ? _windingCounter.crossedCount : before.length;
-            for (var i:int = 0; i < count; i++)
+            for each (var other:int in before || _aroundPoint)
             {
-                var other:int = from[i];
-                if (_windingCounter.windings[other] != 0 && (before != null || isLarger(other, shell)))
+                if (before == null ? isLarger(other, shell) : _isAround[other])
                 {
                     around.push(other);
                     hasOpposite ||= _orientations[other] == -_orientations[shell];
                 }
-                _windingCounter.windings[other] = 0;
+            }
+            for each (found in _aroundPoint)
+            {
+                _isAround[found] = false;
             }
             around.length = hasOpposite ? around.length : 0;
             return around;
@@ -209,7 +220,7 @@ package starlogo.solid
                 }
                 if (isSolid(innermost) && _orientations[innermost] == -_orientations[shell])
                 {
-                    _windingCounter.surface.shellStates[shell] = innermost;
+                    states[shell] = innermost;
                 }
             }
         }

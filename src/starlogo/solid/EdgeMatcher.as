@@ -34,6 +34,9 @@ package starlogo.solid
         private var _lasts:HashTable;
         private var _before:Vector.<int>;
 
+        // For each edge, whether there is one after it between the same vertices.
+        private var _hasNext:Vector.<Boolean>;
+
         // If more than two edges are between the same two vertices, the last of these edges is in this list, in the order of the lower
         // vertices: the lower vertex times the number of edges, plus the edge. The sets have the triangles that are connected.
         private var _nonManifold:Array = [];
@@ -49,6 +52,7 @@ package starlogo.solid
             _welding = welding;
             partners = new Vector.<int>(triangles.length, true);
             _before = new Vector.<int>(triangles.length, true);
+            _hasNext = new Vector.<Boolean>(triangles.length, true);
             _lasts = new HashTable(triangles.length);
             slices(triangles.length, EDGES_PER_STEP, link).slices(triangles.length, EDGES_PER_STEP, match).call(beginNonManifold);
         }
@@ -80,7 +84,7 @@ package starlogo.solid
             return begin < end ? begin : end;
         }
 
-        // Links the edges between the same vertices. Until they are matched, an edge that has one after it has itself as its partner.
+        // Links the edges between the same vertices.
         private function link(first:int, end:int):void
         {
             for (var edge:int = first; edge < end; edge++)
@@ -94,7 +98,8 @@ package starlogo.solid
                 var before:int = _lasts.set (low, high, edge);
                 if (before >= 0)
                 {
-                    _before[edge] = partners[before] = before + 1;
+                    _before[edge] = before + 1;
+                    _hasNext[before] = true;
                 }
             }
         }
@@ -104,7 +109,7 @@ package starlogo.solid
             for (var edge:int = first; edge < end; edge++)
             {
                 var before:int = _before[edge] - 1;
-                if (partners[edge] != 0 || before < 0)
+                if (_hasNext[edge] || before < 0)
                 {
                     continue;
                 }
@@ -162,7 +167,6 @@ package starlogo.solid
             var groups:Object = {};
             for (var edge:int = last; edge >= 0; edge = _before[edge] - 1)
             {
-                partners[edge] = 0;
                 var root:int = _sets.rootOf(edge / 3);
                 groups[root] ||= [];
                 groups[root].push(edge);

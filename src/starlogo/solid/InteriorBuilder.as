@@ -3,7 +3,6 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
     import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
 
     use namespace engine;
 
@@ -128,7 +127,11 @@ package starlogo.solid
             if (_shells != null)
             {
                 _joined = new DisjointSets(surface.partNumberEnd);
-                begin(newCavities);
+                var cavities:CavityFinder = new CavityFinder(_windingCounter, _shells.balances);
+                add(cavities).call(function():void
+                    {
+                        surface.shellStates = cavities.states;
+                    });
                 addMeasuring().slices(surface.hasClosedShell && surface.partNumberEnd > 1 ? surface.partNumberEnd : 0, PARTS_PER_STEP, joinParts);
                 sliced(numberParts);
             }
@@ -138,11 +141,6 @@ package starlogo.solid
         private function weld(first:int, end:int):void
         {
             _windingCounter.weld(first, end, _welding.welded);
-        }
-
-        private function newCavities():Steps
-        {
-            return new CavityFinder(_windingCounter, _shells.balances);
         }
 
         // Measures the parts as they are then.
@@ -162,10 +160,10 @@ package starlogo.solid
             for (var slot:int = first; slot < end; slot++)
             {
                 var part:int = surface.parts[_tree.order[slot]];
-                var shell:int = _windingCounter.signedShellOf(slot);
-                if (shell != 0)
+                var shell:int = surface.shellOf(_tree.order[slot]);
+                if (shell >= 0)
                 {
-                    _partOf[int(Math.abs(shell) - 1)] = part;
+                    _partOf[shell] = part;
                 }
                 _extremes.add(part, slot);
             }
@@ -176,19 +174,16 @@ package starlogo.solid
         private function joinParts(first:int, end:int):void
         {
             var points:Vector.<Number> = _extremes.points;
+            var around:Vector.<int> = new Vector.<int>();
             for (var part:int = first; part < end && _windingCount < WINDINGS_PER_TRIANGLE * _tree.itemCount; part++)
             {
                 var at:int = _extremes.pointsAt[part];
                 for (var i:int = at; i < at + PartExtremes.STRIDE; i += 3)
                 {
-                    _windingCounter.count(points[i], points[i + 1], points[i + 2]);
-                    _windingCount += _windingCounter.crossedCount;
-                    for (var k:int = 0; k < _windingCounter.crossedCount; k++)
+                    _windingCount += _windingCounter.findAround(points[i], points[i + 1], points[i + 2], around);
+                    for each (var shell:int in around)
                     {
-                        if (_windingCounter.isAround(_windingCounter.crossed[k]))
-                        {
-                            _joined.join(_partOf[_windingCounter.crossed[k]], part);
-                        }
+                        _joined.join(_partOf[shell], part);
                     }
                 }
             }

@@ -55,6 +55,25 @@ package starlogo.solid
             signedShells = new Vector.<int>(triangleCount, true);
         }
 
+        /** The number of a triangle's shell, or -1 for a triangle with two corners at one place. The triangle is counted as the model does. */
+        public function shellOf(triangle:int):int
+        {
+            var signed:int = signedShells[triangle];
+            return signed < 0 ? -signed - 1 : signed - 1;
+        }
+
+        /** Whether a triangle has to be reversed, so that all of its shell have the same orientation. The triangle is counted as the model does. */
+        public function isReversed(triangle:int):Boolean
+        {
+            return signedShells[triangle] < 0;
+        }
+
+        /** Whether a shell bounds a cavity in another one. */
+        public function boundsCavity(shell:int):Boolean
+        {
+            return shellStates[shell] >= 0;
+        }
+
         /** Whether at least one shell of the surface is closed, so that the surface has an inside. */
         public function get hasClosedShell():Boolean
         {

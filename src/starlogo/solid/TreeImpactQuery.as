@@ -49,7 +49,7 @@ package starlogo.solid
 
         /**
          * @param pair the two models; whoever made it sets it before each question
-         * @param overlaps tests the two where they stand
+         * @param overlaps tests the two where they stand, and finds when a structure first touches a tree
          * @param counts counts what the query does
          */
         public function TreeImpactQuery(pair:TreePair, overlaps:TreeOverlapQuery, counts:TreeCounts)

@@ -22,6 +22,8 @@ package starlogo.solid
      * transforms the second model into the first model's space. There a traversal of pairs of nodes decides, depth-first, or a search for
      * the nodes near a structure. For exact tests, the nodes' triangles decide.</p>
      *
+     * <p>It also finds when a structure that moves first touches a tree, because the same searches decide. TreeImpactQuery asks for that.</p>
+     *
      * <p>The answers are nested. The nodes cover only the surface, so a ContainmentTest decides about a model inside a closed one.</p>
      *
      * @private

@@ -30,17 +30,13 @@ package starlogo.solid
          */
         internal var weldedAt:Vector.<int> = null;
 
-        /** How often each shell winds around the point of the last <code>count()</code>. */
-        public var windings:Vector.<int>;
+        // How often each shell winds around the point of the last count(), or 0 if a cavity of it does.
+        private var _windings:Vector.<int>;
 
-        /**
-         * The shells that may wind around that point. A shell is listed again each time that its winding number has come back to 0 on the ray. Shells of
-         * points before may come after them.
-         */
-        public var crossed:Vector.<int> = new Vector.<int>();
-
-        /** How many entries are about that point. */
-        public var crossedCount:int = 0;
+        // The shells that the ray from that point crosses, and how many entries they are. A shell is listed again each time that its winding number has
+        // come back to 0 on the ray. Shells of points before may come after them.
+        private var _crossed:Vector.<int> = new Vector.<int>();
+        private var _crossedCount:int = 0;
 
         private var _search:BoxSearch = new BoxSearch();
 
@@ -67,7 +63,7 @@ package starlogo.solid
             var box:Vector.<Number> = mesh.tree.boxes;
             this.mesh = mesh;
             this.surface = surface;
-            windings = new Vector.<int>(surface.shellStates.length, true);
+            _windings = new Vector.<int>(surface.shellStates.length, true);
             limit = Infinity;
             _axis = box[3] <= box[4] && box[3] <= box[5] ? 0 : (box[4] <= box[5] ? 1 : 2);
             _axisB = (_axis + 1) % 3;
@@ -111,12 +107,6 @@ package starlogo.solid
             return false;
         }
 
-        /** One more than the number of a triangle's shell, negative if the triangle is reversed; 0 if two of its corners are at one place. */
-        public function signedShellOf(slot:int):int
-        {
-            return surface.signedShells[mesh.tree.order[slot]];
-        }
-
         /**
          * Whether a point is inside of the surface. The point must not be on it. A point is inside if a solid shell winds around it, and no
          * shell that bounds a cavity in that one. The surface must have a closed shell.
@@ -124,35 +114,57 @@ package starlogo.solid
         public function isInside(point:Vector3D):Boolean
         {
             count(point.x, point.y, point.z);
-            var isFound:Boolean = false;
-            for (var i:int = 0; i < crossedCount; i++)
+            for (var i:int = 0; i < _crossedCount; i++)
             {
-                isFound ||= isAround(crossed[i]);
+                if (isAround(_crossed[i]))
+                {
+                    return true;
+                }
             }
-            return isFound;
-        }
-
-        /** Whether the point of the last <code>count()</code> is inside of a shell, and not in a cavity of it. */
-        public function isAround(shell:int):Boolean
-        {
-            var state:int = surface.shellStates[shell];
-            return state == SurfaceTopology.SOLID && windings[shell] != 0 || state == SurfaceTopology.ONE_SIDED && (windings[shell] & 1) != 0;
+            return false;
         }
 
         /**
-         * Counts how often each shell winds around a point. A shell counts 0 if the point is in a cavity of it. A ray along an axis, towards
-         * the nearer side of the box around all triangles, counts the triangles that it crosses.
+         * Finds the shells that have a point inside of them, and not in a cavity.
          *
-         * <p>Seen along the ray, an edge is crossed by a half-line across the ray, or it is not. The two triangles at the edge have the same
-         * answer to the last bit, because they have the same corners. So a ray through an edge or a corner needs no special case.</p>
+         * @param out receives the shells
+         * @return how many shells were tested, which says how much work it was
          */
-        public function count(x:Number, y:Number, z:Number):void
+        public function findAround(x:Number, y:Number, z:Number, out:Vector.<int>):int
         {
-            for (var before:int = 0; before < crossedCount; before++)
+            count(x, y, z);
+            out.length = 0;
+            for (var i:int = 0; i < _crossedCount; i++)
             {
-                windings[crossed[before]] = 0;
+                if (isAround(_crossed[i]))
+                {
+                    out.push(_crossed[i]);
+                    // so that it is listed once
+                    _windings[_crossed[i]] = 0;
+                }
             }
-            crossedCount = 0;
+            return _crossedCount;
+        }
+
+        // Whether the point of the last count() is inside of a shell, and not in a cavity of it.
+        private function isAround(shell:int):Boolean
+        {
+            var state:int = surface.shellStates[shell];
+            return state == SurfaceTopology.SOLID && _windings[shell] != 0 || state == SurfaceTopology.ONE_SIDED && (_windings[shell] & 1) != 0;
+        }
+
+        // Counts how often each shell winds around a point. A shell counts 0 if the point is in a cavity of it. A ray along an axis, towards the nearer side
+        // of the box around all triangles, counts the triangles that it crosses.
+        // 
+        // Seen along the ray, an edge is crossed by a half-line across the ray, or it is not. The two triangles at the edge have the same answer to the
+        // last bit, because they have the same corners. So a ray through an edge or a corner needs no special case.
+        private function count(x:Number, y:Number, z:Number):void
+        {
+            for (var before:int = 0; before < _crossedCount; before++)
+            {
+                _windings[_crossed[before]] = 0;
+            }
+            _crossedCount = 0;
             _a = _axis == 0 ? x : (_axis == 1 ? y : z);
             _b = _axis == 0 ? y : (_axis == 1 ? z : x);
             _c = _axis == 0 ? z : (_axis == 1 ? x : y);
@@ -161,12 +173,12 @@ package starlogo.solid
             _search.setPlace(x, y, z, margin);
             _search.setAxis(_axis, _isBackward ? -1 : 1);
             _search.find(mesh.tree, BoxTree.NO_LIMIT, this);
-            for (var i:int = 0; i < crossedCount; i++)
+            for (var i:int = 0; i < _crossedCount; i++)
             {
-                var state:int = surface.shellStates[crossed[i]];
-                if (state >= 0 && windings[crossed[i]] != 0)
+                var shell:int = _crossed[i];
+                if (surface.boundsCavity(shell) && _windings[shell] != 0)
                 {
-                    windings[state] = 0;
+                    _windings[surface.shellStates[shell]] = 0;
                 }
             }
         }
@@ -214,16 +226,16 @@ package starlogo.solid
             {
                 return;
             }
-            var signed:int = signedShellOf(slot);
-            var shell:int = signed > 0 ? signed - 1 : -signed - 1;
+            var triangle:int = mesh.tree.order[slot];
+            var shell:int = surface.shellOf(triangle);
             if (shell >= 0)
             {
-                var winding:int = windings[shell];
+                var winding:int = _windings[shell];
                 if (winding == 0)
                 {
-                    crossed[crossedCount++] = shell;
+                    _crossed[_crossedCount++] = shell;
                 }
-                windings[shell] = signed > 0 ? winding + crossing : winding - crossing;
+                _windings[shell] = surface.isReversed(triangle) ? winding - crossing : winding + crossing;
             }
         }
 

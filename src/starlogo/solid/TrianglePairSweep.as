@@ -35,37 +35,26 @@ package starlogo.solid
         /** @inheritDoc */
         override public function findBest(treeA:BoxTree, a:int, treeB:BoxTree, b:int, bounds:NodePairBounds):void
         {
-            var count:int = _triangles.move(treeB, b);
-            _motion.latest = bounds.least < 1 ? bounds.least : 1;
+            var motion:RelativeMotion = _motion;
+            var first:int = treeA.first[a];
+            var end:int = treeA.end[a];
+            motion.latest = bounds.least < 1 ? bounds.least : 1;
             // of nodes that touch at the same time the last ones count
             bounds.current = RelativeMotion.NEVER;
             // Higher indices come first, as in the traversal.
-            for (var k:int = count - 1; k >= 0 && bounds.current > 0; k--)
+            for (var k:int = _triangles.move(treeB, b) - 1; k >= 0 && bounds.current > 0; k--)
             {
-                if (keepEarlier(k, treeA.first[a], treeA.end[a], bounds))
+                _triangles.setSecond(k, motion);
+                for (var i:int = end - 1; i >= first && bounds.current > 0; i--)
                 {
-                    bounds.bestB = treeB.first[b] + k;
+                    if (_triangles.findTime(i, motion) && motion.time < bounds.current)
+                    {
+                        bounds.current = motion.latest = motion.time;
+                        bounds.bestA = i;
+                        bounds.bestB = treeB.first[b] + k;
+                    }
                 }
             }
-        }
-
-        // If a triangle of the second model's node touches one of the first model's in a range of slots until the motion's latest time, and earlier than those of this
-        // pair of nodes before, keeps the time as the current one of the bounds, and as the latest one. Returns whether it does.
-        private function keepEarlier(index:int, first:int, end:int, bounds:NodePairBounds):Boolean
-        {
-            var motion:RelativeMotion = _motion;
-            var isEarlier:Boolean = false;
-            _triangles.setSecond(index, motion);
-            for (var i:int = end - 1; i >= first && bounds.current > 0; i--)
-            {
-                if (_triangles.findTime(i, motion) && motion.time < bounds.current)
-                {
-                    bounds.current = motion.latest = motion.time;
-                    bounds.bestA = i;
-                    isEarlier = true;
-                }
-            }
-            return isEarlier;
         }
 
         /**

@@ -31,25 +31,16 @@ package starlogo.solid
         override public function areTouching(treeA:BoxTree, a:int, treeB:BoxTree, b:int):Boolean
         {
             var count:int = _triangles.move(treeB, b);
+            var end:int = treeA.end[a];
             for (var i:int = 0; i < count; i++)
             {
-                if (touchesSome(i, treeA.first[a], treeA.end[a]))
+                _triangles.setSecond(i, RelativeMotion.NONE);
+                for (var slot:int = treeA.first[a]; slot < end; slot++)
                 {
-                    return true;
-                }
-            }
-            return false;
-        }
-
-        // Whether a triangle of the second model's node touches one of the first model's triangles in a range of slots.
-        private function touchesSome(index:int, first:int, end:int):Boolean
-        {
-            _triangles.setSecond(index, RelativeMotion.NONE);
-            for (var i:int = first; i < end; i++)
-            {
-                if (_triangles.touches(i))
-                {
-                    return true;
+                    if (_triangles.touches(slot))
+                    {
+                        return true;
+                    }
                 }
             }
             return false;

@@ -155,7 +155,6 @@ package starlogo.solid
 
         // Counts how often each shell winds around a point. A shell counts 0 if the point is in a cavity of it. A ray along an axis, towards the nearer side
         // of the box around all triangles, counts the triangles that it crosses.
-        // 
         // Seen along the ray, an edge is crossed by a half-line across the ray, or it is not. The two triangles at the edge have the same answer to the
         // last bit, because they have the same corners. So a ray through an edge or a corner needs no special case.
         private function count(x:Number, y:Number, z:Number):void

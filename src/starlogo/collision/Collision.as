@@ -16,6 +16,8 @@ package starlogo.collision
     import starlogo.handlers.HandlerTable;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.BreedInterests;
+    import starlogo.search.ForeignPairs;
+    import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
     import starlogo.search.table.ListedAgents;
@@ -88,6 +90,7 @@ package starlogo.collision
         private var _touches:TouchTracker = new TouchTracker();
         private var _calls:HandlerCalls = new HandlerCalls();
         private var _input:FrameInput = new FrameInput();
+        private var _foreign:ForeignPairs = new ForeignPairs();
         private var _world:Vector.<WorldAgent> = new <WorldAgent>[null, null];
         private var _snapshots:Snapshots = new Snapshots();
 
@@ -279,13 +282,13 @@ package starlogo.collision
                 {
                     collider.beginFrame();
                 }
-                system.findPairs(_input, _calls.pairs, _statistics);
+                var pairs:FoundPairs = system.findPairs(_input, _foreign, _statistics);
                 lastFrame.keep(_input.agents, system.equivalentCollider);
                 if (collider != null)
                 {
                     collider.holdFrame();
                 }
-                _calls.make(system, _handlers, touches, agents, _handlerErrors);
+                _calls.make(pairs, system, _handlers, touches, agents, _handlerErrors);
                 lastFrame.hasFailed = false;
             }
             finally

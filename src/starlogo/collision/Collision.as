@@ -274,7 +274,11 @@ package starlogo.collision
             _updatingSystem = system;
             try
             {
-                _input.setTo(agents, predicate, _handlers.interests, world);
+                _input.setTo(agents, _handlers.interests, world);
+                if (predicate != null)
+                {
+                    _input.askFilter(predicate);
+                }
                 // the filter may have called reset(), which forgets the frames before this one
                 var lastFrame:LastFrame = _lastFrame;
                 lastFrame.hasFailed = true;

@@ -92,7 +92,8 @@ package starlogo.handlers
             end = compared == null ? _all.length : _dropped.count;
             for (i = 0; i < end; i++)
             {
-                endUnlessSeen(_all[compared == null ? i : _dropped.numbers[i]]);
+                var open:int = compared == null ? i : _dropped.numbers[i];
+                endUnlessSeen(_all[open]);
             }
             _ended.sortFirst(_ended.count);
         }

@@ -34,7 +34,7 @@ package starlogo.search
         private var _bins:Bins = new Bins();
         private var _motions:RowMotions;
 
-        // Whether the last search found the motions. A read without a search makes them void.
+        // Whether an agent swept in the last search, which has found the motions then. A read without a search makes them void.
         private var _hasMotions:Boolean = false;
 
         private var _candidates:CandidateFilter;
@@ -86,8 +86,7 @@ package starlogo.search
             {
                 table.readWorldAgent(row, input.world[row]);
             }
-            input.findSweeping();
-            _hasMotions = input.anySweeps;
+            _hasMotions = input.isAnySweeping();
             // tests since the last search, as those of questions, do not count
             _narrowPhase.takeCounts(counts);
             var memberCount:int = findPairs(input, mayKeep);
@@ -110,7 +109,7 @@ package starlogo.search
                 _keptPairs.forget();
                 return findAll(input).count;
             }
-            var answer:int = _keptPairs.find(input, _narrowPhase.treeLimits);
+            var answer:int = _keptPairs.find(input, _hasMotions, _narrowPhase.treeLimits);
             if (answer == KeptPairs.FOUND)
             {
                 return _keptPairs.memberCount;
@@ -128,12 +127,12 @@ package starlogo.search
         {
             var members:NumberList = findMembers(input);
             var extents:Extents = table.extents;
-            if (input.anySweeps)
+            if (_hasMotions)
             {
                 _motions.findMotions(table.list.rows);
                 extents = _motions.extents;
             }
-            _candidates.begin(input, _pairs);
+            _candidates.begin(input, _hasMotions, _pairs);
             _bins.findPairs(extents, members.numbers, members.count, _candidates);
             for (var row:int = ListedAgents.GROUND_ROW; row <= ListedAgents.EDGES_ROW; row++)
             {

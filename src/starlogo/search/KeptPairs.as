@@ -103,16 +103,17 @@ package starlogo.search
         /**
          * Finds the pairs of a search, if it is like the last one and few rows have changed. The table has been read.
          *
+         * @param anySweeps whether an agent sweeps
          * @param limits how far trees are tested
          * @return FOUND, SEARCH_AND_KEEP or SEARCH
          */
-        public function find(input:FrameInput, limits:TreeLimits):int
+        public function find(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):int
         {
             var areValid:Boolean = _areValid;
             // they are not if the search throws
             _areValid = false;
-            var isLikeLast:Boolean = hasConditionsOf(input, limits);
-            takeConditions(input, limits);
+            var isLikeLast:Boolean = hasConditionsOf(input, anySweeps, limits);
+            takeConditions(input, anySweeps, limits);
             if (!isLikeLast || !areFew(countRead()))
             {
                 return SEARCH;
@@ -144,17 +145,17 @@ package starlogo.search
 
         // Whether the pairs of the last search depend on the same as those of this one. Then the same agents have the same pairs, if the same ones take
         // part.
-        private function hasConditionsOf(input:FrameInput, limits:TreeLimits):Boolean
+        private function hasConditionsOf(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):Boolean
         {
-            return _interests === input.interests && _interestsRevision == revisionOf(input) && _anySweeps == input.anySweeps
+            return _interests === input.interests && _interestsRevision == revisionOf(input) && _anySweeps == anySweeps
                 && _isFiltered == (input.takePart != null) && _maxDepth == depthOf(limits);
         }
 
-        private function takeConditions(input:FrameInput, limits:TreeLimits):void
+        private function takeConditions(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):void
         {
             _interests = input.interests;
             _interestsRevision = revisionOf(input);
-            _anySweeps = input.anySweeps;
+            _anySweeps = anySweeps;
             _isFiltered = input.takePart != null;
             _maxDepth = depthOf(limits);
         }
@@ -183,7 +184,7 @@ package starlogo.search
         // Whether so few rows have changed that a search of all rows would take longer.
         private function areFew(changes:int):Boolean
         {
-            var among:int = _table.areSpheres || _interests != null && !_interests.includesAll ? ONE_IN_IF_FAST : ONE_IN;
+            var among:int = _table.areSpheres || _interests != null && !_interests.includesAllOfAgents ? ONE_IN_IF_FAST : ONE_IN;
             return among * changes <= _table.list.rows.count;
         }
 
@@ -261,7 +262,7 @@ package starlogo.search
         // Finds the pairs of the changed rows.
         private function findPairsOfChanged(input:FrameInput):void
         {
-            _candidates.begin(input, _found);
+            _candidates.begin(input, _anySweeps, _found);
             for (var i:int = 0; i < _changed.count; i++)
             {
                 if (_cells.has(_changed.numbers[i]))

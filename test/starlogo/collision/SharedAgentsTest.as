@@ -60,9 +60,9 @@ package starlogo.collision
                 {
                 });
             assertEquals(alone.join(), callsOf(shared, function():void
-                {
-                    inner.update(some);
-                }).join());
+                    {
+                        inner.update(some);
+                    }).join());
         }
 
         // The calls of a frame; an action runs in each.

@@ -199,7 +199,7 @@ package starlogo.queries.motion
             var whole:Body = wholeAt(place);
             var shallow:Number = SHALLOW * extentWith(other);
             var pairTests:PairTests = _seen.narrowPhase.testsOf(whole, other);
-            pairTests.findContact(whole, other, RelativeMotion.NONE, out);
+            pairTests.findContactOfParts(whole, other, RelativeMotion.NONE, out);
             if (isSure || out.depth > shallow)
             {
                 pairTests.separate(whole, other, RelativeMotion.NONE, out);

@@ -3,6 +3,8 @@ package starlogo.collision
     import flash.errors.IllegalOperationError;
     import flash.utils.getTimer;
     import starlogo.agents.Agent;
+    import starlogo.data.textOf;
+    import starlogo.data.warnOfNames;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
     import starlogo.search.ForeignPairs;
@@ -10,8 +12,6 @@ package starlogo.collision
     import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
     import starlogo.search.table.ListedAgents;
-    import starlogo.search.textOf;
-    import starlogo.search.warnOfNames;
 
     use namespace engine;
 

@@ -11,6 +11,7 @@ package starlogo.collision
     import starlogo.agents.Breeds;
     import starlogo.collision.snapshots.Snapshots;
     import starlogo.data.requireGiven;
+    import starlogo.data.textOf;
     import starlogo.engine;
     import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.HandlerTable;
@@ -21,7 +22,6 @@ package starlogo.collision
     import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
     import starlogo.search.table.ListedAgents;
-    import starlogo.search.textOf;
     import starlogo.search.WorldAgent;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;

@@ -1,6 +1,7 @@
 package starlogo.collision
 {
     import starlogo.agents.Agent;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.HandlerTable;
@@ -8,7 +9,6 @@ package starlogo.collision
     import starlogo.handlers.Touch;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.FoundPairs;
-    import starlogo.search.NumberList;
 
     use namespace engine;
 

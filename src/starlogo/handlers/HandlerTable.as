@@ -4,12 +4,12 @@ package starlogo.handlers
 {
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
+    import starlogo.agents.warnOfBreeds;
     import starlogo.data.HashTable;
+    import starlogo.data.textOf;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
-    import starlogo.search.textOf;
-    import starlogo.search.warnOfBreeds;
 
     use namespace engine;
 

@@ -2,10 +2,10 @@ package starlogo.handlers
 {
     import starlogo.agents.Agent;
     import starlogo.data.HashTable;
+    import starlogo.data.KeyedList;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.search.FoundPairs;
-    import starlogo.search.KeyedList;
-    import starlogo.search.NumberList;
 
     use namespace engine;
 

@@ -3,6 +3,7 @@ package starlogo.search
     import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.PairSink;
     import starlogo.convex.RelativeMotion;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.search.table.AgentTable;
 

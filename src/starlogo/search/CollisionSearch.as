@@ -9,6 +9,7 @@ package starlogo.search
     import starlogo.broadphase.Extents;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.ListedAgents;

@@ -1,6 +1,7 @@
 package starlogo.search
 {
     import starlogo.agents.Agent;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.search.table.ListedAgents;
 

@@ -2,6 +2,7 @@ package starlogo.search
 {
     import starlogo.broadphase.BinLevels;
     import starlogo.broadphase.CellLists;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.ListedAgents;

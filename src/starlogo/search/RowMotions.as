@@ -7,6 +7,7 @@ package starlogo.search
     import starlogo.broadphase.Points;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.intersection.sweep.AxisMotion;
     import starlogo.intersection.sweep.ContactInterval;

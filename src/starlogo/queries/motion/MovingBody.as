@@ -1,16 +1,16 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
+    import starlogo.agents.warnOfInside;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.queries.SeenAgents;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.NumberList;
     import starlogo.search.pairs.PairTests;
-    import starlogo.search.warnOfInside;
 
     use namespace engine;
 

@@ -1,4 +1,4 @@
-// This room has what a game moves: agents, and the numbers of their breeds. Everything else reads it. Read this file first.
+// This room has what a game moves: agents, and the numbers of their breeds. The rooms from search on read it. Read this file first.
 // This file is long because an agent has many traits, and each one's contract stands at the trait.
 package starlogo.agents
 {
@@ -370,8 +370,8 @@ package starlogo.agents
 
         /**
          * Turns the agent by a quaternion. It loses nothing when heading and roll turn about the same axis. Afterwards heading, pitch and
-         * roll are angles that give the same rotation, with the pitch between -90 and 90. If you then set one of them, the three angles
-         * make the rotation again.
+         * roll are angles that give the same rotation, with the pitch between -90 and 90. If the agent had this rotation already, its
+         * angles stay as they are. If you then set one of them, the three angles make the rotation again.
          *
          * @param x of the quaternion x i + y j + z k + w; it may have any length but 0
          * @param y of the same quaternion

@@ -3,6 +3,8 @@ package starlogo.collision
     import flash.errors.IllegalOperationError;
     import flash.utils.getTimer;
     import starlogo.agents.Agent;
+    import starlogo.data.textOf;
+    import starlogo.data.warnOfNames;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
     import starlogo.search.ForeignPairs;
@@ -10,8 +12,6 @@ package starlogo.collision
     import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
     import starlogo.search.table.ListedAgents;
-    import starlogo.search.textOf;
-    import starlogo.search.warnOfNames;
 
     use namespace engine;
 
@@ -23,9 +23,6 @@ package starlogo.collision
     {
         private var _collisionSystem:CollisionSystem;
         private var _foundAgents:Vector.<Agent> = new Vector.<Agent>();
-
-        // Reads the pairs that a game's own system has found.
-        private var _foreign:ForeignPairs = null;
 
         /**
          * Creates a collider that finds the same pairs as another collision system.
@@ -131,11 +128,12 @@ package starlogo.collision
         /**
          * @private Finds the pairs of a Collision's frame. A game's own system may return its own vector, and need not count its tests.
          *
-         * @param out takes the pairs
+         * @param foreign reads the pairs of a system that is not the engine's. Each Collision has its own, because Collisions may share such a system
          * @param counts takes the counts and the time
+         * @return the pairs, until the next call
          * @throws IllegalOperationError if there is ground or there are edges, but this is not one of the engine's systems
          */
-        engine function findPairs(input:FrameInput, out:FoundPairs, counts:CollisionStatistics):void
+        engine function findPairs(input:FrameInput, foreign:ForeignPairs, counts:CollisionStatistics):FoundPairs
         {
             var start:Number = getTimer();
             var hasGround:Boolean = input.world[ListedAgents.GROUND_ROW] != null;
@@ -145,13 +143,13 @@ package starlogo.collision
                 throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(_collisionSystem || this, "a Collider"));
             }
             var listed:Vector.<Agent> = input.takePart == null ? input.agents : chosen(input.agents, input.takePart);
-            _foreign ||= new ForeignPairs();
-            _foreign.read(findCollisionsAmong(listed, input.interests, _foundAgents), input.agents, out);
+            var pairs:FoundPairs = foreign.read(findCollisionsAmong(listed, input.interests, _foundAgents), input.agents);
             counts.copyFrom(statistics);
             // the system may not count these
             counts.agents = input.agents.length;
-            counts.collisions = out.count;
+            counts.collisions = pairs.count;
             counts.findMs = getTimer() - start;
+            return pairs;
         }
 
         /** @private Called when a Collision's frame is over, handlers included, with the Collision's statistics. */

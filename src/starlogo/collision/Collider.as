@@ -9,6 +9,7 @@ package starlogo.collision
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;
+    import starlogo.search.ForeignPairs;
     import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
@@ -54,7 +55,6 @@ package starlogo.collision
         private var _contactSearch:CollisionSearch;
 
         private var _statistics:CollisionStatistics = new CollisionStatistics();
-        private var _found:FoundPairs = new FoundPairs();
         private var _motion:RelativeMotion = new RelativeMotion();
         private var _point:ContactPoint = new ContactPoint();
         private var _input:FrameInput = new FrameInput();
@@ -105,17 +105,17 @@ package starlogo.collision
                 by = _extraSearch;
             }
             var found:Vector.<Agent> = out || new Vector.<Agent>();
-            _input.setTo(agents, null, interests, FrameInput.NO_WORLD);
-            find(by, _input, _found, false);
+            _input.setTo(agents, interests, FrameInput.NO_WORLD);
+            var pairs:FoundPairs = find(by, _input, false);
             if (_phase != HANDLING)
             {
                 _contactSearch = by;
             }
-            if (found.length > 2 * _found.count)
+            if (found.length > 2 * pairs.count)
             {
-                found.length = 2 * _found.count;
+                found.length = 2 * pairs.count;
             }
-            _found.write(found);
+            pairs.write(found);
             return found;
         }
 
@@ -209,17 +209,19 @@ package starlogo.collision
         }
 
         /** @private */
-        override engine function findPairs(input:FrameInput, out:FoundPairs, counts:CollisionStatistics):void
+        override engine function findPairs(input:FrameInput, foreign:ForeignPairs, counts:CollisionStatistics):FoundPairs
         {
-            find(search, input, out, true);
+            var pairs:FoundPairs = find(search, input, true);
             counts.copyFrom(_statistics);
+            return pairs;
         }
 
-        private function find(by:CollisionSearch, input:FrameInput, out:FoundPairs, mayKeep:Boolean):void
+        private function find(by:CollisionSearch, input:FrameInput, mayKeep:Boolean):FoundPairs
         {
             var start:Number = getTimer();
-            by.find(input, mayKeep, out, _statistics);
+            var pairs:FoundPairs = by.find(input, mayKeep, _statistics);
             _statistics.findMs = getTimer() - start;
+            return pairs;
         }
 
         /** @private Throws an ArgumentError if one of two agents is null, or they are the same. */

@@ -11,15 +11,17 @@ package starlogo.collision
     import starlogo.agents.Breeds;
     import starlogo.collision.snapshots.Snapshots;
     import starlogo.data.requireGiven;
+    import starlogo.data.textOf;
     import starlogo.engine;
     import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.HandlerTable;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.BreedInterests;
+    import starlogo.search.ForeignPairs;
+    import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
     import starlogo.search.NarrowPhase;
     import starlogo.search.table.ListedAgents;
-    import starlogo.search.textOf;
     import starlogo.search.WorldAgent;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
@@ -88,6 +90,7 @@ package starlogo.collision
         private var _touches:TouchTracker = new TouchTracker();
         private var _calls:HandlerCalls = new HandlerCalls();
         private var _input:FrameInput = new FrameInput();
+        private var _foreign:ForeignPairs = new ForeignPairs();
         private var _world:Vector.<WorldAgent> = new <WorldAgent>[null, null];
         private var _snapshots:Snapshots = new Snapshots();
 
@@ -271,7 +274,11 @@ package starlogo.collision
             _updatingSystem = system;
             try
             {
-                _input.setTo(agents, predicate, _handlers.interests, world);
+                _input.setTo(agents, _handlers.interests, world);
+                if (predicate != null)
+                {
+                    _input.askFilter(predicate);
+                }
                 // the filter may have called reset(), which forgets the frames before this one
                 var lastFrame:LastFrame = _lastFrame;
                 lastFrame.hasFailed = true;
@@ -279,13 +286,13 @@ package starlogo.collision
                 {
                     collider.beginFrame();
                 }
-                system.findPairs(_input, _calls.pairs, _statistics);
+                var pairs:FoundPairs = system.findPairs(_input, _foreign, _statistics);
                 lastFrame.keep(_input.agents, system.equivalentCollider);
                 if (collider != null)
                 {
                     collider.holdFrame();
                 }
-                _calls.make(system, _handlers, touches, agents, _handlerErrors);
+                _calls.make(pairs, system, _handlers, touches, agents, _handlerErrors);
                 lastFrame.hasFailed = false;
             }
             finally

@@ -1,6 +1,7 @@
 package starlogo.collision
 {
     import starlogo.agents.Agent;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.HandlerTable;
@@ -8,7 +9,6 @@ package starlogo.collision
     import starlogo.handlers.Touch;
     import starlogo.handlers.TouchTracker;
     import starlogo.search.FoundPairs;
-    import starlogo.search.NumberList;
 
     use namespace engine;
 
@@ -18,13 +18,11 @@ package starlogo.collision
         // The kind of handlers that are called in each frame of a touch, as in HandlerTable.kinds.
         private static const EACH_FRAME:int = 1 << CollisionHandler.COLLISION;
 
-        /** The pairs of the frame, in the order of their calls. */
-        public var pairs:FoundPairs = new FoundPairs();
-
         /** The number of handlers called. */
         public var count:int = 0;
 
         private var _contacts:FrameContacts = new FrameContacts();
+        private var _pairs:FoundPairs = null;
         private var _table:HandlerTable = null;
         private var _tracker:TouchTracker = null;
         private var _list:GameList = new GameList();
@@ -45,15 +43,17 @@ package starlogo.collision
         /**
          * Makes the calls of a frame.
          *
-         * @param system has found the pairs
+         * @param pairs the pairs of the frame, in the order of their calls
+         * @param system has found them
          * @param table the handlers of each pair of breeds
          * @param tracker knows the touching pairs of breeds that have handlers for starts or ends
          * @param agents the game's own list, which handlers may change
          * @param errors receives the errors that handlers throw
          */
-        public function make(system:BaseCollider, table:HandlerTable, tracker:TouchTracker, agents:Vector.<Agent>,
+        public function make(pairs:FoundPairs, system:BaseCollider, table:HandlerTable, tracker:TouchTracker, agents:Vector.<Agent>,
                 errors:Vector.<Error>):void
         {
+            _pairs = pairs;
             _table = table;
             _tracker = tracker;
             _list.begin(agents, pairs);
@@ -71,10 +71,10 @@ package starlogo.collision
             if (tracksTouches)
             {
                 tracker.begin(pairs, compared, table);
-                callAll(true, tracker.endedCount, errors);
+                callEnds(errors);
                 _chosen = (table.kinds & EACH_FRAME) == 0 ? compared : null;
             }
-            callAll(false, _chosen == null ? pairs.count : _chosen.count, errors);
+            callPairs(errors);
             if (tracksTouches)
             {
                 tracker.end(pairs, _areTouchesComplete);
@@ -83,58 +83,75 @@ package starlogo.collision
             _list.end();
         }
 
-        // Computes the contacts that handlers take, before a handler moves an agent. Null stands for all pairs.
+        // Computes the contacts that handlers take, before a handler moves an agent. Null stands for all _pairs.
         private function findContacts(some:NumberList):void
         {
-            var end:int = some == null ? pairs.count : some.count;
+            var end:int = some == null ? _pairs.count : some.count;
             for (var i:int = 0; i < end; i++)
             {
                 var pair:int = some == null ? i : some.numbers[i];
-                if (_table.handlersOfPair(pairs, pair).needsContacts)
+                if (_table.handlersOfPair(_pairs, pair).needsContacts)
                 {
-                    _contacts.find(pair, pairs.firstOf(pair), pairs.secondOf(pair));
+                    _contacts.find(pair, _pairs.firstOf(pair), _pairs.secondOf(pair));
                 }
             }
         }
 
-        // Makes the calls for ended touches, or for the pairs. The try is here and not around each call, because a method with a
-        // try makes an object for each of its calls in Adobe's VM, and takes longer than most handlers.
-        private function callAll(areEnded:Boolean, end:int, errors:Vector.<Error>):void
+        // Makes the calls for ended touches. The try is here and in callPairs(), and not around each call, because a method with a try makes an
+        // object for each of its calls in Adobe's VM, and takes longer than most handlers.
+        private function callEnds(errors:Vector.<Error>):void
         {
+            _step = _next = 0;
+            while (_step < _tracker.endedCount)
+            {
+                _isCalling = false;
+                try
+                {
+                    for (; _step < _tracker.endedCount; _step++)
+                    {
+                        endTouch(_tracker.endedAt(_step));
+                        _next = 0;
+                    }
+                }
+                catch (error:*)
+                {
+                    keepError(error, errors);
+                }
+            }
+        }
+
+        // Makes the calls for the pairs.
+        private function callPairs(errors:Vector.<Error>):void
+        {
+            var end:int = _chosen == null ? _pairs.count : _chosen.count;
             _step = _next = 0;
             while (_step < end)
             {
                 _isCalling = false;
                 try
                 {
-                    callFromStep(areEnded, end);
+                    for (; _step < end; _step++)
+                    {
+                        takePair(_chosen == null ? _step : _chosen.numbers[_step]);
+                        _next = 0;
+                    }
                 }
                 catch (error:*)
                 {
-                    if (!_isCalling)
-                    {
-                        // it comes from the computation of a contact, or from the engine. Going on would throw it again
-                        throw error;
-                    }
-                    errors.push(error is Error ? error : new Error(String(error)));
+                    keepError(error, errors);
                 }
             }
         }
 
-        private function callFromStep(areEnded:Boolean, end:int):void
+        // Keeps the error of a handler, and throws any other. That comes from the computation of a contact, or from the engine, and going on would
+        // throw it again.
+        private function keepError(error:*, errors:Vector.<Error>):void
         {
-            for (; _step < end; _step++)
+            if (!_isCalling)
             {
-                if (areEnded)
-                {
-                    endTouch(_tracker.endedAt(_step));
-                }
-                else
-                {
-                    takePair(_chosen == null ? _step : _chosen.numbers[_step]);
-                }
-                _next = 0;
+                throw error;
             }
+            errors.push(error is Error ? error : new Error(String(error)));
         }
 
         // The loop is like that of takePair(), because one more call for each pair takes a tenth of a frame in Adobe's VM.
@@ -177,10 +194,10 @@ package starlogo.collision
         // In the first frame of a touch, its handlers for starts are called before those for every frame.
         private function takePair(pair:int):void
         {
-            var firstRow:int = pairs.rows[2 * pair];
-            var secondRow:int = pairs.rows[2 * pair + 1];
-            var first:Agent = pairs.agents[firstRow];
-            var second:Agent = pairs.agents[secondRow];
+            var firstRow:int = _pairs.rows[2 * pair];
+            var secondRow:int = _pairs.rows[2 * pair + 1];
+            var first:Agent = _pairs.agents[firstRow];
+            var second:Agent = _pairs.agents[secondRow];
             if (_next == 0)
             {
                 _handlers = _table.handlersOf(first.breedNumber, second.breedNumber);
@@ -241,10 +258,10 @@ package starlogo.collision
         // The touch of a pair, which begins if there is none; null if there is none, and one of the agents has left the list.
         private function touchOf(pair:int, firstRow:int, secondRow:int):Touch
         {
-            var touch:Touch = _tracker.touchAt(pairs, pair);
+            var touch:Touch = _tracker.touchAt(pair);
             if (touch == null && _list.hasBoth(firstRow, secondRow))
             {
-                touch = _tracker.touchOrStartAt(pairs, pair);
+                touch = _tracker.touchOrStartAt(_pairs, pair);
             }
             return touch;
         }

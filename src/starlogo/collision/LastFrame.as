@@ -12,7 +12,7 @@ package starlogo.collision
         /** The engine's collider that has searched the list; null before the first frame, and for a system that is not the engine's. */
         public var collider:Collider = null;
 
-        /** Whether the frame threw before its end. */
+        /** True while a frame runs, and after a frame that has refused its list or could not compute a contact. Errors of handlers do not count. */
         public var hasFailed:Boolean = false;
 
         private var _agents:Vector.<Agent> = new Vector.<Agent>();

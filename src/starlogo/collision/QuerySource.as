@@ -1,8 +1,8 @@
 package starlogo.collision
 {
+    import starlogo.data.textOf;
     import starlogo.engine;
     import starlogo.search.NarrowPhase;
-    import starlogo.search.textOf;
     import starlogo.terrain.Terrain;
 
     use namespace engine;

@@ -9,6 +9,7 @@ package starlogo.diagnostics
     import starlogo.data.requireGiven;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
+    import starlogo.search.ForeignPairs;
     import starlogo.search.FoundPairs;
     import starlogo.search.FrameInput;
 
@@ -103,15 +104,16 @@ package starlogo.diagnostics
         }
 
         /** @private */
-        override engine function findPairs(input:FrameInput, out:FoundPairs, counts:CollisionStatistics):void
+        override engine function findPairs(input:FrameInput, foreign:ForeignPairs, counts:CollisionStatistics):FoundPairs
         {
-            _system.findPairs(input, out, counts);
+            var pairs:FoundPairs = _system.findPairs(input, foreign, counts);
             _findTimes.add(counts.findMs);
-            for (var i:int = 0; i < out.count; i++)
+            for (var i:int = 0; i < pairs.count; i++)
             {
-                countPair(out.firstOf(i), out.secondOf(i));
+                countPair(pairs.firstOf(i), pairs.secondOf(i));
             }
-            endFrame(out.count);
+            endFrame(pairs.count);
+            return pairs;
         }
 
         /** @private */

@@ -4,12 +4,12 @@ package starlogo.handlers
 {
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
+    import starlogo.agents.warnOfBreeds;
     import starlogo.data.HashTable;
+    import starlogo.data.textOf;
     import starlogo.engine;
     import starlogo.search.BreedInterests;
     import starlogo.search.FoundPairs;
-    import starlogo.search.textOf;
-    import starlogo.search.warnOfBreeds;
 
     use namespace engine;
 
@@ -63,14 +63,14 @@ package starlogo.handlers
             {
                 throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + kind + "\"");
             }
-            var entry:PairHandlers = entryOf(BreedInterests.numberOf(breed), BreedInterests.numberOf(otherBreed));
-            var removed:CollisionHandler = entry.find(callback, kind == null ? PairHandlers.ANY_KIND : wanted);
+            var added:AddedHandlers = entryOf(BreedInterests.numberOf(breed), BreedInterests.numberOf(otherBreed)).added;
+            var removed:CollisionHandler = added.find(callback, kind == null ? AddedHandlers.ANY_KIND : wanted);
             if (removed == null)
             {
                 return false;
             }
             _isOneRemoved = true;
-            entry.remove(removed, _knownCount);
+            added.remove(removed, _knownCount);
             return true;
         }
 
@@ -79,7 +79,7 @@ package starlogo.handlers
         {
             for each (var entry:PairHandlers in _all)
             {
-                entry.removeAll(_knownCount);
+                entry.added.removeAll(_knownCount);
             }
             _isOneRemoved = true;
         }
@@ -146,7 +146,7 @@ package starlogo.handlers
                 for each (var other:int in otherBreed > Breeds.ANY ? [otherBreed, Breeds.ANY] : [otherBreed])
                 {
                     var index:int = _indices.valueOf(number, other);
-                    for each (var handler:CollisionHandler in index < 0 ? null : _all[index].added)
+                    for each (var handler:CollisionHandler in index < 0 ? null : _all[index].added.list)
                     {
                         if (handler.order < _knownCount)
                         {
@@ -164,7 +164,7 @@ package starlogo.handlers
         private function enter(handler:CollisionHandler):void
         {
             _added.push(handler);
-            entryOf(handler.breedNumber, handler.otherNumber).added.push(handler);
+            entryOf(handler.breedNumber, handler.otherNumber).added.list.push(handler);
         }
 
         // Begins an empty table with the handlers that are not removed.
@@ -179,7 +179,7 @@ package starlogo.handlers
             _added.length = 0;
             for each (var entry:PairHandlers in before)
             {
-                for each (var handler:CollisionHandler in entry.added)
+                for each (var handler:CollisionHandler in entry.added.list)
                 {
                     if (!handler.isRemoved)
                     {

@@ -24,7 +24,7 @@ package starlogo.handlers
         /** The tracker's frame in which the touch began. */
         public var beganIn:int;
 
-        /** The tracker's last frame that began it or let it go on, or that ended it. */
+        /** The tracker's last frame in which it began or went on. */
         public var seenIn:int;
 
         /** How many touches began before it. */

@@ -2,10 +2,10 @@ package starlogo.handlers
 {
     import starlogo.agents.Agent;
     import starlogo.data.HashTable;
+    import starlogo.data.KeyedList;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.search.FoundPairs;
-    import starlogo.search.KeyedList;
-    import starlogo.search.NumberList;
 
     use namespace engine;
 
@@ -19,6 +19,9 @@ package starlogo.handlers
      */
     public final class TouchTracker
     {
+        // In place of the index of a touch: there is none.
+        private static const NONE:int = -1;
+
         /** The number of the frame, from 1 on. */
         public var frame:int = 0;
 
@@ -33,6 +36,10 @@ package starlogo.handlers
 
         // By the numbers of two agents, the lesser first: the index of their touch.
         private var _indices:HashTable = new HashTable();
+
+        // By pair of the frame: the index of its touch, or NONE. The list may be longer. The touches that dropped pairs had.
+        private var _byPair:Vector.<int> = new Vector.<int>();
+        private var _dropped:NumberList = new NumberList();
 
         // The indices of the objects for later touches.
         private var _free:NumberList = new NumberList();
@@ -66,7 +73,12 @@ package starlogo.handlers
             forgetEnded();
             if (compared == null)
             {
-                pairs.clearTouches();
+                clearColumn(pairs.count);
+            }
+            else
+            {
+                takeDropped(pairs);
+                openForAdded(pairs);
             }
             var end:int = compared == null ? pairs.count : compared.count;
             for (var i:int = 0; i < end; i++)
@@ -77,10 +89,10 @@ package starlogo.handlers
                     renew(pairs, pair);
                 }
             }
-            end = compared == null ? _all.length : pairs.dropped.count;
+            end = compared == null ? _all.length : _dropped.count;
             for (i = 0; i < end; i++)
             {
-                var open:int = compared == null ? i : pairs.dropped.numbers[i];
+                var open:int = compared == null ? i : _dropped.numbers[i];
                 endUnlessSeen(_all[open]);
             }
             _ended.sortFirst(_ended.count);
@@ -110,10 +122,10 @@ package starlogo.handlers
         }
 
         /** The touch of a pair; null if there is none. */
-        public function touchAt(pairs:FoundPairs, pair:int):Touch
+        public function touchAt(pair:int):Touch
         {
-            var index:int = pairs.touches[pair];
-            return index == FoundPairs.NONE ? null : _all[index];
+            var index:int = _byPair[pair];
+            return index == NONE ? null : _all[index];
         }
 
         /** Gives a pair the touch of its agents. If there is none, one begins, of the breeds that the two have now. */
@@ -122,7 +134,7 @@ package starlogo.handlers
             var first:Agent = pairs.firstOf(pair);
             var second:Agent = pairs.secondOf(pair);
             var touch:Touch = touchOrStart(first, second, first.breedNumber, second.breedNumber);
-            pairs.setTouch(pair, touch.index);
+            _byPair[pair] = touch.index;
             return touch;
         }
 
@@ -164,6 +176,64 @@ package starlogo.handlers
             return ordered;
         }
 
+        private function clearColumn(pairCount:int):void
+        {
+            makeRoom(pairCount);
+            for (var pair:int = 0; pair < pairCount; pair++)
+            {
+                _byPair[pair] = NONE;
+            }
+        }
+
+        // Takes the touches of dropped pairs out of the column, and lists them.
+        private function takeDropped(pairs:FoundPairs):void
+        {
+            var byPair:Vector.<int> = _byPair;
+            var dropped:NumberList = pairs.dropped;
+            var before:int = pairs.count - pairs.added.count + dropped.count;
+            _dropped.count = 0;
+            for (var i:int = 0; i < dropped.count; i++)
+            {
+                var pair:int = dropped.numbers[i];
+                if (byPair[pair] != NONE)
+                {
+                    _dropped.add(byPair[pair]);
+                }
+                var end:int = i + 1 < dropped.count ? dropped.numbers[i + 1] : before;
+                for (var from:int = pair + 1; from < end; from++)
+                {
+                    byPair[int(from - i - 1)] = byPair[from];
+                }
+            }
+        }
+
+        // Makes room in the column for added pairs, which have no touch yet.
+        private function openForAdded(pairs:FoundPairs):void
+        {
+            makeRoom(pairs.count);
+            var byPair:Vector.<int> = _byPair;
+            var added:NumberList = pairs.added;
+            var to:int = pairs.count - 1;
+            for (var left:int = added.count; left > 0; left--)
+            {
+                for (var pair:int = added.numbers[left - 1]; to > pair; to--)
+                {
+                    byPair[to] = byPair[int(to - left)];
+                }
+                byPair[to] = NONE;
+                to--;
+            }
+        }
+
+        // Grows by an eighth, because a vector that grows a little in each frame is copied each time.
+        private function makeRoom(pairCount:int):void
+        {
+            if (_byPair.length < pairCount)
+            {
+                _byPair.length = pairCount + (pairCount >> 3);
+            }
+        }
+
         private function newTouch():Touch
         {
             var touch:Touch;
@@ -196,7 +266,7 @@ package starlogo.handlers
             if (touch.isBothWays && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber)
             {
                 touch.seenIn = frame;
-                pairs.setTouch(pair, index);
+                _byPair[pair] = index;
             }
         }
 

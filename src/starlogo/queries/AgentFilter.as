@@ -2,8 +2,8 @@ package starlogo.queries
 {
     import starlogo.agents.Agent;
     import starlogo.agents.AgentPredicate;
+    import starlogo.agents.warnOfBreeds;
     import starlogo.engine;
-    import starlogo.search.warnOfBreeds;
 
     use namespace engine;
 

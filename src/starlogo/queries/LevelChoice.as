@@ -2,6 +2,7 @@ package starlogo.queries
 {
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.data.meantOf;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.BoxTreeBuilder;
@@ -12,7 +13,6 @@ package starlogo.queries
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.meantOf;
     import starlogo.solid.ModelTree;
     import starlogo.steps.finish;
 

@@ -5,6 +5,7 @@ package starlogo.queries
     import starlogo.bounding.BoundingStructure;
     import starlogo.collision.Contact;
     import starlogo.convex.ContactPoint;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.queries.motion.MotionPlanner;
     import starlogo.queries.motion.MotionResult;
@@ -18,7 +19,6 @@ package starlogo.queries
     import starlogo.queries.trees.Collector;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.NumberList;
 
     use namespace engine;
 

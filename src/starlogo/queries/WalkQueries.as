@@ -4,6 +4,7 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.agents.PlatformLink;
     import starlogo.convex.ContactPoint;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.geometry.Trigonometry;
     import starlogo.geometry.requireInWorld;
@@ -16,7 +17,6 @@ package starlogo.queries
     import starlogo.queries.motion.SlideResult;
     import starlogo.queries.rays.RowRays;
     import starlogo.search.Body;
-    import starlogo.search.NumberList;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.ListedAgents;
 

@@ -1,6 +1,7 @@
 package starlogo.search
 {
     import flash.errors.IllegalOperationError;
+    import starlogo.data.meantOf;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.engine;

@@ -15,7 +15,7 @@ package starlogo.search
      * A shape at a place in the world: what tests take. Each row of a table has a body. A question makes bodies: of an agent as it is now, of a
      * structure, or of another body at another place.
      *
-     * <p>To change the place, call <code>moveTo()</code>.</p>
+     * <p>The body of a row goes to the row's place with <code>follow()</code>, any other to a place with <code>moveTo()</code>.</p>
      *
      * @private
      */

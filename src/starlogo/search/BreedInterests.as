@@ -21,8 +21,8 @@ package starlogo.search
          */
         public static const ANY_BREED:String = "*";
 
-        /** @private Whether all pairs of the breeds of agents that are told apart are of interest. */
-        engine var includesAll:Boolean = true;
+        /** @private Whether all pairs of two breeds of agents that have numbers here are of interest. The ground and the edges do not count. */
+        engine var includesAllOfAgents:Boolean = true;
 
         // The pairs, in both orders, and by the number of a breed whether a pair names it. ANY is a member like the others, so a breed with
         // ANY_BREED costs no more than a breed with one other.
@@ -60,7 +60,7 @@ package starlogo.search
                 _agentPairs += number > Breeds.ANY && other > Breeds.ANY ? 1 : 0;
             }
             // the breeds that no pair names are told apart from the others once a pair has ANY_BREED
-            includesAll = isNamed(Breeds.ANY) ? has(Breeds.ANY, Breeds.ANY) : 2 * _agentPairs == _agentBreeds * (_agentBreeds + 1);
+            includesAllOfAgents = isNamed(Breeds.ANY) ? has(Breeds.ANY, Breeds.ANY) : 2 * _agentPairs == _agentBreeds * (_agentBreeds + 1);
         }
 
         /**
@@ -68,7 +68,7 @@ package starlogo.search
          */
         public function indexOf(breed:String):int
         {
-            return indexOfNumber(Breeds.numberOf(breed));
+            return numberFor(Breeds.numberOf(breed));
         }
 
         /** Whether a pair of breeds is of interest. Pass their numbers; the answer is false if one of them is -1. */
@@ -77,7 +77,7 @@ package starlogo.search
             // -1 is in no pair, and does not count as the number of a breed of agents
             var isOfAgents:Boolean = !Breeds.isOfWorld(number);
             var isOtherOfAgents:Boolean = !Breeds.isOfWorld(otherNumber);
-            return has(number, otherNumber) || isOfAgents && isOtherOfAgents && includesAll || isOtherOfAgents && has(number, Breeds.ANY)
+            return has(number, otherNumber) || isOfAgents && isOtherOfAgents && includesAllOfAgents || isOtherOfAgents && has(number, Breeds.ANY)
                 || isOfAgents && has(otherNumber, Breeds.ANY);
         }
 
@@ -88,7 +88,7 @@ package starlogo.search
         }
 
         /** @private The same as <code>indexOf()</code> of a breed's name, from the breed's number in the class Breeds. */
-        engine function indexOfNumber(breed:int):int
+        engine function numberFor(breed:int):int
         {
             if (isNamed(breed))
             {
@@ -127,7 +127,7 @@ package starlogo.search
          */
         internal function keepOfInterest(breeds:Vector.<int>, row:int, others:Vector.<int>, count:int):int
         {
-            var own:int = indexOfNumber(breeds[row]);
+            var own:int = numberFor(breeds[row]);
             if (has(own, Breeds.ANY))
             {
                 return count;

@@ -3,6 +3,7 @@ package starlogo.search
     import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.PairSink;
     import starlogo.convex.RelativeMotion;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.search.table.AgentTable;
 
@@ -22,8 +23,9 @@ package starlogo.search
         private var _motions:RowMotions;
         private var _order:PairOrder = new PairOrder();
 
-        // The input of the search under way, and whether all its shapes are spheres and stand.
+        // The input of the search under way, whether an agent sweeps, and whether all its shapes are spheres and stand.
         private var _input:FrameInput = null;
+        private var _anySweeps:Boolean = false;
         private var _areStandingSpheres:Boolean = false;
 
         // Takes the pairs.
@@ -50,13 +52,19 @@ package starlogo.search
             _motions = motions;
         }
 
-        /** Begins a search, whose pairs go to out. */
-        public function begin(input:FrameInput, out:FoundPairs):void
+        /**
+         * Begins a search.
+         *
+         * @param anySweeps whether an agent sweeps
+         * @param out receives the pairs
+         */
+        public function begin(input:FrameInput, anySweeps:Boolean, out:FoundPairs):void
         {
             candidatePairs = 0;
             out.begin(_table.list.agents, _table.list.ranks, _table.list.rows.count);
             _input = input;
-            _areStandingSpheres = _table.areSpheres && !input.anySweeps;
+            _anySweeps = anySweeps;
+            _areStandingSpheres = _table.areSpheres && !anySweeps;
             _out = out;
         }
 
@@ -65,14 +73,14 @@ package starlogo.search
         {
             var found:FoundPairs = _out;
             _out = null;
-            _order.sort(found, _input.anySweeps);
+            _order.sort(found, _anySweeps);
         }
 
         /** @inheritDoc */
         override public function onCandidates(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
             var interests:BreedInterests = _input.interests;
-            if (interests != null && !interests.includesAll)
+            if (interests != null && !interests.includesAllOfAgents)
             {
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
@@ -116,7 +124,7 @@ package starlogo.search
         // Adds the pairs of a row with those candidates that touch it. There is no level for the ground and the edges, whose extents say nothing.
         private function addTouching(row:int, others:Vector.<int>, count:int, level:BinLevel):void
         {
-            if (_input.anySweeps)
+            if (_anySweeps)
             {
                 _out.addPairs(row, others, keepTouchingMotions(row, others, count, level, _times), _times);
                 return;

@@ -9,6 +9,7 @@ package starlogo.search
     import starlogo.broadphase.Extents;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.ListedAgents;
@@ -34,12 +35,13 @@ package starlogo.search
         private var _bins:Bins = new Bins();
         private var _motions:RowMotions;
 
-        // Whether the last search found the motions. A read without a search makes them void.
+        // Whether an agent swept in the last search, which has found the motions then. A read without a search makes them void.
         private var _hasMotions:Boolean = false;
 
         private var _candidates:CandidateFilter;
 
-        // Finds the pairs of a search in which little has changed.
+        // The pairs of the last search. KeptPairs finds them if little has changed.
+        private var _pairs:FoundPairs = new FoundPairs();
         private var _keptPairs:KeptPairs;
 
         private var _bodyA:Body = new Body();
@@ -57,7 +59,7 @@ package starlogo.search
             table = new AgentTable(new ModelShapes(narrowPhase.choice), _bins.levels);
             _motions = new RowMotions(table, narrowPhase, _bins.levels);
             _candidates = new CandidateFilter(table, narrowPhase, _motions);
-            _keptPairs = new KeptPairs(table, _candidates, _motions, _bins.levels);
+            _keptPairs = new KeptPairs(table, _candidates, _motions, _bins.levels, _pairs);
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */
@@ -72,65 +74,66 @@ package starlogo.search
          * Finds the pairs of agents that touch and whose breeds are of interest.
          *
          * @param input among what
-         * @param mayKeep whether the search may begin with the pairs of the last one, which are in out then
-         * @param out takes the pairs
+         * @param mayKeep whether the search may begin with the pairs of the last one
          * @param counts takes the counts of this search
+         * @return the pairs. The next search overwrites them
          * @throws ArgumentError as CollisionSystem.findCollisions does
          * @throws RangeError as CollisionSystem.findCollisions does
          */
-        public function find(input:FrameInput, mayKeep:Boolean, out:FoundPairs, counts:SearchCounts):void
+        public function find(input:FrameInput, mayKeep:Boolean, counts:SearchCounts):FoundPairs
         {
             table.read(input.agents);
             for (var row:int = ListedAgents.GROUND_ROW; row <= ListedAgents.EDGES_ROW; row++)
             {
                 table.readWorldAgent(row, input.world[row]);
             }
-            input.findSweeping();
-            _hasMotions = input.anySweeps;
+            _hasMotions = input.isAnySweeping();
             // tests since the last search, as those of questions, do not count
             _narrowPhase.takeCounts(counts);
-            var memberCount:int = findPairs(input, mayKeep, out);
+            var memberCount:int = findPairs(input, mayKeep);
             _narrowPhase.takeCounts(counts);
             counts.agents = table.list.rows.count;
             counts.agentsSkipped = table.list.rows.count - memberCount - table.loadingCount;
             counts.agentsLoading = table.loadingCount;
             counts.candidatePairs = _candidates.candidatePairs;
             counts.sweptPairs = _hasMotions ? _motions.sweptPairs : 0;
-            counts.collisions = out.count;
+            counts.collisions = _pairs.count;
+            return _pairs;
         }
 
         // Finds the pairs, from those of the last search if that is wanted and possible. Returns the number of members.
-        private function findPairs(input:FrameInput, mayKeep:Boolean, out:FoundPairs):int
+        private function findPairs(input:FrameInput, mayKeep:Boolean):int
         {
             if (!mayKeep)
             {
                 // also if the search throws, because the table has been read
                 _keptPairs.forget();
-                return findAll(input, out).count;
+                return findAll(input).count;
             }
-            if (_keptPairs.find(input, _narrowPhase.treeLimits, out))
+            var answer:int = _keptPairs.find(input, _hasMotions, _narrowPhase.treeLimits);
+            if (answer == KeptPairs.FOUND)
             {
                 return _keptPairs.memberCount;
             }
-            var members:NumberList = findAll(input, out);
-            if (_keptPairs.isWorthKeeping)
+            var members:NumberList = findAll(input);
+            if (answer == KeptPairs.SEARCH_AND_KEEP)
             {
-                _keptPairs.keep(out, members);
+                _keptPairs.keep(members);
             }
             return members.count;
         }
 
         // Searches all members, and returns them.
-        private function findAll(input:FrameInput, out:FoundPairs):NumberList
+        private function findAll(input:FrameInput):NumberList
         {
             var members:NumberList = findMembers(input);
             var extents:Extents = table.extents;
-            if (input.anySweeps)
+            if (_hasMotions)
             {
                 _motions.findMotions(table.list.rows);
                 extents = _motions.extents;
             }
-            _candidates.begin(input, out);
+            _candidates.begin(input, _hasMotions, _pairs);
             _bins.findPairs(extents, members.numbers, members.count, _candidates);
             for (var row:int = ListedAgents.GROUND_ROW; row <= ListedAgents.EDGES_ROW; row++)
             {

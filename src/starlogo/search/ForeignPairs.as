@@ -20,26 +20,29 @@ package starlogo.search
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
         private var _ranks:Vector.<int> = new Vector.<int>();
 
+        private var _pairs:FoundPairs = new FoundPairs();
+
         /**
          * Reads pairs. It leaves out a pair if one of its agents is not in the list.
          *
          * @param pairs the pairs: a0, b0, a1, b1, ...
          * @param list the list of the frame
-         * @param out receives the pairs
+         * @return the pairs as rows. The next call overwrites them
          */
-        public function read(pairs:Vector.<Agent>, list:Vector.<Agent>, out:FoundPairs):void
+        public function read(pairs:Vector.<Agent>, list:Vector.<Agent>):FoundPairs
         {
             readList(list);
-            out.begin(_agents, _ranks, list.length);
+            _pairs.begin(_agents, _ranks, list.length);
             for (var i:int = 0; i + 1 < pairs.length; i += 2)
             {
                 var a:int = _rowsById.valueOf(pairs[i].id, 0);
                 var b:int = _rowsById.valueOf(pairs[i + 1].id, 0);
                 if (a >= 0 && b >= 0)
                 {
-                    out.add(a, b);
+                    _pairs.add(a, b);
                 }
             }
+            return _pairs;
         }
 
         private function readList(list:Vector.<Agent>):void

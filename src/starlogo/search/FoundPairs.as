@@ -1,6 +1,7 @@
 package starlogo.search
 {
     import starlogo.agents.Agent;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.search.table.ListedAgents;
 
@@ -18,8 +19,11 @@ package starlogo.search
      */
     public final class FoundPairs
     {
-        /** In place of a touch or of a revision: there is none. */
+        /** In place of a revision: there is none. */
         public static const NONE:int = -1;
+
+        // The revision of the pairs that were written last, by any object.
+        private static var sLastRevision:int = 0;
 
         /** The number of pairs. */
         public var count:int = 0;
@@ -39,7 +43,7 @@ package starlogo.search
         /** The number of agents in the list. */
         public var agentCount:int = 0;
 
-        /** Other pairs have another revision. */
+        /** Other pairs have another revision, in this object or in another. */
         public var revision:int = 0;
 
         /**
@@ -48,16 +52,7 @@ package starlogo.search
          */
         public var basis:int = NONE;
 
-        /**
-         * By pair: its touch, a number of a TouchTracker, or NONE; null if no touches are tracked since the pairs began. The list may be
-         * longer. The pairs that are kept from frame to frame keep their touches.
-         */
-        public var touches:Vector.<int> = null;
-
-        // The memory for touches.
-        private var _touches:Vector.<int> = new Vector.<int>();
-
-        /** The touches that dropped pairs had. */
+        /** The indices of the dropped pairs among the earlier pairs, in ascending order. */
         public var dropped:NumberList = new NumberList();
 
         /** The indices of the added pairs among these pairs, in ascending order. */
@@ -73,7 +68,6 @@ package starlogo.search
         internal function begin(agents:Vector.<Agent>, ranks:Vector.<int>, agentCount:int):void
         {
             setColumns(agents, ranks, agentCount);
-            touches = null;
             count = 0;
             basis = NONE;
         }
@@ -119,7 +113,6 @@ package starlogo.search
             basis = before;
             dropped.count = added.count = 0;
             var all:Vector.<int> = rows;
-            var touching:Vector.<int> = touches;
             var end:int = 2 * count;
             var kept:int = 0;
             for (var i:int = 0; i < end; i += 2)
@@ -130,15 +123,11 @@ package starlogo.search
                 {
                     all[kept] = a;
                     all[int(kept + 1)] = b;
-                    if (touching != null)
-                    {
-                        touching[kept >> 1] = touching[i >> 1];
-                    }
                     kept += 2;
                 }
-                else if (touching != null && touching[i >> 1] != NONE)
+                else
                 {
-                    dropped.add(touching[i >> 1]);
+                    dropped.add(i >> 1);
                 }
             }
             count = kept >> 1;
@@ -170,19 +159,11 @@ package starlogo.search
                     to--;
                     rows[int(2 * to)] = rows[int(2 * from - 2)];
                     rows[int(2 * to + 1)] = rows[int(2 * from - 1)];
-                    if (touches != null)
-                    {
-                        touches[to] = touches[int(from - 1)];
-                    }
                 }
                 to--;
                 added.numbers[i] = to;
                 rows[int(2 * to)] = a;
                 rows[int(2 * to + 1)] = b;
-                if (touches != null)
-                {
-                    touches[to] = NONE;
-                }
             }
         }
 
@@ -204,26 +185,6 @@ package starlogo.search
             {
                 rows.length = 2 * (pairCount + (pairCount >> 3));
             }
-            if (touches != null && touches.length < pairCount)
-            {
-                touches.length = pairCount + (pairCount >> 3);
-            }
-        }
-
-        /** Begins to track touches: no pair has one yet. */
-        public function clearTouches():void
-        {
-            touches = _touches;
-            for (var i:int = 0; i < count; i++)
-            {
-                touches[i] = NONE;
-            }
-        }
-
-        /** Gives a pair its touch. */
-        public function setTouch(pair:int, touch:int):void
-        {
-            touches[pair] = touch;
         }
 
         /** The first agent of a pair. */
@@ -264,7 +225,8 @@ package starlogo.search
             this.agents = agents;
             this.ranks = ranks;
             this.agentCount = agentCount;
-            revision++;
+            sLastRevision++;
+            revision = sLastRevision;
         }
 
         // The number of pairs before a pair, of the first pairs. It looks at the last of them first.

@@ -29,45 +29,47 @@ package starlogo.search
         /** The agents of the ground and of the edges of the world, by their rows; null where there is none. */
         public var world:Vector.<WorldAgent> = NO_WORLD;
 
-        /** Whether an agent of the list sweeps. <code>findSweeping()</code> sets it. */
-        public var anySweeps:Boolean = false;
-
         // What a filter fills: the copy of the list, and its answers.
         private var _copy:Vector.<Agent> = new Vector.<Agent>();
         private var _answers:Vector.<Boolean> = new Vector.<Boolean>();
 
-        /**
-         * Sets all, and asks the filter about each agent.
-         *
-         * @param filter decides which agents take part; null for all. An entry that is null takes part, because the collision system refuses it
-         */
-        public function setTo(agents:Vector.<Agent>, filter:AgentPredicate, interests:BreedInterests, world:Vector.<WorldAgent>):void
+        /** Sets all. All agents take part. */
+        public function setTo(agents:Vector.<Agent>, interests:BreedInterests, world:Vector.<WorldAgent>):void
         {
             this.agents = agents;
             this.interests = interests;
             this.world = world;
             takePart = null;
-            if (filter != null)
+        }
+
+        /** Asks a filter of the game's which agents take part. An entry that is null does, because the collision system refuses it. */
+        public function askFilter(filter:AgentPredicate):void
+        {
+            copyList(agents, _copy);
+            agents = _copy;
+            takePart = _answers;
+            filter.checkNames(agents);
+            for (var i:int = 0; i < agents.length; i++)
             {
-                ask(filter);
+                takePart[i] = agents[i] == null || filter.admits(agents[i]);
             }
         }
 
-        /** Finds whether an agent sweeps. No entry of the list is null. */
-        public function findSweeping():void
+        /** Whether an agent of the list sweeps. No entry of the list is null. */
+        public function isAnySweeping():Boolean
         {
             var i:int = Agent.haveSwept ? agents.length - 1 : -1;
             while (i >= 0 && !agents[i].isSweeping)
             {
                 i--;
             }
-            anySweeps = i >= 0;
+            return i >= 0;
         }
 
         /** Whether a row is a member of the search: it has a shape, its breed is of interest, and its agent takes part. */
         public function isMember(table:AgentTable, row:int):Boolean
         {
-            return table.shapes[row] != null && (interests == null || interests.indexOfNumber(table.breeds[row]) >= 0)
+            return table.shapes[row] != null && (interests == null || interests.numberFor(table.breeds[row]) >= 0)
                 && (takePart == null || takePart[table.list.ranks[row]]);
         }
 
@@ -82,18 +84,6 @@ package starlogo.search
                 {
                     to[i] = from[i];
                 }
-            }
-        }
-
-        private function ask(filter:AgentPredicate):void
-        {
-            copyList(agents, _copy);
-            agents = _copy;
-            takePart = _answers;
-            filter.checkNames(agents);
-            for (var i:int = 0; i < agents.length; i++)
-            {
-                takePart[i] = agents[i] == null || filter.admits(agents[i]);
             }
         }
     }

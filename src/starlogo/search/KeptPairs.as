@@ -2,6 +2,7 @@ package starlogo.search
 {
     import starlogo.broadphase.BinLevels;
     import starlogo.broadphase.CellLists;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.ListedAgents;
@@ -20,6 +21,15 @@ package starlogo.search
      */
     internal final class KeptPairs
     {
+        /** An answer of <code>find()</code>: it has found the pairs. */
+        internal static const FOUND:int = 0;
+
+        /** An answer: all rows have to be searched. This search is like the last one, so the next one probably is too, and its pairs should be kept. */
+        internal static const SEARCH_AND_KEEP:int = 1;
+
+        /** An answer: all rows have to be searched. The search is not like the last one, or many rows have changed. */
+        internal static const SEARCH:int = 2;
+
         // Pairs are kept if at most one row in this many has changed. The second number is for searches that are faster, because all shapes are
         // spheres, or only some breeds have handlers.
         private static const ONE_IN:int = 8;
@@ -29,17 +39,15 @@ package starlogo.search
         private var _candidates:CandidateFilter;
         private var _motions:RowMotions;
 
-        // The pairs of the last search, or null, and their revision. They are void if somebody else has written other pairs there.
-        private var _pairs:FoundPairs = null;
-        private var _pairsRevision:int = 0;
+        // The pairs of the search, and whether they and the cells belong to the last one.
+        private var _pairs:FoundPairs;
+        private var _areValid:Boolean = false;
 
-        // The pairs that this search finds.
+        // The pairs of changed rows that this search finds.
         private var _found:FoundPairs = new FoundPairs();
 
         // The members of the last search.
         private var _cells:CellLists;
-
-        private var _isWorthKeeping:Boolean = false;
 
         // What the pairs of the last search depended on besides agents, ground and edges: which pairs of breeds counted, and how often one was added
         // to them; whether an agent swept; whether a filter was asked; how deep trees were tested, or 0 for exactly.
@@ -59,9 +67,11 @@ package starlogo.search
          * @param candidates finds the pairs among candidates
          * @param motions of the rows, if an agent sweeps
          * @param levels of the bins
+         * @param pairs has the pairs of the last search, and gets those of the next one
          */
-        public function KeptPairs(table:AgentTable, candidates:CandidateFilter, motions:RowMotions, levels:BinLevels)
+        public function KeptPairs(table:AgentTable, candidates:CandidateFilter, motions:RowMotions, levels:BinLevels, pairs:FoundPairs)
         {
+            _pairs = pairs;
             _table = table;
             _candidates = candidates;
             _motions = motions;
@@ -74,54 +84,50 @@ package starlogo.search
             return _cells.count;
         }
 
-        /** Whether the search under way is like the last one, and few rows have changed. Then the next one probably is too. */
-        public function get isWorthKeeping():Boolean
-        {
-            return _isWorthKeeping;
-        }
-
         /** Lets the next search be one of all rows. */
         public function forget():void
         {
-            _pairs = null;
+            _areValid = false;
         }
 
         /**
-         * Takes the pairs of a search of all rows, for the next search.
+         * Keeps the pairs of a search of all rows for the next search.
          *
          * @param members the members of the search
          */
-        public function keep(pairs:FoundPairs, members:NumberList):void
+        public function keep(members:NumberList):void
         {
             _cells.begin(_anySweeps ? _motions.extents : _table.extents, members.numbers, members.count, _table.list.agents.length);
-            rememberPairs(pairs);
+            _areValid = true;
         }
 
         /**
          * Finds the pairs of a search, if it is like the last one and few rows have changed. The table has been read.
          *
+         * @param anySweeps whether an agent sweeps
          * @param limits how far trees are tested
-         * @param pairs has the pairs of the last search, and gets those of this one
-         * @return whether it has found them. If not, the search has to be one of all rows
+         * @return FOUND, SEARCH_AND_KEEP or SEARCH
          */
-        public function find(input:FrameInput, limits:TreeLimits, pairs:FoundPairs):Boolean
+        public function find(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):int
         {
-            var areValid:Boolean = pairs === _pairs && pairs.revision == _pairsRevision;
+            var areValid:Boolean = _areValid;
             // they are not if the search throws
-            _pairs = null;
-            var isLikeLast:Boolean = hasConditionsOf(input, limits);
-            takeConditions(input, limits);
-            _isWorthKeeping = isLikeLast && areFew(countRead());
-            if (!_isWorthKeeping || !areValid)
+            _areValid = false;
+            var isLikeLast:Boolean = hasConditionsOf(input, anySweeps, limits);
+            takeConditions(input, anySweeps, limits);
+            if (!isLikeLast || !areFew(countRead()))
             {
-                return false;
+                return SEARCH;
+            }
+            if (!areValid)
+            {
+                return SEARCH_AND_KEEP;
             }
             _searchNumber++;
             listChanged(input);
-            _isWorthKeeping = areFew(_changed.count);
-            if (!_isWorthKeeping)
+            if (!areFew(_changed.count))
             {
-                return false;
+                return SEARCH;
             }
             if (_anySweeps)
             {
@@ -129,28 +135,28 @@ package starlogo.search
             }
             if (!placeChanged(input) || !_cells.areCellsValid())
             {
-                return false;
+                return SEARCH_AND_KEEP;
             }
             findPairsOfChanged(input);
-            pairs.drop(_table.list, _changedIn, _searchNumber);
-            pairs.merge(_found, _anySweeps);
-            rememberPairs(pairs);
-            return true;
+            _pairs.drop(_table.list, _changedIn, _searchNumber);
+            _pairs.merge(_found, _anySweeps);
+            _areValid = true;
+            return FOUND;
         }
 
         // Whether the pairs of the last search depend on the same as those of this one. Then the same agents have the same pairs, if the same ones take
         // part.
-        private function hasConditionsOf(input:FrameInput, limits:TreeLimits):Boolean
+        private function hasConditionsOf(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):Boolean
         {
-            return _interests === input.interests && _interestsRevision == revisionOf(input) && _anySweeps == input.anySweeps
+            return _interests === input.interests && _interestsRevision == revisionOf(input) && _anySweeps == anySweeps
                 && _isFiltered == (input.takePart != null) && _maxDepth == depthOf(limits);
         }
 
-        private function takeConditions(input:FrameInput, limits:TreeLimits):void
+        private function takeConditions(input:FrameInput, anySweeps:Boolean, limits:TreeLimits):void
         {
             _interests = input.interests;
             _interestsRevision = revisionOf(input);
-            _anySweeps = input.anySweeps;
+            _anySweeps = anySweeps;
             _isFiltered = input.takePart != null;
             _maxDepth = depthOf(limits);
         }
@@ -179,14 +185,8 @@ package starlogo.search
         // Whether so few rows have changed that a search of all rows would take longer.
         private function areFew(changes:int):Boolean
         {
-            var among:int = _table.areSpheres || _interests != null && !_interests.includesAll ? ONE_IN_IF_FAST : ONE_IN;
+            var among:int = _table.areSpheres || _interests != null && !_interests.includesAllOfAgents ? ONE_IN_IF_FAST : ONE_IN;
             return among * changes <= _table.list.rows.count;
-        }
-
-        private function rememberPairs(pairs:FoundPairs):void
-        {
-            _pairs = pairs;
-            _pairsRevision = pairs.revision;
         }
 
         // Lists the rows that have changed.
@@ -263,7 +263,7 @@ package starlogo.search
         // Finds the pairs of the changed rows.
         private function findPairsOfChanged(input:FrameInput):void
         {
-            _candidates.begin(input, _found);
+            _candidates.begin(input, _anySweeps, _found);
             for (var i:int = 0; i < _changed.count; i++)
             {
                 if (_cells.has(_changed.numbers[i]))

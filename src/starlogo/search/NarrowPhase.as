@@ -117,9 +117,7 @@ package starlogo.search
         {
             motion.endAfter(0, 0, 0);
             motion.time = 1;
-            var pairTests:PairTests = testsOf(a, b);
-            pairTests.findContact(a, b, motion, out);
-            pairTests.separate(a, b, motion, out);
+            testsOf(a, b).findContact(a, b, motion, out);
         }
 
         /**

@@ -1,5 +1,6 @@
 package starlogo.search
 {
+    import starlogo.data.KeyedList;
     import starlogo.search.table.ListedAgents;
 
     /**

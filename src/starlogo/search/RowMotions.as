@@ -7,6 +7,7 @@ package starlogo.search
     import starlogo.broadphase.Points;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.intersection.sweep.AxisMotion;
     import starlogo.intersection.sweep.ContactInterval;
@@ -103,7 +104,7 @@ package starlogo.search
          *
          * @param level has the slack of the two rows' extents; null to make the exact test for all pairs
          * @param motion receives the motion of the first relative to the second, with the time, from 0 to 1, or RelativeMotion.NEVER
-         * @param out receives the contact if they touch, where b is now; null if only the time is needed
+         * @param out receives the contact of two parts if they touch, where b is now (PairTests.findContactOfParts); null if only the time is needed
          */
         public function findFirst(level:BinLevel, a:int, b:int, motion:RelativeMotion, out:ContactPoint = null):void
         {
@@ -128,7 +129,7 @@ package starlogo.search
         }
 
         /**
-         * Finds the contact of two rows that touch: on their motions if one of the two sweeps, or else where they are.
+         * Finds the contact of two rows that touch, which separates them: on their motions if one of the two sweeps, or else where they are.
          *
          * @param b may be the ground or the edges of the world
          * @param motion receives the motion of the first relative to the second, with the time
@@ -177,7 +178,7 @@ package starlogo.search
                 motion.time = time;
                 if (out != null)
                 {
-                    _narrowPhase.testsOf(bodyA, bodyB).findContact(bodyA, bodyB, motion, out);
+                    _narrowPhase.testsOf(bodyA, bodyB).findContactOfParts(bodyA, bodyB, motion, out);
                 }
             }
         }

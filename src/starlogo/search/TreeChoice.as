@@ -1,5 +1,6 @@
 package starlogo.search
 {
+    import starlogo.data.warn;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;

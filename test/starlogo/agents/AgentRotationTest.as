@@ -150,6 +150,20 @@ package starlogo.agents
         }
 
         [Test]
+        public function anglesOfTheSameRotationStay():void
+        {
+            var agent:Agent = new Agent("bear");
+            agent.pitch = 180;
+            var before:int = agent.revision;
+            agent.setQuaternion(0, 1, 0, 0);
+            assertEquals(before, agent.revision);
+            assertEquals(180, agent.pitch);
+            agent.setQuaternion(0, 0, 0, 1);
+            agent.setQuaternion(0, 1, 0, 0);
+            assertTrue("angles of a quaternion: " + agent.pitch, Math.abs(agent.pitch) <= 90);
+        }
+
+        [Test]
         public function theSameQuaternionAgainIsNoChange():void
         {
             var agent:Agent = new Agent("bear");

@@ -1,5 +1,6 @@
 package starlogo.collision
 {
+    import evaluation.EveryPairSystem;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
@@ -46,6 +47,22 @@ package starlogo.collision
             assertTrue(alone.length > 10);
             assertEquals(alone.join(), nested.join());
             assertTrue("the inner one ran", innerCalls >= alone.length);
+        }
+
+        [Test]
+        public function aHandlerMayUpdateAnotherCollisionWithTheSameSystemOfTheGame():void
+        {
+            var some:Vector.<Agent> = _agents.slice(7).reverse();
+            var alone:Array = callsOf(new EveryPairSystem(), null);
+            var shared:BaseCollider = new BaseCollider(new EveryPairSystem());
+            var inner:Collision = new Collision(shared);
+            inner.onCollision("balls", "bears", function(collider:Agent, collidee:Agent):void
+                {
+                });
+            assertEquals(alone.join(), callsOf(shared, function():void
+                    {
+                        inner.update(some);
+                    }).join());
         }
 
         // The calls of a frame; an action runs in each.

@@ -74,14 +74,14 @@ package starlogo.handlers
                     a = _found.firstOf(i);
                     b = _found.secondOf(i);
                     var name:String = nameOf(a, b);
-                    var known:Touch = _tracker.touchAt(_found, i);
+                    var known:Touch = _tracker.touchAt(i);
                     assertEquals(name, pairs.indexOf(name) >= 0, known != null);
                     if (known == null)
                     {
                         known = _tracker.touchOrStartAt(_found, i);
                         known.isBothWays = true;
                         assertStrictlyEquals("either way round it is the same", known, _tracker.touchOrStart(b, a, b.breedNumber, a.breedNumber, true));
-                        assertStrictlyEquals(known, _tracker.touchAt(_found, i));
+                        assertStrictlyEquals(known, _tracker.touchAt(i));
                         assertEquals(frame, known.beganIn);
                         if (left.indexOf(name) < 0)
                         {
@@ -112,19 +112,17 @@ package starlogo.handlers
                 _found.revision++;
                 var dropped:Array = [];
                 var left:Array = [];
-                var touches:Array = [];
                 _found.dropped.count = 0;
                 for (var i:int = 0; i < pairs.length; i++)
                 {
                     if (random.next() < (frame % 40 < 20 ? 0.1 : 0.4))
                     {
-                        _found.dropped.add(_found.touches[i]);
+                        _found.dropped.add(i);
                         dropped.push(pairs[i]);
                     }
                     else
                     {
                         left.push(pairs[i]);
-                        touches.push(_found.touches[i]);
                     }
                 }
                 pairs = left.concat();
@@ -156,7 +154,6 @@ package starlogo.handlers
                 for (i = 0; i < places.length; i++)
                 {
                     pairs.splice(places[i], 0, found[i]);
-                    touches.splice(places[i], 0, FoundPairs.NONE);
                     _found.added.numbers[i] = places[i];
                 }
                 _found.added.count = found.length;
@@ -164,10 +161,6 @@ package starlogo.handlers
                 for (i = 0; i < pairs.length; i++)
                 {
                     addPair(agentOf(pairs[i], 0), agentOf(pairs[i], 1));
-                    if (frame > 1)
-                    {
-                        _found.touches[i] = touches[i];
-                    }
                 }
                 assertEquals("pairs were kept", frame > 1, _tracker.pairsToCompare(_found) != null);
                 _tracker.begin(_found, _tracker.pairsToCompare(_found), _handlers);
@@ -182,7 +175,7 @@ package starlogo.handlers
                     });
                 for (i = 0; i < pairs.length; i++)
                 {
-                    var touch:Touch = _tracker.touchAt(_found, i);
+                    var touch:Touch = _tracker.touchAt(i);
                     assertEquals(pairs[i], begun.indexOf(pairs[i]) >= 0, touch != null);
                     if (touch == null)
                     {
@@ -233,7 +226,7 @@ package starlogo.handlers
         {
             _tracker.end(_found, false);
             _tracker.begin(_found, _tracker.pairsToCompare(_found), _handlers);
-            return _tracker.touchAt(_found, 0);
+            return _tracker.touchAt(0);
         }
 
         private function addPair(a:Agent, b:Agent):void

@@ -86,7 +86,7 @@ package starlogo.search
                     areAll = areAll && (expected || isFixture(a) || isFixture(b) || interests.indexOf(a) < 0 || interests.indexOf(b) < 0);
                 }
             }
-            assertEquals(added.join(" "), areAll, interests.includesAll);
+            assertEquals(added.join(" "), areAll, interests.includesAllOfAgents);
             return including;
         }
 

@@ -2,6 +2,7 @@ package starlogo.search
 {
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.data.textOf;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.Collider;

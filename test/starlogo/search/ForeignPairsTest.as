@@ -9,7 +9,7 @@ package starlogo.search
     public class ForeignPairsTest
     {
         private var _foreign:ForeignPairs = new ForeignPairs();
-        private var _found:FoundPairs = new FoundPairs();
+        private var _found:FoundPairs = null;
         private var _a:Agent = new Agent("sphere", "sheep");
         private var _b:Agent = new Agent("sphere", "sheep");
         private var _c:Agent = new Agent("sphere", "sheep");
@@ -17,7 +17,7 @@ package starlogo.search
         [Test]
         public function pairsKeepTheirOrder():void
         {
-            _foreign.read(new <Agent>[_c, _a, _b, _c], new <Agent>[_a, _b, _c], _found);
+            _found = _foreign.read(new <Agent>[_c, _a, _b, _c], new <Agent>[_a, _b, _c]);
             assertPairs([_c, _a, _b, _c]);
             assertEquals(3, _found.agentCount);
             assertEquals("an agent's rank is its index", 2, _found.ranks[_found.rows[0]]);
@@ -27,23 +27,23 @@ package starlogo.search
         public function pairsOfOthersAreLeftOut():void
         {
             // the system has a list of its own, and an entry of the game's list may be missing
-            _foreign.read(new <Agent>[_a, _b, _b, _c, _a, _c], new <Agent>[_a, null, _c], _found);
+            _found = _foreign.read(new <Agent>[_a, _b, _b, _c, _a, _c], new <Agent>[_a, null, _c]);
             assertPairs([_a, _c]);
         }
 
         [Test]
         public function anAgentWithoutAnotherIsNoPair():void
         {
-            _foreign.read(new <Agent>[_a, _b, _c], new <Agent>[_a, _b, _c], _found);
+            _found = _foreign.read(new <Agent>[_a, _b, _c], new <Agent>[_a, _b, _c]);
             assertPairs([_a, _b]);
         }
 
         [Test]
         public function eachListHasItsOwnRows():void
         {
-            _foreign.read(new <Agent>[_a, _b], new <Agent>[_a, _b], _found);
+            _found = _foreign.read(new <Agent>[_a, _b], new <Agent>[_a, _b]);
             var before:int = _found.revision;
-            _foreign.read(new <Agent>[_a, _b, _c, _b], new <Agent>[_b, _c], _found);
+            _found = _foreign.read(new <Agent>[_a, _b, _c, _b], new <Agent>[_b, _c]);
             assertPairs([_c, _b]);
             assertTrue("these are other pairs", _found.revision != before && _found.basis == -1);
         }

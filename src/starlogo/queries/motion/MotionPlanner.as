@@ -2,6 +2,7 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.geometry.requireInWorld;
     import starlogo.queries.AgentFilter;
@@ -9,7 +10,6 @@ package starlogo.queries.motion
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
     import starlogo.search.Body;
-    import starlogo.search.NumberList;
 
     use namespace engine;
 

@@ -1,6 +1,6 @@
 package starlogo.queries.motion
 {
-    import starlogo.search.NumberList;
+    import starlogo.data.NumberList;
 
     /**
      * With what a motion was computed: its tolerances, its core, and the rows that stop it. Each motion of a Mover writes it. What follows a motion,

@@ -2,10 +2,10 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
+    import starlogo.data.NumberList;
     import starlogo.geometry.Tolerances;
     import starlogo.queries.SeenAgents;
     import starlogo.search.Body;
-    import starlogo.search.NumberList;
 
     /**
      * Moves a body among rows of a table, until it touches one of them, or along the rows that it touches. A row that it would go into stops

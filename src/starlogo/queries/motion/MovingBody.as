@@ -1,16 +1,16 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
+    import starlogo.agents.warnOfInside;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.queries.SeenAgents;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.NumberList;
     import starlogo.search.pairs.PairTests;
-    import starlogo.search.warnOfInside;
 
     use namespace engine;
 
@@ -199,7 +199,7 @@ package starlogo.queries.motion
             var whole:Body = wholeAt(place);
             var shallow:Number = SHALLOW * extentWith(other);
             var pairTests:PairTests = _seen.narrowPhase.testsOf(whole, other);
-            pairTests.findContact(whole, other, RelativeMotion.NONE, out);
+            pairTests.findContactOfParts(whole, other, RelativeMotion.NONE, out);
             if (isSure || out.depth > shallow)
             {
                 pairTests.separate(whole, other, RelativeMotion.NONE, out);

@@ -2,7 +2,7 @@ package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
-    import starlogo.search.NumberList;
+    import starlogo.data.NumberList;
 
     /**
      * Moves a body out of what it overlaps or touches: at the beginning of a motion out of shallow overlaps, at its end off what it only touches.

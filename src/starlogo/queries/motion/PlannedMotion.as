@@ -1,8 +1,8 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
+    import starlogo.data.NumberList;
     import starlogo.search.Body;
-    import starlogo.search.NumberList;
 
     /**
      * A motion that a question asks about: what moves, where to, and what may be in its way. MotionPlanner writes it.

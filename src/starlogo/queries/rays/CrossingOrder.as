@@ -1,8 +1,8 @@
 package starlogo.queries.rays
 {
+    import starlogo.data.KeyedList;
+    import starlogo.data.NumberList;
     import starlogo.intersection.ray.RayCrossings;
-    import starlogo.search.KeyedList;
-    import starlogo.search.NumberList;
 
     /**
      * Puts the crossings of a ray with one shape into the order of the ray, and leaves out those that are no surface of their own.

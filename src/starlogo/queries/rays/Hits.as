@@ -1,13 +1,13 @@
 package starlogo.queries.rays
 {
     import starlogo.convex.ContactPoint;
+    import starlogo.data.KeyedList;
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
     import starlogo.queries.CastHit;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.trees.Collector;
-    import starlogo.search.KeyedList;
 
     use namespace engine;
 

@@ -1,10 +1,10 @@
 package starlogo.queries.trees
 {
     import starlogo.agents.Agent;
+    import starlogo.data.KeyedList;
     import starlogo.engine;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
-    import starlogo.search.KeyedList;
 
     use namespace engine;
 

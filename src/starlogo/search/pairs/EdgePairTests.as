@@ -95,7 +95,7 @@ package starlogo.search.pairs
          *
          * <p>If the body touches no edge, it is the contact with the nearest edge, with a depth of 0.</p>
          */
-        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             writeContact(findDeepest(a, b, motion), a, b, motion, out);
         }
@@ -103,7 +103,7 @@ package starlogo.search.pairs
         /** @inheritDoc */
         override public function separate(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            // findContact has put the point to its place
+            // findContactOfParts has put the point to its place
         }
 
         /** @inheritDoc */

@@ -120,7 +120,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             queryOf(a, b).findContact(motion, out);
         }

@@ -44,33 +44,46 @@ package starlogo.search.pairs
          *
          * @param motion the motion of the first body relative to the second. It ends where the first body is now. It receives the time, from 0 to
          *     1, or RelativeMotion.NEVER
-         * @param out receives the contact if they touch, as in findContact; null if only the time is needed
+         * @param out receives the contact if they touch, as in findContactOfParts; null if only the time is needed
          */
         public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             findTime(a, b, motion);
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
-                findContact(a, b, motion, out);
+                findContactOfParts(a, b, motion, out);
             }
         }
 
         /**
-         * Finds the contact of two bodies.
+         * Finds the contact of two bodies, which separates them.
          *
          * @param motion as in findFirst, with the time of the first touch
          * @param out receives the contact. Its normal points from b to a, and b is where it is now
          */
-        public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        public final function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            throw new IllegalOperationError(this + " does not implement findContact");
+            findContactOfParts(a, b, motion, out);
+            separate(a, b, motion, out);
+        }
+
+        /**
+         * Finds the contact of two parts of two bodies, such as two triangles. The two bodies may still touch after the first one moves along the
+         * normal by the depth.
+         *
+         * @param motion as in findFirst, with the time of the first touch
+         * @param out receives the contact. Its normal points from b to a, and b is where it is now
+         */
+        public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        {
+            throw new IllegalOperationError(this + " does not implement findContactOfParts");
         }
 
         /**
          * Finds the time and the contact of the first touch of two bodies. They must not touch at the beginning of the motion.
          *
          * @param motion as in findFirst. But a touch that rounding errors hide at its end may be missing
-         * @param out receives the contact, as in findContact; null if only the time is needed
+         * @param out receives the contact, as in findContactOfParts; null if only the time is needed
          */
         public function findImpact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
@@ -96,7 +109,7 @@ package starlogo.search.pairs
          */
         public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
         {
-            findContact(a, b, RelativeMotion.NONE, out);
+            findContactOfParts(a, b, RelativeMotion.NONE, out);
         }
 
         /**
@@ -131,8 +144,8 @@ package starlogo.search.pairs
         }
 
         /**
-         * Changes a contact's normal and depth so that they separate two bodies: if the first one moves along the normal by the depth, the two just
-         * touch. Most contacts do this already, and only the point moves, to the middle of the overlap.
+         * Changes a contact of parts so that it separates two bodies: if the first one moves along the normal by the depth, the two just
+         * touch. Most contacts of parts do this already, and only the point moves, to the middle of the overlap.
          *
          * @param motion as in findFirst, with the time at which the two touch
          * @param out the contact of two parts that touch at that time

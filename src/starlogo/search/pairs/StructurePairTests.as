@@ -81,7 +81,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             PairTable.findContact(a.worldStructure(), b.worldStructure(), motion, out);
         }

@@ -84,7 +84,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findContact(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        override public function findContactOfParts(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             // Two trees stay in this order. CollisionSearch puts two agents into the order of the list before, so a contact is the same in either order.
             var own:RelativeMotion = setMovingPair(a, b, motion, a.form != ModelShape.TREE, limits.exact);

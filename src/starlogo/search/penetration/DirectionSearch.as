@@ -23,8 +23,7 @@ package starlogo.search.penetration
         // How often a normal is improved at most.
         private static const IMPROVEMENTS:int = 2;
 
-        // The interval between a touching and a free distance is halved until it is shorter than this fraction of the larger extent. The rest
-        // is swept.
+        // The interval is halved until it is shorter than this fraction of the larger extent. The rest is swept.
         private static const NARROW:Number = 1 / 16;
 
         // The most halvings. After 53 a Number has no more bits to halve.
@@ -32,12 +31,9 @@ package starlogo.search.penetration
 
         private var _pair:DisplacedPair;
 
-        // The search along one direction: the direction, with the distance of the last test; a distance at which the two touch, and one at which
-        // they do not, or may not yet, and then the next step towards it. The private methods narrow this interval.
+        // The direction, with the distance that is tested, and the interval along it.
         private var _tried:Displacement = new Displacement();
-        private var _touching:Number = 0;
-        private var _free:Number = 0;
-        private var _step:Number = 0;
+        private var _interval:ExitInterval = new ExitInterval();
 
         // The sweep back, and the contact at its end.
         private var _back:RelativeMotion = new RelativeMotion();
@@ -58,9 +54,9 @@ package starlogo.search.penetration
         public function findAlong(guess:ContactPoint, out:ContactPoint):void
         {
             _tried.setDirection(guess.normalX, guess.normalY, guess.normalZ);
-            _free = guess.depth + _pair.tolerance;
-            _step = IMPROVED_DEPTH * _pair.extent;
-            goOut();
+            _interval.outer = guess.depth + _pair.tolerance;
+            _interval.step = IMPROVED_DEPTH * _pair.extent;
+            goOut(_tried, _interval);
             refine(out);
         }
 
@@ -73,116 +69,113 @@ package starlogo.search.penetration
         public function shorten(free:Displacement, out:ContactPoint):void
         {
             _tried.setDirection(free.x, free.y, free.z);
-            _free = free.distance;
-            _touching = 0;
+            _interval.inner = 0;
+            _interval.outer = free.distance;
             refine(out);
         }
 
-        // Sweeps back from the free distance. If the depth is more than IMPROVED_DEPTH, improves the direction. Then the point becomes the
+        // Sweeps back from the outer distance. If the depth is more than IMPROVED_DEPTH, improves the direction. Then the point becomes the
         // middle between the place where the two part and the matching place on the first body.
         private function refine(out:ContactPoint):void
         {
-            sweepBack(out);
+            sweepBack(_tried, _interval, out);
             if (out.depth > IMPROVED_DEPTH * _pair.extent)
             {
-                for (var left:int = IMPROVEMENTS; left > 0 && tryPartingNormal(out); left--)
+                for (var left:int = IMPROVEMENTS; left > 0 && startAlongPartingNormal(_tried, _interval, out); left--)
                 {
-                    _touching = 0;
-                    sweepBack(out);
+                    sweepBack(_tried, _interval, out);
                 }
                 out.x = _parting.x - out.depth / 2 * out.normalX;
                 out.y = _parting.y - out.depth / 2 * out.normalY;
                 out.z = _parting.z - out.depth / 2 * out.normalZ;
             }
-            makeSure(out);
+            makeSure(_tried, _interval, out);
         }
 
-        // Tries the normal of the surfaces at the end of the way. Returns whether the way out along it is shorter.
-        private function tryPartingNormal(out:ContactPoint):Boolean
+        // Starts along the normal of the surfaces where the two parted. Returns whether the way out along it is shorter than a contact's depth.
+        private function startAlongPartingNormal(along:Displacement, interval:ExitInterval, contact:ContactPoint):Boolean
         {
-            var cosine:Number = _parting.normalX * out.normalX + _parting.normalY * out.normalY + _parting.normalZ * out.normalZ;
+            var cosine:Number = _parting.normalX * contact.normalX + _parting.normalY * contact.normalY + _parting.normalZ * contact.normalZ;
             if (!(cosine > 0 && cosine < GAIN))
             {
                 return false;
             }
-            _tried.setDirection(_parting.normalX, _parting.normalY, _parting.normalZ);
-            _free = cosine * out.depth + _pair.tolerance;
-            return !testFree();
+            along.setDirection(_parting.normalX, _parting.normalY, _parting.normalZ);
+            interval.inner = 0;
+            interval.outer = cosine * contact.depth + _pair.tolerance;
+            return !areTouchingAtEnd(along, interval);
         }
 
-        // Increases the free distance by longer and longer steps, until the two do not touch there.
-        private function goOut():void
+        // Increases the outer distance by longer and longer steps, until the two do not touch there.
+        private function goOut(along:Displacement, interval:ExitInterval):void
         {
-            _touching = 0;
-            while (testFree() && _free < 1e300)
+            interval.inner = 0;
+            while (areTouchingAtEnd(along, interval) && interval.outer < 1e300)
             {
-                _touching = _free;
-                _free += _step;
-                _step *= 2;
+                interval.inner = interval.outer;
+                interval.outer += interval.step;
+                interval.step *= 2;
             }
         }
 
-        // Finds the place where the two part: it is between a place where they touch and a place where they do not. Its distance becomes the
-        // contact's depth.
-        private function sweepBack(out:ContactPoint):void
+        // Finds the place where the two part, in the interval. Its distance becomes the contact's depth.
+        private function sweepBack(along:Displacement, interval:ExitInterval, out:ContactPoint):void
         {
-            while (_free - _touching > NARROW * _pair.extent)
+            while (interval.outer - interval.inner > NARROW * _pair.extent)
             {
-                halve();
+                halve(along, interval);
             }
-            _tried.distance = _touching;
-            _pair.displace(_tried);
-            var length:Number = _touching - _free;
-            _back.endAfter(length * _tried.x, length * _tried.y, length * _tried.z);
+            along.distance = interval.inner;
+            _pair.displace(along);
+            var length:Number = interval.inner - interval.outer;
+            _back.endAfter(length * along.x, length * along.y, length * along.z);
             _pair.findImpact(_back, _parting);
             var time:Number = Math.min(_back.time, 1);
-            out.setNormal(_tried.x, _tried.y, _tried.z);
-            out.depth = _free + time * length;
+            out.setNormal(along.x, along.y, along.z);
+            out.depth = interval.outer + time * length;
         }
 
-        private function halve():void
+        private function halve(along:Displacement, interval:ExitInterval):void
         {
-            var middle:Number = (_touching + _free) / 2;
-            _tried.distance = middle;
-            if (_pair.testAt(_tried))
+            along.distance = (interval.inner + interval.outer) / 2;
+            if (_pair.testAt(along))
             {
-                _touching = middle;
+                interval.inner = along.distance;
             }
             else
             {
-                _free = middle;
+                interval.outer = along.distance;
             }
         }
 
         // Makes sure, in spite of rounding, that the two do not touch a little beyond a contact's depth, and touch a little before it.
-        private function makeSure(out:ContactPoint):void
+        private function makeSure(along:Displacement, interval:ExitInterval, out:ContactPoint):void
         {
             var slack:Number = _pair.nearby;
-            _tried.setDirection(out.normalX, out.normalY, out.normalZ);
-            _free = out.depth + slack;
-            _step = slack;
-            goOut();
-            if (_touching == 0)
+            along.setDirection(out.normalX, out.normalY, out.normalZ);
+            interval.outer = out.depth + slack;
+            interval.step = slack;
+            goOut(along, interval);
+            if (interval.inner == 0)
             {
-                _tried.distance = out.depth - slack;
-                if (_tried.distance <= 0 || _pair.testAt(_tried))
+                along.distance = out.depth - slack;
+                if (along.distance <= 0 || _pair.testAt(along))
                 {
                     return;
                 }
-                _free = _tried.distance;
+                interval.outer = along.distance;
             }
-            for (var i:int = 0; i < MOST_STEPS && _free - _touching > slack; i++)
+            for (var i:int = 0; i < MOST_STEPS && interval.outer - interval.inner > slack; i++)
             {
-                halve();
+                halve(along, interval);
             }
-            out.depth = (_free + _touching) / 2;
+            out.depth = (interval.outer + interval.inner) / 2;
         }
 
-        // Tests the free distance. Returns whether the two touch there.
-        private function testFree():Boolean
+        private function areTouchingAtEnd(along:Displacement, interval:ExitInterval):Boolean
         {
-            _tried.distance = _free;
-            return _pair.testAt(_tried);
+            along.distance = interval.outer;
+            return _pair.testAt(along);
         }
     }
 }

@@ -131,10 +131,10 @@ package starlogo.search.penetration
             _pairTests.findImpact(first, second, motion, out);
         }
 
-        /** Finds the contact of the two where the first one is. */
-        public function findContact(out:ContactPoint):void
+        /** Finds the contact of two parts where the first body is. See PairTests.findContactOfParts. */
+        public function findContactOfParts(out:ContactPoint):void
         {
-            _pairTests.findContact(first, second, RelativeMotion.NONE, out);
+            _pairTests.findContactOfParts(first, second, RelativeMotion.NONE, out);
         }
 
         /** Finds the contact of the structures around the two where the first one is. */

@@ -153,7 +153,7 @@ package starlogo.search.penetration
             {
                 return false;
             }
-            _pair.findContact(contact);
+            _pair.findContactOfParts(contact);
             var cosine:Number = contact.normalX * _tried.x + contact.normalY * _tried.y + contact.normalZ * _tried.z;
             // the body is a little farther than the push
             contact.depth += (distance - _pushes.length) * cosine;

@@ -3,11 +3,11 @@ package starlogo.search.table
     import starlogo.agents.Agent;
     import starlogo.broadphase.BinLevels;
     import starlogo.broadphase.Extents;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.ModelShapes;
-    import starlogo.search.NumberList;
     import starlogo.search.WorldAgent;
 
     use namespace engine;

@@ -2,11 +2,11 @@ package starlogo.search.table
 {
     import starlogo.agents.Agent;
     import starlogo.data.HashTable;
+    import starlogo.data.NumberList;
+    import starlogo.data.textOf;
+    import starlogo.data.warnOfNames;
     import starlogo.engine;
     import starlogo.search.Body;
-    import starlogo.search.NumberList;
-    import starlogo.search.textOf;
-    import starlogo.search.warnOfNames;
 
     use namespace engine;
 

@@ -1,7 +1,7 @@
 package starlogo.search.table
 {
     import starlogo.agents.Agent;
-    import starlogo.search.NumberList;
+    import starlogo.data.NumberList;
 
     /**
      * Where the agents of a table were in the last two searches, and which of them have changed. An agent's motion goes from one place to the other.

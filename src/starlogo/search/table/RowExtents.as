@@ -3,10 +3,10 @@ package starlogo.search.table
     import starlogo.broadphase.BinLevels;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.NumberList;
 
     use namespace engine;
 

@@ -3,9 +3,9 @@ package starlogo.queries.motion
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
+    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.queries.SeenAgents;
-    import starlogo.search.NumberList;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;

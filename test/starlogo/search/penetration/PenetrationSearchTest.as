@@ -3,6 +3,7 @@ package starlogo.search.penetration
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.data.textOf;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.Collider;
@@ -12,7 +13,6 @@ package starlogo.search.penetration
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
-    import starlogo.search.textOf;
     import starlogo.terrain.Terrain;
     import support.Complaints;
     import support.EachCollider;

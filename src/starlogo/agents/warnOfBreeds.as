@@ -1,4 +1,4 @@
-package starlogo.search
+package starlogo.agents
 {
     import starlogo.agents.Agent;
 

@@ -1,4 +1,4 @@
-package starlogo.search
+package starlogo.data
 {
     /**
      * Warns if an object has a property that does nothing, because its name is misspelled. In ActionScript the compiler refuses such names, so

@@ -1,4 +1,4 @@
-package starlogo.search
+package starlogo.data
 {
     /**
      * The text that an error message uses for an object of any class. JavaScript callers can pass such objects, because they have no types. The

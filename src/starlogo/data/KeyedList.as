@@ -1,4 +1,4 @@
-package starlogo.search
+package starlogo.data
 {
     /**
      * A list of whole numbers, each with a key. It sorts them by their keys, the smallest first. Numbers with equal keys are sorted by their

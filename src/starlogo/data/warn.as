@@ -1,4 +1,4 @@
-package starlogo.search
+package starlogo.data
 {
     /**
      * Says that something is probably a mistake. Nothing is refused. In ActionScript it is traced. The ES module has its own version, which

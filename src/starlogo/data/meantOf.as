@@ -1,4 +1,4 @@
-package starlogo.search
+package starlogo.data
 {
     /**
      * What an error message adds about a name that is not known: the name that is probably meant. In ActionScript it is nothing. The ES module

@@ -1,4 +1,4 @@
-package starlogo.search
+package starlogo.data
 {
     /**
      * A list of whole numbers whose memory is used again.

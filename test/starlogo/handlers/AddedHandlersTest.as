@@ -6,16 +6,16 @@ package starlogo.handlers
     import org.flexunit.asserts.assertTrue;
 
     /** The handlers of a pair of breeds that come and go. */
-    public class PairHandlersTest
+    public class AddedHandlersTest
     {
         private static const KINDS:Array = [CollisionHandler.START, CollisionHandler.COLLISION, CollisionHandler.END];
 
-        private var _pair:PairHandlers = new PairHandlers(1, 2);
+        private var _added:AddedHandlers = new AddedHandlers();
         private var _list:Array = [];
         private var _removed:Array = [];
         private var _order:int = 0;
 
-        /** They are found as in a list, whichever of them is removed. Handlers that the frame knows stay with the pair. */
+        /** They are found as in a list, whichever of them is removed. Handlers that the frame knows stay in the list. */
         [Test]
         public function areFoundAsInAList():void
         {
@@ -35,7 +35,7 @@ package starlogo.handlers
             // the frame knows none of them, some or all
             for each (var known:int in [0, 60, 1000])
             {
-                _pair = new PairHandlers(1, 2);
+                _added = new AddedHandlers();
                 _list = [];
                 _removed = [];
                 _order = 0;
@@ -46,14 +46,14 @@ package starlogo.handlers
                         add(random.pick(KINDS), random.pick(functions));
                         continue;
                     }
-                    found += check(random.pick(functions), random.chance() ? PairHandlers.ANY_KIND : random.pick(KINDS), known, random.chance());
+                    found += check(random.pick(functions), random.chance() ? AddedHandlers.ANY_KIND : random.pick(KINDS), known, random.chance());
                 }
                 assertTrue(_removed.length > 60 && _removed.length < _order);
             }
             assertTrue(String(found), found > 300);
-            _pair.removeAll(0);
-            assertEquals(0, _pair.added.length);
-            assertNull(_pair.find(functions[0], PairHandlers.ANY_KIND));
+            _added.removeAll(0);
+            assertEquals(0, _added.list.length);
+            assertNull(_added.find(functions[0], AddedHandlers.ANY_KIND));
         }
 
         /** If handlers come and go between two frames, the list does not grow. */
@@ -63,15 +63,15 @@ package starlogo.handlers
             for (var i:int = 0; i < 100; i++)
             {
                 add(CollisionHandler.START, doNotPileUp);
-                _pair.remove(_pair.find(doNotPileUp, CollisionHandler.START), 0);
-                assertTrue(_pair.added.length <= 1);
+                _added.remove(_added.find(doNotPileUp, CollisionHandler.START), 0);
+                assertTrue(_added.list.length <= 1);
             }
         }
 
         private function add(kind:int, handler:Function):void
         {
             var added:CollisionHandler = new CollisionHandler(kind, "bears", "trees", handler, _order++);
-            _pair.added.push(added);
+            _added.list.push(added);
             _list.push(added);
         }
 
@@ -80,15 +80,15 @@ package starlogo.handlers
         {
             var matching:Array = _list.filter(function(one:CollisionHandler, index:int, all:Array):Boolean
                 {
-                    return one.callback == handler && (kind == PairHandlers.ANY_KIND || one.kind == kind);
+                    return one.callback == handler && (kind == AddedHandlers.ANY_KIND || one.kind == kind);
                 });
             var first:CollisionHandler = matching.length == 0 ? null : matching[0];
-            assertTrue(_pair.find(handler, kind) === first);
+            assertTrue(_added.find(handler, kind) === first);
             if (first == null || !isRemoved)
             {
                 return first == null ? 0 : 1;
             }
-            _pair.remove(first, known);
+            _added.remove(first, known);
             _list.splice(_list.indexOf(first), 1);
             _removed.push(first);
             assertTrue("a kept one is there", _list.every(isThere));
@@ -101,7 +101,7 @@ package starlogo.handlers
 
         private function isThere(one:CollisionHandler, index:int, all:Array):Boolean
         {
-            return _pair.added.indexOf(one) >= 0;
+            return _added.list.indexOf(one) >= 0;
         }
     }
 }

@@ -188,7 +188,7 @@ package starlogo
         /** @inheritDoc */
         public function expectNoMore(name:String):void
         {
-            _models.entryOf(name).endLoading();
+            _models.entryToWrite(name).endLoading();
         }
 
         /** Whether a ModelLoader is loading a model of this name. A model of the same name may already be added. */
@@ -216,7 +216,7 @@ package starlogo
             {
                 return false;
             }
-            _models.entryOf(name).replace(null, null, null);
+            _models.entryToWrite(name).replace(null, null, null);
             return true;
         }
 

@@ -4,7 +4,6 @@ package starlogo
     import starlogo.bounding.BoundingStructure;
     import starlogo.data.requireGiven;
     import starlogo.libraries.BoundingStructuresLibrary;
-    import starlogo.libraries.FitSettings;
     import starlogo.libraries.FitStore;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.libraries.ModelResults;
@@ -176,7 +175,7 @@ package starlogo
             requireGiven("model", model);
             var results:ModelResults = newResults(model, null);
             finish(results);
-            return results.toCooked(new FitSettings(wantedStructures, wantedHierarchies), CookedFile.settingsOfLoad(upAxis, model.data.scaling, usesTransforms));
+            return results.toCooked(CookedFile.keyOfLoad(upAxis, model.data.scaling, usesTransforms));
         }
 
         /** @inheritDoc */

@@ -125,7 +125,7 @@ package starlogo.libraries
         {
             var builder:StructuresBuilder = newBuilder(name, vertices);
             finish(builder);
-            models.entryToWrite(name).structures = new ModelStructures(builder.found, builder.hull, keepAll);
+            models.entryToWrite(name).structures = builder.structures;
         }
 
         /** Whether the library has structures for a shape. */
@@ -227,9 +227,9 @@ package starlogo.libraries
             }
             if (shape.smallest[kind] == null)
             {
-                var builder:StructuresBuilder = new StructuresBuilder(name, vertices, fitters, null);
+                var builder:StructuresBuilder = new StructuresBuilder(name, vertices, fitters, null, false);
                 finish(builder);
-                shape.addMissing(builder.found);
+                shape.addMissing(builder.structures);
             }
             if (shape.smallest[kind] == null)
             {
@@ -246,7 +246,7 @@ package starlogo.libraries
         engine function newBuilder(name:String, vertices:Vector.<Number>):StructuresBuilder
         {
             ModelTable.checkName(name);
-            return new StructuresBuilder(name, vertices, fitters, keepHulls ? hullFitter : null);
+            return new StructuresBuilder(name, vertices, fitters, keepHulls ? hullFitter : null, keepAll);
         }
 
         private function find(name:String):ModelStructures

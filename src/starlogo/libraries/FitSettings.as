@@ -10,7 +10,7 @@ package starlogo.libraries
 
     /**
      * The settings that decide the results that libraries compute for a model. They are copied when this object is made. Fits that were
-     * computed with other settings are not used. The setting keepAll is not part of it, because it only says which results a client may read.
+     * computed with other settings are not used. Fits with another keepsAll are used, because that only says which results a client may read.
      */
     public final class FitSettings
     {
@@ -20,12 +20,17 @@ package starlogo.libraries
         // For each section of a cooked file, the settings of what is in it. Null if that is not wanted, or cannot be kept.
         private var _sections:Vector.<Fingerprint> = new Vector.<Fingerprint>(CookedFile.SECTIONS, true);
 
-        /**
-         * Whether the surface for exact colliders is wanted.
-         *
-         * @private
-         */
+        /** @private Whether the surface for exact colliders is wanted. */
         engine var wantsSurface:Boolean = false;
+
+        /** @private Whether a hull is wanted too. */
+        engine var wantsHull:Boolean = false;
+
+        /** @private Whether clients may read the smallest structure of each kind. */
+        engine var keepsAll:Boolean = false;
+
+        /** @private The deepest level of hierarchies. */
+        engine var maxDepth:int = 0;
 
         /**
          * Copies the present settings of the libraries.
@@ -37,10 +42,12 @@ package starlogo.libraries
         {
             if (structures != null)
             {
+                wantsHull = structures.keepHulls;
+                keepsAll = structures.keepAll;
                 var signatures:String = signaturesOf(structures.fitters);
                 _sections[CookedFile.STRUCTURES] = signatures == null ? null : fingerprintOf("structures, " + signatures);
                 // The smallest sphere may take the hull's place.
-                _sections[CookedFile.HULL] = signatures == null || !structures.keepHulls ? null
+                _sections[CookedFile.HULL] = signatures == null || !wantsHull ? null
                     : fingerprintOf(structures.hullFitter.signature + ", " + signatures);
             }
             if (hierarchies != null)
@@ -48,6 +55,7 @@ package starlogo.libraries
                 _sections[CookedFile.HIERARCHY] = _sections[CookedFile.SURFACE] =
                     fingerprintOf(["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join());
                 wantsSurface = hierarchies.prepareExact;
+                maxDepth = hierarchies.maxDepth;
             }
         }
 

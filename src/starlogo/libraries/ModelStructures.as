@@ -62,7 +62,7 @@ package starlogo.libraries
             setHull(hull);
         }
 
-        /** One structure that is given, not found. */
+        /** One structure that is given, not found. It is the tightest, and the smallest of no kind. */
         public static function of(structure:BoundingStructure):ModelStructures
         {
             var given:ModelStructures = new ModelStructures(new Vector.<BoundingStructure>(), null, false);
@@ -77,10 +77,9 @@ package starlogo.libraries
             hull = found != null && sphere != null && sphere.volume <= found.volume ? sphere : found;
         }
 
-        /** Adds the structures of kinds that are missing here. @param found the spheres, capsules and boxes that were found */
-        public function addMissing(found:Vector.<BoundingStructure>):void
+        /** Adds others' spheres, capsules and boxes of the kinds that are missing here. */
+        public function addMissing(other:ModelStructures):void
         {
-            var other:ModelStructures = new ModelStructures(found, null, false);
             for (var kind:int = 0; kind < smallest.length; kind++)
             {
                 smallest[kind] ||= other.smallest[kind];

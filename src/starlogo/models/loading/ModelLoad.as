@@ -166,7 +166,7 @@ package starlogo.models.loading
             var file:ModelDownload = download(address);
             call(function():void
                 {
-                    _reader = new CookedReader(name, file.bytes, CookedFile.settingsOfLoad(_upAxis, _scaling, _usesTransforms));
+                    _reader = new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms));
                 }).repeat(readCooked).call(takeCooked);
         }
 

@@ -182,7 +182,7 @@ package starlogo.libraries
          */
         public function hull(name:String):BoundingStructure
         {
-            var found:BoundingStructure = find(name).hull;
+            var found:BoundingStructure = find(name).hullOrSphere;
             if (found == null)
             {
                 throw new ArgumentError("shape \"" + name + "\" has no hull yet: set loadHulls (keepHulls) before the model is added");
@@ -201,7 +201,7 @@ package starlogo.libraries
         public function hasHull(name:String):Boolean
         {
             var shape:ModelStructures = models.entryOf(name).structures;
-            return shape != null && shape.hull != null;
+            return shape != null && shape.hullOrSphere != null;
         }
 
         /**
@@ -219,11 +219,11 @@ package starlogo.libraries
             var shape:ModelStructures = find(name);
             if (kind == BoundingStructure.HULL)
             {
-                if (shape.hull == null)
+                if (shape.hullOrSphere == null)
                 {
                     shape.setHull(StructuresBuilder.widened(hullFitter.fit(vertices)));
                 }
-                return shape.hull;
+                return shape.hullOrSphere;
             }
             if (shape.smallest[kind] == null)
             {

@@ -23,7 +23,7 @@ package starlogo.libraries
         public var smallest:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(FITTED, true);
 
         /** The hull; the smallest sphere if that is not larger; null if there is none. Set it with setHull(). */
-        public var hull:BoundingStructure = null;
+        public var hullOrSphere:BoundingStructure = null;
 
         /**
          * The structure with the least volume. Among equal volumes, the one with the cheapest tests. It is the hull only if that is the one
@@ -74,7 +74,7 @@ package starlogo.libraries
         public function setHull(found:BoundingStructure):void
         {
             var sphere:BoundingStructure = smallest[BoundingStructure.SPHERE];
-            hull = found != null && sphere != null && sphere.volume <= found.volume ? sphere : found;
+            hullOrSphere = found != null && sphere != null && sphere.volume <= found.volume ? sphere : found;
         }
 
         /** Adds others' spheres, capsules and boxes of the kinds that are missing here. */

@@ -75,7 +75,8 @@ package starlogo.libraries
             if (structures != null)
             {
                 contents[CookedFile.STRUCTURES] = CookedStructures.write(structures.smallest);
-                contents[CookedFile.HULL] = structures.hull == null ? null : CookedStructures.write(new <BoundingStructure>[structures.hull]);
+                var hull:BoundingStructure = structures.hullOrSphere;
+                contents[CookedFile.HULL] = hull == null ? null : CookedStructures.write(new <BoundingStructure>[hull]);
             }
             if (tree != null)
             {

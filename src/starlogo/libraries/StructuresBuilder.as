@@ -62,16 +62,15 @@ package starlogo.libraries
             }
             _fitters = fitters.concat();
             var session:FitSession = new FitSession(vertices, false);
-            add(session);
             for each (var fitter:Fitter in _fitters)
             {
-                var fit:Fit = fitter.fittingOnce(session);
+                var fit:Fit = session.fitOf(fitter);
                 _fits.push(fit);
                 add(fit);
             }
             if (hullFitter != null)
             {
-                _hullFit = hullFitter.fittingOnce(session);
+                _hullFit = session.fitOf(hullFitter);
                 add(_hullFit);
             }
             call(findTolerance).beginEach(checkingNext).call(choose);

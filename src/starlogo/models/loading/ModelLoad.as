@@ -286,7 +286,7 @@ package starlogo.models.loading
 
         private function keepModel():void
         {
-            model = _maker != null ? _maker.model : new Model(name, null, null, _scaling, _reader.data);
+            model = _maker != null ? _maker.model : new Model(null, null, null, null, _reader.data);
             _reader = null;
             _maker = null;
             _downloads.length = 0;

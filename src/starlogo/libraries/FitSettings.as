@@ -17,8 +17,8 @@ package starlogo.libraries
         // Increase it whenever an algorithm of the engine gives other results for the same settings.
         private static const REVISION:int = 11;
 
-        // For each section of a cooked file, the settings of what is in it. Null if that is not wanted, or cannot be kept.
-        private var _sections:Vector.<Fingerprint> = new Vector.<Fingerprint>(CookedFile.SECTIONS, true);
+        // For each section of a cooked file, the fingerprint of the settings of what is in it. Null if that is not wanted, or cannot be kept.
+        private var _fingerprints:Vector.<Fingerprint> = new Vector.<Fingerprint>(CookedFile.SECTIONS, true);
 
         /** @private Whether the surface for exact colliders is wanted. */
         engine var wantsSurface:Boolean = false;
@@ -45,14 +45,14 @@ package starlogo.libraries
                 wantsHull = structures.keepHulls;
                 keepsAll = structures.keepAll;
                 var signatures:String = signaturesOf(structures.fitters);
-                _sections[CookedFile.STRUCTURES] = signatures == null ? null : fingerprintOf("structures, " + signatures);
+                _fingerprints[CookedFile.STRUCTURES] = signatures == null ? null : fingerprintOf("structures, " + signatures);
                 // The smallest sphere may take the hull's place.
-                _sections[CookedFile.HULL] = signatures == null || !wantsHull ? null
+                _fingerprints[CookedFile.HULL] = signatures == null || !wantsHull ? null
                     : fingerprintOf(structures.hullFitter.signature + ", " + signatures);
             }
             if (hierarchies != null)
             {
-                _sections[CookedFile.HIERARCHY] = _sections[CookedFile.SURFACE] =
+                _fingerprints[CookedFile.HIERARCHY] = _fingerprints[CookedFile.SURFACE] =
                     fingerprintOf(["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join());
                 wantsSurface = hierarchies.prepareExact;
                 maxDepth = hierarchies.maxDepth;
@@ -62,8 +62,8 @@ package starlogo.libraries
         /** All settings as sixteen hexadecimal digits. */
         public function toString():String
         {
-            var all:Array = [_sections[CookedFile.STRUCTURES], _sections[CookedFile.HIERARCHY], wantsSurface];
-            var hull:Fingerprint = _sections[CookedFile.HULL];
+            var all:Array = [_fingerprints[CookedFile.STRUCTURES], _fingerprints[CookedFile.HIERARCHY], wantsSurface];
+            var hull:Fingerprint = _fingerprints[CookedFile.HULL];
             return fingerprintOf((hull == null ? all : all.concat(hull)).join()).toString();
         }
 
@@ -74,7 +74,7 @@ package starlogo.libraries
          */
         engine function sectionOf(file:CookedFile, index:int):ByteArray
         {
-            return _sections[index] == null ? null : file.section(index, _sections[index]);
+            return _fingerprints[index] == null ? null : file.section(index, _fingerprints[index]);
         }
 
         /**
@@ -87,7 +87,7 @@ package starlogo.libraries
          */
         engine function bytesOfFile(modelKey:Fingerprint, contents:Vector.<ByteArray>):ByteArray
         {
-            var settings:Vector.<Fingerprint> = _sections.concat();
+            var settings:Vector.<Fingerprint> = _fingerprints.concat();
             var kept:Vector.<ByteArray> = contents.concat();
             settings[CookedFile.MODEL] = modelKey;
             for (var i:int = 0; i < CookedFile.SECTIONS; i++)

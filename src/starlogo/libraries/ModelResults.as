@@ -43,7 +43,7 @@ package starlogo.libraries
         // Where results are kept; null for nowhere. The fingerprint of the model's vertices and triangles. Whether all results have come from there.
         private var _store:FitStore;
         private var _geometry:Fingerprint = new Fingerprint();
-        private var _isStored:Boolean = false;
+        private var _cameFromStore:Boolean = false;
 
         /**
          * @param model the model
@@ -73,10 +73,10 @@ package starlogo.libraries
             {
                 add(_geometry.addingGeometry(model.vertices, model.triangles)).begin(readingStored);
             }
-            begin(findingStructures).call(takeStructures).begin(beginningTree);
+            begin(findingStructures).call(takeStructures).begin(makingTree);
             if (_store != null)
             {
-                begin(beginningStoredTree).call(keepResults);
+                begin(makingTreeToStore).call(keepResults);
             }
         }
 
@@ -117,7 +117,7 @@ package starlogo.libraries
                     {
                         takeFrom(stored);
                     }
-                    _isStored = isComplete;
+                    _cameFromStore = isComplete;
                 });
         }
 
@@ -148,13 +148,13 @@ package starlogo.libraries
             return _cookedTree;
         }
 
-        private function beginningTree():Steps
+        private function makingTree():Steps
         {
             return isTreeStored && !_settings.wantsSurface ? null : buildingTree;
         }
 
         // A tree that will be stored has to be built, even if its division came from a cooked model.
-        private function beginningStoredTree():Steps
+        private function makingTreeToStore():Steps
         {
             return willStore ? buildingTree : null;
         }
@@ -170,7 +170,7 @@ package starlogo.libraries
         // Whether the results will be stored. They are not if all have come from the store.
         private function get willStore():Boolean
         {
-            return !(_isStored && (modelTree == null || isTreeStored)) && _store.hasRoomFor(_model, modelTree != null);
+            return !(_cameFromStore && (modelTree == null || isTreeStored)) && _store.hasRoomFor(_model, modelTree != null);
         }
     }
 }

@@ -72,7 +72,7 @@ package evaluation
         {
             return measure(name, function():void
                 {
-                    fitter.fitOnce(new FitSession(_model.vertices));
+                    new FitSession(_model.vertices).structureOf(fitter);
                 }, 1);
         }
     }

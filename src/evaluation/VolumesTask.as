@@ -61,7 +61,7 @@ package evaluation
         override public function work():Boolean
         {
             _session ||= new FitSession(_model.vertices);
-            var structure:BoundingStructure = _fitters[_next].fitOnce(_session);
+            var structure:BoundingStructure = _session.structureOf(_fitters[_next]);
             var isOfThesis:Boolean = _next < Thesis.STRUCTURES.length;
             var entry:Object = _results.addNumber(_figure, _model.name, _names[_next], structure.volume, "patches^3",
                     isOfThesis ? Thesis.VOLUMES[_model.name][_next] : undefined);

@@ -4,7 +4,6 @@ package starlogo
     import starlogo.bounding.BoundingStructure;
     import starlogo.data.requireGiven;
     import starlogo.libraries.BoundingStructuresLibrary;
-    import starlogo.libraries.FitSettings;
     import starlogo.libraries.FitStore;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.libraries.ModelResults;
@@ -176,7 +175,7 @@ package starlogo
             requireGiven("model", model);
             var results:ModelResults = newResults(model, null);
             finish(results);
-            return results.toCooked(new FitSettings(wantedStructures, wantedHierarchies), CookedFile.settingsOfLoad(upAxis, model.data.scaling, usesTransforms));
+            return results.toCooked(CookedFile.keyOfLoad(upAxis, model.data.scaling, usesTransforms));
         }
 
         /** @inheritDoc */
@@ -188,7 +187,7 @@ package starlogo
         /** @inheritDoc */
         public function expectNoMore(name:String):void
         {
-            _models.entryOf(name).endLoading();
+            _models.entryToWrite(name).endLoading();
         }
 
         /** Whether a ModelLoader is loading a model of this name. A model of the same name may already be added. */
@@ -216,7 +215,7 @@ package starlogo
             {
                 return false;
             }
-            _models.entryOf(name).replace(null, null, null);
+            _models.entryToWrite(name).replace(null, null, null);
             return true;
         }
 

@@ -24,7 +24,7 @@ package support
             return new Fit(session, function(session:FitSession):BoundingStructure
                 {
                     count++;
-                    return new AxisAlignedBoxFitter().fitOnce(session);
+                    return session.structureOf(new AxisAlignedBoxFitter());
                 });
         }
     }

@@ -19,6 +19,7 @@ package starlogo.blocks
         private var _collider:Collider;
         private var _search:CollisionSearch;
 
+        /** @param collisions the system whose contacts these are */
         public function BlockContacts(collisions:CollisionBlocks)
         {
             _collisions = collisions;

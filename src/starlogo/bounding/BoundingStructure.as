@@ -131,7 +131,7 @@ package starlogo.bounding
             return placeWithin(moving);
         }
 
-        // Creating a structure like the result checks it.
+        // Cloning the result checks it.
         private function placeWithin(placement:Placement):BoundingStructure
         {
             place(placement, clone()).clone();
@@ -149,7 +149,12 @@ package starlogo.bounding
             throw new IllegalOperationError(this + " does not implement contains");
         }
 
-        /** Returns a copy that shares nothing with this structure. */
+        /**
+         * Returns a copy that shares nothing with this structure. It checks the structure as its constructor checks its arguments.
+         *
+         * @throws ArgumentError if a field was set to a value that the constructor refuses
+         * @throws RangeError as the constructor
+         */
         public function clone():BoundingStructure
         {
             throw new IllegalOperationError(this + " does not implement clone");

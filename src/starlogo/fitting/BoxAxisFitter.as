@@ -1,5 +1,6 @@
 package starlogo.fitting
 {
+    import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
@@ -35,13 +36,13 @@ package starlogo.fitting
         /** @inheritDoc */
         override public function fitting(session:FitSession):Fit
         {
-            return new Fit(session, findStructure, _boxFitter.fittingOnce(session));
+            return new Fit(session, findStructure, session.fitOf(_boxFitter));
         }
 
         /** @inheritDoc */
         override protected function findStructure(session:FitSession):BoundingStructure
         {
-            var box:Box = _boxFitter.fitOnce(session) as Box;
+            var box:Box = session.structureOf(_boxFitter) as Box;
             if (box == null)
             {
                 throw new ArgumentError("the fitter must find a box: " + _boxFitter);
@@ -64,7 +65,7 @@ package starlogo.fitting
          */
         protected function findAlong(vertices:Vector.<Number>, center:Vector3D, axis:Vector3D, half:Number):BoundingStructure
         {
-            return null;
+            throw new IllegalOperationError(this + " does not implement findAlong");
         }
     }
 }

@@ -1,15 +1,13 @@
 package starlogo.fitting
 {
-    import starlogo.engine;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.geometry.ConvexHull;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
 
-    use namespace engine;
-
     /**
      * The vertices of one model while structures are fitted to them. It keeps their convex hull and each fitter's result, so that these are
-     * computed once (see <code>Fitter.fitOnce()</code>). Drop the session when the model is finished.
+     * computed once. Drop the session when the model is finished.
      *
      * <p>The session's steps compute the hull.</p>
      */
@@ -56,8 +54,11 @@ package starlogo.fitting
             return _hull;
         }
 
-        /** @private Returns a fitter's fit for these vertices. The first call makes it, and later calls return the same object. */
-        engine function fitOf(fitter:Fitter):Fit
+        /**
+         * The work of a fitter on the vertices. The first call makes it, and later calls return the same object. So if several capsules are
+         * built from one box, the box is found once.
+         */
+        public function fitOf(fitter:Fitter):Fit
         {
             var i:int = _fitters.indexOf(fitter);
             if (i >= 0)
@@ -68,6 +69,14 @@ package starlogo.fitting
             _fitters.push(fitter);
             _fits.push(fit);
             return fit;
+        }
+
+        /** The structure that a fitter finds around the vertices. The first call computes it, and later calls return the same object. */
+        public function structureOf(fitter:Fitter):BoundingStructure
+        {
+            var fit:Fit = fitOf(fitter);
+            finish(fit);
+            return fit.structure;
         }
     }
 }

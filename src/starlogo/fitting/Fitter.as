@@ -5,10 +5,6 @@ package starlogo.fitting
 {
     import flash.errors.IllegalOperationError;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.engine;
-    import starlogo.steps.finish;
-
-    use namespace engine;
 
     /**
      * An algorithm that finds a bounding structure for a model (thesis §3.4). The structure encloses every vertex, to within 1e-6 of the
@@ -65,7 +61,7 @@ package starlogo.fitting
          * Returns the work that finds a structure around a session's vertices. Subclasses that work in steps override it. The fitter's settings at the
          * time of this call are used.
          *
-         * @param session the vertices and their hull; the hull may not exist before the first step
+         * @param session the vertices and their hull. The Fit computes the hull before all other work
          * @return the work, not begun yet
          */
         public function fitting(session:FitSession):Fit
@@ -84,7 +80,7 @@ package starlogo.fitting
         }
 
         /**
-         * Finds a structure around vertices. For several fits of the same vertices <code>fitOnce()</code> is faster.
+         * Finds a structure around vertices. For several fits of the same vertices <code>FitSession.structureOf()</code> is faster.
          *
          * @param vertices x, y, z of each vertex; not changed
          * @return a new structure, in the vertices' space and unit
@@ -93,30 +89,7 @@ package starlogo.fitting
          */
         public final function fit(vertices:Vector.<Number>):BoundingStructure
         {
-            return fitOnce(new FitSession(vertices));
-        }
-
-        /**
-         * Finds a structure around a session's vertices. The first call for a session computes it, and later calls return the same object.
-         *
-         * @param session the vertices, and their hull
-         */
-        public final function fitOnce(session:FitSession):BoundingStructure
-        {
-            var work:Fit = fittingOnce(session);
-            finish(work);
-            return work.structure;
-        }
-
-        /**
-         * Returns the work of a session's fit. The first call for a session makes it, and later calls return the same object. So if
-         * several capsules are built from one box, the box is found once.
-         *
-         * @param session the vertices, and their hull
-         */
-        public final function fittingOnce(session:FitSession):Fit
-        {
-            return session.fitOf(this);
+            return new FitSession(vertices).structureOf(this);
         }
     }
 }

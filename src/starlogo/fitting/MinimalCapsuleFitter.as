@@ -28,7 +28,7 @@ package starlogo.fitting
         /** @inheritDoc */
         override public function fitting(session:FitSession):Fit
         {
-            var search:CapsuleSearch = new CapsuleSearch(session, _sphereFitter.fittingOnce(session));
+            var search:CapsuleSearch = new CapsuleSearch(session, session.fitOf(_sphereFitter));
             return new Fit(session, function(session:FitSession):BoundingStructure
                 {
                     return search.best;

@@ -51,7 +51,7 @@ package starlogo.fitting
         /** @inheritDoc */
         override public function fitting(session:FitSession):Fit
         {
-            return RotationSearch.newFit(session, _degIncrement, _degIncrement);
+            return RotationSearch.fitting(session, _degIncrement, _degIncrement);
         }
     }
 }

@@ -54,13 +54,13 @@ package starlogo.fitting
         }
 
         /**
-         * The work that finds the smallest box.
+         * The fit of the smallest box.
          *
          * @param session the vertices; their hull may not exist before the first step
          * @param stepXY degrees between the rotations about x and about y; 90 for rotations about z only
          * @param stepZ degrees between the rotations about z
          */
-        public static function newFit(session:FitSession, stepXY:Number, stepZ:Number):Fit
+        public static function fitting(session:FitSession, stepXY:Number, stepZ:Number):Fit
         {
             var search:RotationSearch = new RotationSearch(session, stepXY, stepZ);
             return new Fit(session, search.smallestBox, search);

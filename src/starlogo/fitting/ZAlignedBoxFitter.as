@@ -47,7 +47,7 @@ package starlogo.fitting
         /** @inheritDoc */
         override public function fitting(session:FitSession):Fit
         {
-            return RotationSearch.newFit(session, 90, _degIncrement);
+            return RotationSearch.fitting(session, 90, _degIncrement);
         }
     }
 }

@@ -125,7 +125,7 @@ package starlogo.libraries
         {
             var builder:StructuresBuilder = newBuilder(name, vertices);
             finish(builder);
-            models.entryToWrite(name).structures = new ModelStructures(builder.found, builder.hull, keepAll);
+            models.entryToWrite(name).structures = builder.structures;
         }
 
         /** Whether the library has structures for a shape. */
@@ -182,7 +182,7 @@ package starlogo.libraries
          */
         public function hull(name:String):BoundingStructure
         {
-            var found:BoundingStructure = find(name).hull;
+            var found:BoundingStructure = find(name).hullOrSphere;
             if (found == null)
             {
                 throw new ArgumentError("shape \"" + name + "\" has no hull yet: set loadHulls (keepHulls) before the model is added");
@@ -201,7 +201,7 @@ package starlogo.libraries
         public function hasHull(name:String):Boolean
         {
             var shape:ModelStructures = models.entryOf(name).structures;
-            return shape != null && shape.hull != null;
+            return shape != null && shape.hullOrSphere != null;
         }
 
         /**
@@ -219,17 +219,17 @@ package starlogo.libraries
             var shape:ModelStructures = find(name);
             if (kind == BoundingStructure.HULL)
             {
-                if (shape.hull == null)
+                if (shape.hullOrSphere == null)
                 {
                     shape.setHull(StructuresBuilder.widened(hullFitter.fit(vertices)));
                 }
-                return shape.hull;
+                return shape.hullOrSphere;
             }
             if (shape.smallest[kind] == null)
             {
-                var builder:StructuresBuilder = new StructuresBuilder(name, vertices, fitters, null);
+                var builder:StructuresBuilder = new StructuresBuilder(name, vertices, fitters, null, false);
                 finish(builder);
-                shape.addMissing(builder.found);
+                shape.addMissing(builder.structures);
             }
             if (shape.smallest[kind] == null)
             {
@@ -246,7 +246,7 @@ package starlogo.libraries
         engine function newBuilder(name:String, vertices:Vector.<Number>):StructuresBuilder
         {
             ModelTable.checkName(name);
-            return new StructuresBuilder(name, vertices, fitters, keepHulls ? hullFitter : null);
+            return new StructuresBuilder(name, vertices, fitters, keepHulls ? hullFitter : null, keepAll);
         }
 
         private function find(name:String):ModelStructures

@@ -10,22 +10,27 @@ package starlogo.libraries
 
     /**
      * The settings that decide the results that libraries compute for a model. They are copied when this object is made. Fits that were
-     * computed with other settings are not used. The setting keepAll is not part of it, because it only says which results a client may read.
+     * computed with other settings are not used. Fits with another keepsAll are used, because that only says which results a client may read.
      */
     public final class FitSettings
     {
         // Increase it whenever an algorithm of the engine gives other results for the same settings.
         private static const REVISION:int = 11;
 
-        // For each section of a cooked file, the settings of what is in it. Null if that is not wanted, or cannot be kept.
-        private var _sections:Vector.<Fingerprint> = new Vector.<Fingerprint>(CookedFile.SECTIONS, true);
+        // For each section of a cooked file, the fingerprint of the settings of what is in it. Null if that is not wanted, or cannot be kept.
+        private var _fingerprints:Vector.<Fingerprint> = new Vector.<Fingerprint>(CookedFile.SECTIONS, true);
 
-        /**
-         * Whether the surface for exact colliders is wanted.
-         *
-         * @private
-         */
+        /** @private Whether the surface for exact colliders is wanted. */
         engine var wantsSurface:Boolean = false;
+
+        /** @private Whether a hull is wanted too. */
+        engine var wantsHull:Boolean = false;
+
+        /** @private Whether clients may read the smallest structure of each kind. */
+        engine var keepsAll:Boolean = false;
+
+        /** @private The deepest level of hierarchies. */
+        engine var maxDepth:int = 0;
 
         /**
          * Copies the present settings of the libraries.
@@ -37,25 +42,28 @@ package starlogo.libraries
         {
             if (structures != null)
             {
+                wantsHull = structures.keepHulls;
+                keepsAll = structures.keepAll;
                 var signatures:String = signaturesOf(structures.fitters);
-                _sections[CookedFile.STRUCTURES] = signatures == null ? null : fingerprintOf("structures, " + signatures);
+                _fingerprints[CookedFile.STRUCTURES] = signatures == null ? null : fingerprintOf("structures, " + signatures);
                 // The smallest sphere may take the hull's place.
-                _sections[CookedFile.HULL] = signatures == null || !structures.keepHulls ? null
+                _fingerprints[CookedFile.HULL] = signatures == null || !wantsHull ? null
                     : fingerprintOf(structures.hullFitter.signature + ", " + signatures);
             }
             if (hierarchies != null)
             {
-                _sections[CookedFile.HIERARCHY] = _sections[CookedFile.SURFACE] =
+                _fingerprints[CookedFile.HIERARCHY] = _fingerprints[CookedFile.SURFACE] =
                     fingerprintOf(["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join());
                 wantsSurface = hierarchies.prepareExact;
+                maxDepth = hierarchies.maxDepth;
             }
         }
 
         /** All settings as sixteen hexadecimal digits. */
         public function toString():String
         {
-            var all:Array = [_sections[CookedFile.STRUCTURES], _sections[CookedFile.HIERARCHY], wantsSurface];
-            var hull:Fingerprint = _sections[CookedFile.HULL];
+            var all:Array = [_fingerprints[CookedFile.STRUCTURES], _fingerprints[CookedFile.HIERARCHY], wantsSurface];
+            var hull:Fingerprint = _fingerprints[CookedFile.HULL];
             return fingerprintOf((hull == null ? all : all.concat(hull)).join()).toString();
         }
 
@@ -66,7 +74,7 @@ package starlogo.libraries
          */
         engine function sectionOf(file:CookedFile, index:int):ByteArray
         {
-            return _sections[index] == null ? null : file.section(index, _sections[index]);
+            return _fingerprints[index] == null ? null : file.section(index, _fingerprints[index]);
         }
 
         /**
@@ -79,7 +87,7 @@ package starlogo.libraries
          */
         engine function bytesOfFile(modelKey:Fingerprint, contents:Vector.<ByteArray>):ByteArray
         {
-            var settings:Vector.<Fingerprint> = _sections.concat();
+            var settings:Vector.<Fingerprint> = _fingerprints.concat();
             var kept:Vector.<ByteArray> = contents.concat();
             settings[CookedFile.MODEL] = modelKey;
             for (var i:int = 0; i < CookedFile.SECTIONS; i++)

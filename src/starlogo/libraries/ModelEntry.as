@@ -1,6 +1,6 @@
 // This room has what was computed for each model. A ModelTable has a ModelEntry for each name, and the two libraries show clients a part of it;
-// ModelResults takes the results from a cooked file or a FitStore, or has a StructuresBuilder and a BoxTreeBuilder compute them. Read this
-// file first, then BoundingStructuresLibrary and ModelResults.
+// ModelResults takes the results from a cooked file or a FitStore (StoredResults), or has a StructuresBuilder and a BoxTreeBuilder compute
+// them. Read this file first, then BoundingStructuresLibrary and ModelResults.
 package starlogo.libraries
 {
     import starlogo.engine;
@@ -36,7 +36,7 @@ package starlogo.libraries
             _table = table;
         }
 
-        /** The number of times that data under this name was replaced, removed or posed. */
+        /** Increased whenever data under this name is replaced, removed or posed: once for each of the structures, the tree and the model. */
         public function get revision():int
         {
             return _revision;

@@ -23,7 +23,7 @@ package starlogo.libraries
         public var smallest:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(FITTED, true);
 
         /** The hull; the smallest sphere if that is not larger; null if there is none. Set it with setHull(). */
-        public var hull:BoundingStructure = null;
+        public var hullOrSphere:BoundingStructure = null;
 
         /**
          * The structure with the least volume. Among equal volumes, the one with the cheapest tests. It is the hull only if that is the one
@@ -62,7 +62,7 @@ package starlogo.libraries
             setHull(hull);
         }
 
-        /** One structure that is given, not found. */
+        /** One structure that is given, not found. It is the tightest, and the smallest of no kind. */
         public static function of(structure:BoundingStructure):ModelStructures
         {
             var given:ModelStructures = new ModelStructures(new Vector.<BoundingStructure>(), null, false);
@@ -74,13 +74,12 @@ package starlogo.libraries
         public function setHull(found:BoundingStructure):void
         {
             var sphere:BoundingStructure = smallest[BoundingStructure.SPHERE];
-            hull = found != null && sphere != null && sphere.volume <= found.volume ? sphere : found;
+            hullOrSphere = found != null && sphere != null && sphere.volume <= found.volume ? sphere : found;
         }
 
-        /** Adds the structures of kinds that are missing here. @param found the spheres, capsules and boxes that were found */
-        public function addMissing(found:Vector.<BoundingStructure>):void
+        /** Adds others' spheres, capsules and boxes of the kinds that are missing here. */
+        public function addMissing(other:ModelStructures):void
         {
-            var other:ModelStructures = new ModelStructures(found, null, false);
             for (var kind:int = 0; kind < smallest.length; kind++)
             {
                 smallest[kind] ||= other.smallest[kind];

@@ -1,8 +1,8 @@
 package starlogo.libraries
 {
     /**
-     * The data of a game under the names of shapes. It counts how often data was replaced, removed or posed. If that number has changed, results
-     * derived from the data are out of date.
+     * The data of a game under the names of shapes. Its revision increases when data is replaced, removed or posed. Results derived from the
+     * data are then out of date.
      *
      * @private
      */
@@ -11,12 +11,13 @@ package starlogo.libraries
         // stands before every key, because a shape may be called "hasOwnProperty"
         private static const PREFIX:String = ":";
 
-        /** The number of times that data of any shape was replaced, removed or posed. */
+        /** Increased with the revision of each entry. */
         public var revision:int = 0;
 
         private var _entries:Object = {};
         private var _unknown:ModelEntry;
 
+        /** Creates a table without entries. */
         public function ModelTable()
         {
             _unknown = new ModelEntry(this);

@@ -25,17 +25,15 @@ package starlogo.libraries
     {
         private static const VERTICES_PER_STEP:int = 2000;
 
-        /** The spheres, capsules and boxes, when no step is left. */
-        public var found:Vector.<BoundingStructure> = null;
-
-        /** The hull, when no step is left; null if none is wanted. */
-        public var hull:BoundingStructure = null;
+        /** The smallest structures, when no step is left. */
+        public var structures:ModelStructures = null;
 
         private var _name:String;
         private var _vertices:Vector.<Number>;
         private var _fitters:Vector.<Fitter>;
         private var _fits:Vector.<Fit> = new Vector.<Fit>();
         private var _hullFit:Fit = null;
+        private var _keepsAll:Boolean;
 
         // How far outside of a structure vertices may be, and how many fits are checked.
         private var _tolerance:Number = 0;
@@ -46,12 +44,14 @@ package starlogo.libraries
          * @param vertices x, y, z each; must not change until the last step is done
          * @param fitters the fitters to compare; copied
          * @param hullFitter finds the hull; null if none is wanted
+         * @param keepsAll whether clients may read the smallest structure of each kind
          * @throws ArgumentError if there are no fitters, or one is null; the message names the shape
          */
-        public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, hullFitter:HullFitter)
+        public function StructuresBuilder(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, hullFitter:HullFitter, keepsAll:Boolean)
         {
             _name = name;
             _vertices = vertices;
+            _keepsAll = keepsAll;
             if (fitters == null || fitters.length == 0)
             {
                 throw ModelTable.errorOf(name, "the library's list of fitters is empty");
@@ -62,16 +62,15 @@ package starlogo.libraries
             }
             _fitters = fitters.concat();
             var session:FitSession = new FitSession(vertices, false);
-            add(session);
             for each (var fitter:Fitter in _fitters)
             {
-                var fit:Fit = fitter.fittingOnce(session);
+                var fit:Fit = session.fitOf(fitter);
                 _fits.push(fit);
                 add(fit);
             }
             if (hullFitter != null)
             {
-                _hullFit = hullFitter.fittingOnce(session);
+                _hullFit = session.fitOf(hullFitter);
                 add(_hullFit);
             }
             call(findTolerance).beginEach(checkingNext).call(choose);
@@ -147,13 +146,13 @@ package starlogo.libraries
 
         private function choose():void
         {
-            found = new Vector.<BoundingStructure>();
+            var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
             for each (var fit:Fit in _fits)
             {
                 found.push(widened(fit.structure));
             }
             // A HullFitter checks all vertices itself.
-            hull = _hullFit == null ? null : widened(_hullFit.structure);
+            structures = new ModelStructures(found, _hullFit == null ? null : widened(_hullFit.structure), _keepsAll);
         }
 
         /** A copy of a fitted structure, enlarged by the distance at which surfaces still touch. */

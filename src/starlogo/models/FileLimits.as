@@ -1,9 +1,9 @@
 package starlogo.models
 {
     /**
-     * What a file may have and cost. A reader asks before it reserves memory for a declared count, and before it does something again.
-     * Things of several kinds are counted: VERTICES to FILES. How many a file may have grows with the bytes that are present, so time and
-     * memory are in proportion to them (docs/limits.md).
+     * The largest numbers of vertices, triangles and other things that a file may have, and the tests of corners that cutting its polygons
+     * may take. A reader asks before it reserves memory for a declared count, and before it does something again. The limits grow with the
+     * bytes that are present, so time and memory are in proportion to them (docs/limits.md).
      *
      * @private
      */
@@ -37,7 +37,8 @@ package starlogo.models
         private static const TESTS_PER_BYTE:Number = 40;
         private static const CORNER_TESTS:Number = 100000;
 
-        // By kind: its name for messages; what each byte allows, what a file without bytes may have, and the most that any file may have.
+        // For each kind, from VERTICES to FILES: its name for messages; what each byte allows, what a file without bytes may have, and the most
+        // that any file may have.
         private static const NAMES:Vector.<String> = new <String>["vertices", "triangles", "numbers, each counted as often as it is used",
                 "numbers without data", "elements, values, nodes, transforms and instances, each counted as often as it is placed", "other files"];
         private static const PER_BYTE:Vector.<Number> = new <Number>[16, 32, 16, 1, 1, 0];

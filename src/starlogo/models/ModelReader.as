@@ -6,8 +6,8 @@ package starlogo.models
     import starlogo.steps.finish;
 
     /**
-     * Reads a model's file into a ModelData, and normalises it. Each format has a subclass, which adds the parts of the work in its constructor.
-     * The last part is <code>normalising()</code>. A step takes about a millisecond, and throws a ModelError if the file is wrong.
+     * Reads a model's file into a ModelData. Each format has a subclass, which adds the parts of the work. The last part is
+     * <code>normalising()</code>. Only a pose of a glTF file is not normalised. A step takes about a millisecond, and throws a ModelError if the file is wrong.
      *
      * @private
      */

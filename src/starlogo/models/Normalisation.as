@@ -26,7 +26,7 @@ package starlogo.models
         private var _bounds:VertexBounds;
 
         /**
-         * @param data changed in place. Its vertices and triangles are complete, in any unit
+         * @param data its vertices and triangles are complete, in any unit. The constructor changes what needs no steps, the steps the rest
          * @throws ModelError if there is no name or no vertex, if the scaling is unknown, or if the last vertex or triangle is incomplete.
          * The steps throw the other errors of Model's constructor
          */

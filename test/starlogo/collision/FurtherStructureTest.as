@@ -30,7 +30,7 @@ package starlogo.collision
             sLand.addModel(BuiltInModel.cylinder());
             sLand.addModel(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
             var capsule:Capsule = sLand.boundingStructures.capsule("cylinder");
-            sLand.boundingStructures.models.entryOf("cylinder").structures.hull = new FurtherCapsule(capsule);
+            sLand.boundingStructures.models.entryOf("cylinder").structures.hullOrSphere = new FurtherCapsule(capsule);
         }
 
         [Test]

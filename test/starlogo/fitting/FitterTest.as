@@ -153,9 +153,9 @@ package starlogo.fitting
         {
             var counting:CountingFitter = new CountingFitter();
             var session:FitSession = new FitSession(PointSets.box(1, 1, 1));
-            counting.fitOnce(session);
-            new CapsuleFitter(counting).fitOnce(session);
-            new CylinderFitter(counting).fitOnce(session);
+            session.structureOf(counting);
+            session.structureOf(new CapsuleFitter(counting));
+            session.structureOf(new CylinderFitter(counting));
             assertEquals(1, counting.count);
             new CapsuleFitter(counting).fit(PointSets.box(1, 1, 1));
             assertEquals(2, counting.count);
@@ -170,7 +170,7 @@ package starlogo.fitting
                 var counting:CountingFitter = new CountingFitter();
                 var session:FitSession = new FitSession(PointSets.box(1, 1, 1));
                 var capsule:Fit = new CapsuleFitter(counting).fitting(session);
-                var box:Fit = counting.fittingOnce(session);
+                var box:Fit = session.fitOf(counting);
                 assertEquals(0, counting.count);
                 for (var i:int = 0; i < ahead; i++)
                 {
@@ -179,7 +179,7 @@ package starlogo.fitting
                 finish(box);
                 finish(capsule);
                 assertEquals(ahead + " steps ahead", 1, counting.count);
-                assertTrue(counting.fitOnce(session) === box.structure && box.structure is Box);
+                assertTrue(session.structureOf(counting) === box.structure && box.structure is Box);
                 assertTrue(capsule.structure is Capsule);
             }
         }
@@ -190,7 +190,7 @@ package starlogo.fitting
             var before:CountedSteps = new CountedSteps(3);
             var cube:Vector.<Number> = PointSets.box(1, 1, 1);
             var fit:Fit = new Fit(new FitSession(cube), before.boxOfThem, before);
-            for (var i:int = 0; i < 3; i++)
+            for (var i:int = 0; i < 4; i++)
             {
                 assertTrue(fit.step());
                 assertEquals(null, fit.structure);
@@ -227,7 +227,6 @@ package starlogo.fitting
                 var session:FitSession = new FitSession(points, false);
                 var work:Fit = fitter.fitting(session);
                 fitter.degIncrement = 90;
-                finish(session);
                 finish(work);
                 assertEquals(expected, work.structure.volume);
                 assertTrue(fitter.fit(points).volume > expected);
@@ -247,8 +246,10 @@ package starlogo.fitting
             for each (var vertices:Vector.<Number> in [null, new Vector.<Number>(), new <Number>[1, 2], new <Number>[1, 2, NaN]])
             {
                 assertThrows(ArgumentError, /./, finish, new FitSession(vertices, false));
+                assertThrows(ArgumentError, /./, finish, new NaiveSphereFitter().fitting(new FitSession(vertices, false)));
             }
             assertThrows(IllegalOperationError, /fitting/, new Fitter().fit, PointSets.box(1, 1, 1));
+            assertThrows(IllegalOperationError, /findAlong/, new BoxAxisFitter(new AxisAlignedBoxFitter()).fit, PointSets.box(1, 1, 1));
             for each (var increment:Number in [0, -10, NaN, Infinity])
             {
                 assertThrows(ArgumentError, /.{10}/, create, OrientedBoxFitter, increment);
@@ -262,7 +263,7 @@ package starlogo.fitting
 
         private static function assertEncloses(name:String, fitter:Fitter, session:FitSession):void
         {
-            assertEquals(name + ", " + getQualifiedClassName(fitter), "", FitChecks.outside(fitter.fitOnce(session), session.vertices));
+            assertEquals(name + ", " + getQualifiedClassName(fitter), "", FitChecks.outside(session.structureOf(fitter), session.vertices));
         }
     }
 }

@@ -34,7 +34,7 @@ package starlogo.fitting
                     for each (var most:int in [8, 16, 40])
                     {
                         var session:FitSession = new FitSession(sets[i + 1]);
-                        var hull:Hull = Hull(new HullFitter(most).fitOnce(session));
+                        var hull:Hull = Hull(session.structureOf(new HullFitter(most)));
                         var name:String = sets[i] + ", seed " + seed + ", " + most + " corners";
                         assertHolds(name, hull, sets[i + 1]);
                         assertBoxIsAround(name, hull);
@@ -58,7 +58,7 @@ package starlogo.fitting
                 var points:Vector.<Number> = PointSets.cloud(random, 20 + random.integer(0, 80), 1, random.between(0, 1), Math.pow(10, random.between(-9, 0)));
                 points = PointSets.placed(PointSets.turned(points, random), Math.pow(10, random.between(-6, 6)), random.between(-50, 50));
                 var session:FitSession = new FitSession(points);
-                var hull:Hull = Hull(new HullFitter(8 + random.integer(0, 20)).fitOnce(session));
+                var hull:Hull = Hull(session.structureOf(new HullFitter(8 + random.integer(0, 20))));
                 assertHolds("set " + i, hull, points);
                 assertTrue("set " + i + ": " + hull.volume / session.hull.volume, session.hull.dimension < 3 || hull.volume < 2.5 * session.hull.volume);
                 counts += hull.points.length;
@@ -96,7 +96,7 @@ package starlogo.fitting
             {
                 var points:Vector.<Number> = PointSets.cloud(random, 30, 1, 1, 0);
                 points = PointSets.placed(PointSets.turned(points, random), 1, random.pick([1e3, 1e5, 1e6]), random.pick([0, 1e6]));
-                var hull:Hull = Hull(new HullFitter(12).fitOnce(new FitSession(points)));
+                var hull:Hull = Hull(new FitSession(points).structureOf(new HullFitter(12)));
                 assertBoxIsAround("set " + i, hull);
                 wide += hull.radius > 1e-12 ? 1 : 0;
             }
@@ -126,7 +126,7 @@ package starlogo.fitting
                 var session:FitSession = new FitSession(model.vertices);
                 for (var i:int = 0; i < 3; i++)
                 {
-                    var hull:Hull = Hull(new HullFitter([8, 16, 32][i]).fitOnce(session));
+                    var hull:Hull = Hull(session.structureOf(new HullFitter([8, 16, 32][i])));
                     sums[i] += hull.volume / session.hull.volume / models.length;
                     assertTrue(model.name, hull.volume >= session.hull.volume * (1 - 1e-6));
                     assertHolds(model.name, hull, model.vertices);
@@ -192,7 +192,7 @@ package starlogo.fitting
                 {
                     var points:Vector.<Number> = rim.concat(tips);
                     var session:FitSession = new FitSession(points);
-                    var hull:Hull = Hull(new HullFitter().fitOnce(session));
+                    var hull:Hull = Hull(session.structureOf(new HullFitter()));
                     assertHolds(count + "", hull, points);
                     assertTrue(hull.volume / session.hull.volume + "", hull.volume < 1.15 * session.hull.volume);
                     assertTrue(hull + "", hull.points.length <= 48);

@@ -111,7 +111,7 @@ package starlogo.fitting
         private static function check(entry:Object, session:FitSession, fitter:Fitter, known:Number, fraction:Number,
                 orBelow:Boolean = false):BoundingStructure
         {
-            var found:BoundingStructure = fitter.fitOnce(session);
+            var found:BoundingStructure = session.structureOf(fitter);
             var label:String = entry.name + ", " + fitter + ": ";
             assertEquals(label, "", FitChecks.outside(found, session.vertices));
             // what is flat is so up to rounding, which depends on the coordinates

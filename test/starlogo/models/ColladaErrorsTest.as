@@ -111,6 +111,25 @@ package starlogo.models
                         '<node><instance_controller url="#c"/></node>'));
         }
 
+        [Test]
+        public function chainsOfControllers():void
+        {
+            assertEquals(9, new ColladaModel("a", inControllers(16)).vertices.length);
+            fails(null, "more than 16 controllers follow one another", inControllers(17));
+        }
+
+        // A triangle at the end of a chain of so many controllers.
+        private static function inControllers(count:int):String
+        {
+            var chain:String = "";
+            for (var i:int = 1; i <= count; i++)
+            {
+                chain += '<controller id="c' + i + '"><morph source="#' + (i == count ? "a" : "c" + (i + 1)) + '"/></controller>';
+            }
+            return Collada.scene(Collada.geometry("a", POINTS, Collada.triangles("0 1 2")) + "<library_controllers>" + chain + "</library_controllers>",
+                    '<node><instance_controller url="#c1"/></node>');
+        }
+
         [Test(timeout="600000")]
         public function manyOfManyOfMany():void
         {

@@ -240,6 +240,19 @@ package starlogo.models
             }
         }
 
+        [Test]
+        public function aManifestThatHasNotComeNamesNothingYet():void
+        {
+            var manifest:ModelManifest = new ModelManifest("a/m.json");
+            assertFalse(manifest.isUnderWay);
+            assertEquals(null, manifest.addressFor("a/bear.obj"));
+            manifest.fetch(function():URLLoader
+                {
+                    return new OfferingURLLoader({"a/m.json": encoded(JSON.stringify({models: {"bear.obj": {cooked: "x"}}}))});
+                });
+            assertEquals("a/x", manifest.addressFor("a/bear.obj"));
+        }
+
         private function askedFor():String
         {
             var addresses:Array = [];

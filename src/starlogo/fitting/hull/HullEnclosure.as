@@ -11,7 +11,8 @@ package starlogo.fitting.hull
      * The steps that make a hull of few corners, and scale it until it encloses every vertex of a session in double precision.
      *
      * <p>A vertex may be outside of the corners' hull by Tolerances.HULL of its size. The hull is scaled about its centre. If it is flat, that
-     * does not help against vertices beside its plane. So its margin covers these.</p>
+     * does not help against vertices beside its plane. So its margin covers these. It also covers vertices that are still outside after many
+     * scalings.</p>
      *
      * @private
      */
@@ -90,7 +91,7 @@ package starlogo.fitting.hull
             for (var i:int = 0; i < heights.length; i++)
             {
                 var offset:Number = halfSpaces[4 * i + 3];
-                if (offset > 0)
+                if (offset > 0 && scalings < MOST_SCALINGS)
                 {
                     factor = Math.max(factor, heights[i] / offset);
                 }
@@ -99,7 +100,7 @@ package starlogo.fitting.hull
                     hull.widen(Math.max(0, heights[i] - offset - hull.radius));
                 }
             }
-            if (factor > 1 && scalings + 1 < MOST_SCALINGS)
+            if (factor > 1)
             {
                 scaleBy(factor * (1 + LEAST_EXCESS * (1 << scalings)));
                 addRound(vertices, scalings + 1);

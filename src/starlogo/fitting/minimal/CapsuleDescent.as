@@ -1,10 +1,7 @@
 package starlogo.fitting.minimal
 {
     import starlogo.bounding.Capsule;
-    import starlogo.engine;
     import starlogo.steps.Steps;
-
-    use namespace engine;
 
     /**
      * Descends from a capsule to a smaller one: it moves the ends until no small move makes the capsule smaller while it encloses all points.
@@ -50,8 +47,7 @@ package starlogo.fitting.minimal
         public function CapsuleDescent(points:Vector.<Number>, start:Capsule)
         {
             _points = points;
-            ends = start.numbers();
-            ends.length = 6;
+            ends = new <Number>[start.start.x, start.start.y, start.start.z, start.end.x, start.end.y, start.end.z];
             _squares = squaresFrom(ends);
             radius = radiusOf(_squares);
         }

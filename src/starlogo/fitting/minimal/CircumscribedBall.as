@@ -10,9 +10,13 @@ package starlogo.fitting.minimal
      */
     public final class CircumscribedBall
     {
-        /** The centre. */
+        /** x of the centre. */
         public var x:Number;
+
+        /** y of the centre. */
         public var y:Number;
+
+        /** z of the centre. */
         public var z:Number;
 
         /** The square of the radius. */

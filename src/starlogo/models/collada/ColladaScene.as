@@ -120,7 +120,7 @@ package starlogo.models.collada
                 var shape:ColladaElement = skin == null ? null : skin.child("bind_shape_matrix");
                 transform = shape == null ? transform : transform.after(shape.toTransform());
                 target = deformer.target("source", ["geometry", "controller"]);
-                element.refuseIf(i > MAX_CONTROLLERS, "more than " + MAX_CONTROLLERS +
+                element.refuseIf(i == MAX_CONTROLLERS, "more than " + MAX_CONTROLLERS +
                         " controllers follow one another, or they refer to each other in a circle");
             }
             addInstance(element, target, transform);

@@ -26,8 +26,8 @@ package starlogo.models.cooked
     public final class CookedFile extends StepSequence
     {
         /**
-         * The section with the model. Its settings are those of a load: see <code>settingsOfLoad()</code>. In a FitStore it is empty, and the
-         * fingerprint of the model's geometry takes the place of its settings.
+         * The section with the model. In the place of its settings is the file's model key: <code>keyOfLoad()</code>, or the fingerprint of the
+         * model's geometry in a FitStore, where this section is empty.
          */
         public static const MODEL:int = 0;
 
@@ -127,13 +127,13 @@ package starlogo.models.cooked
         }
 
         /**
-         * The settings of a model's section: the fingerprint of the arguments of a load. A cooked file is valid only for these.
+         * The model key of a cooked file: the fingerprint of the arguments of a load. A cooked file is valid only for these.
          *
          * @param upAxis "x", "y", "z" or a ModelTransform
          * @param scaling as for Model's constructor
          * @param usesTransforms whether the transform file beside the model's file is fetched too
          */
-        public static function settingsOfLoad(upAxis:Object, scaling:String, usesTransforms:Boolean):Fingerprint
+        public static function keyOfLoad(upAxis:Object, scaling:String, usesTransforms:Boolean):Fingerprint
         {
             // join() calls the transform's toString(). So a program that never uses a ModelTransform need not contain that class.
             return Fingerprint.of([upAxis, scaling, upAxis is String && usesTransforms].join());
@@ -147,14 +147,14 @@ package starlogo.models.cooked
             return bytes;
         }
 
-        /** Whether the file is complete and its model has this fingerprint: see MODEL. */
-        public function isOf(model:Fingerprint):Boolean
+        /** Whether the file is complete and has this model key: see MODEL. */
+        public function isOf(modelKey:Fingerprint):Boolean
         {
             if (isWhole)
             {
                 _bytes.position = TABLE;
             }
-            return isWhole && model.isNextOf(_bytes);
+            return isWhole && modelKey.isNextOf(_bytes);
         }
 
         /**

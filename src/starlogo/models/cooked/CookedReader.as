@@ -35,19 +35,19 @@ package starlogo.models.cooked
         /**
          * @param name the model's name
          * @param bytes the bytes of a possible cooked file
-         * @param settings the settings that its model must have; null for any
+         * @param modelKey the model key that the file must have: see <code>CookedFile.MODEL</code>. Null for any
          */
-        public function CookedReader(name:String, bytes:ByteArray, settings:Fingerprint = null)
+        public function CookedReader(name:String, bytes:ByteArray, modelKey:Fingerprint = null)
         {
             super(name, "z", null);
-            addSteps(new CookedFile(bytes), settings);
+            addSteps(new CookedFile(bytes), modelKey);
         }
 
-        private function addSteps(file:CookedFile, settings:Fingerprint):void
+        private function addSteps(file:CookedFile, modelKey:Fingerprint):void
         {
             add(file).begin(function():Steps
                 {
-                    return reading(file, settings);
+                    return reading(file, modelKey);
                 }).begin(normalising);
         }
 
@@ -66,9 +66,9 @@ package starlogo.models.cooked
         }
 
         // Reads the head. The work that it returns reads the numbers.
-        private function reading(file:CookedFile, settings:Fingerprint):Steps
+        private function reading(file:CookedFile, modelKey:Fingerprint):Steps
         {
-            refuseIf(settings != null && file.isWhole && !file.isOf(settings), name, "the cooked file is for another up axis, transform or scaling");
+            refuseIf(modelKey != null && file.isWhole && !file.isOf(modelKey), name, "the cooked file is for another up axis, transform or scaling");
             _bytes = file.section(CookedFile.MODEL, null);
             refuseIf(file.isOfOtherVersion, name, "the cooked file is of another version of the engine: cook it again");
             refuseIf(_bytes == null, name, "the cooked file is damaged: cook it again");

@@ -4,8 +4,8 @@ package starlogo.models.gltf
     import starlogo.models.text.TextWords;
 
     /**
-     * An object in the JSON of a glTF file. Each value in it is checked when it is read, and errors name its place. The outermost object has the
-     * file's lists: its nodes, for example.
+     * An object in the JSON of a glTF file. Its methods check what they read, and errors name the place. Only texts are never refused, and
+     * <code>value</code> is as it was parsed. The outermost object has the file's lists: its nodes, for example.
      */
     internal final class GltfJson
     {

@@ -21,7 +21,7 @@ package starlogo.models.gltf
          * @param file the file; all its steps must be done and all buffers set
          * @param upAxis "x", "y" or "z"; a ModelTransform leaves the file as it is; null for y
          * @param scaling as for Model's constructor
-         * @param pose the vertices are not normalised in it; null to normalise those of the rest pose
+         * @param pose the vertices are read in this pose and not normalised. If it is null, they are read in the rest pose and normalised
          */
         public function GltfReader(name:String, file:GltfFile, upAxis:Object, scaling:String, pose:GltfPose = null)
         {

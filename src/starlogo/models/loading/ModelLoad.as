@@ -166,7 +166,7 @@ package starlogo.models.loading
             var file:ModelDownload = download(address);
             call(function():void
                 {
-                    _reader = new CookedReader(name, file.bytes, CookedFile.settingsOfLoad(_upAxis, _scaling, _usesTransforms));
+                    _reader = new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms));
                 }).repeat(readCooked).call(takeCooked);
         }
 
@@ -286,7 +286,7 @@ package starlogo.models.loading
 
         private function keepModel():void
         {
-            model = _maker != null ? _maker.model : new Model(name, null, null, _scaling, _reader.data);
+            model = _maker != null ? _maker.model : new Model(null, null, null, null, _reader.data);
             _reader = null;
             _maker = null;
             _downloads.length = 0;

@@ -31,10 +31,10 @@ package starlogo.models.loading
         /** Whether the download is running. */
         public function get isUnderWay():Boolean
         {
-            return _download.isUnderWay;
+            return _download != null && _download.isUnderWay;
         }
 
-        /** The address of the cooked file for a model's file; null if the list has none. */
+        /** The address of the cooked file for a model's file; null if the list has none, or has not come. */
         public function addressFor(file:String):String
         {
             var parts:Array = file.match(/^([^?#]*)(.*)$/);
@@ -43,7 +43,12 @@ package starlogo.models.loading
             {
                 return null;
             }
-            _models ||= read(_download.bytes);
+            var bytes:ByteArray = _download == null ? null : _download.bytes;
+            if (bytes == null)
+            {
+                return null;
+            }
+            _models ||= read(bytes);
             var name:String = parts[1].substr(folder.length);
             var entry:Object = _models["#" + name];
             var cooked:Object = entry == null ? null : entry["cooked"];
@@ -68,7 +73,7 @@ package starlogo.models.loading
             }
             catch (error:Error)
             {
-                return {}; // it was not fetched, or is no JSON
+                return {}; // it is no JSON
             }
             return models;
         }

@@ -57,8 +57,8 @@ package starlogo.models.polygons
                         _rings.addTriangle(vertex[before], vertex[_node], vertex[after]);
                     }
                     _rings.remove(_node);
-                    _count--;
                     _misses = _misses > 2 * _count ? _misses : 0;
+                    _count--;
                     _node = next[after];
                 }
                 else

@@ -44,7 +44,8 @@ package starlogo.models.polygons
          * The work that adds numbered polygons, some in each step. A large polygon takes several steps.
          *
          * @param count the number of polygons
-         * @param add <code>function(index:int):int</code>; adds a polygon by <code>addPolygon()</code>, or triangles, and returns the number of corners
+         * @param add <code>function(index:int):int</code>; adds one polygon by <code>addPolygon()</code>, or triangles, and returns the number
+         * of corners
          */
         public function addingEach(count:int, add:Function):Steps
         {
@@ -65,7 +66,8 @@ package starlogo.models.polygons
         }
 
         /**
-         * Cuts a polygon, or begins to cut a large one. Only the work of <code>addingEach()</code> calls this.
+         * Cuts a polygon, or begins to cut a large one. Call it only in the function of <code>addingEach()</code>, once, because its work cuts the
+         * rest before it calls the function again.
          *
          * @param outline the corners of its outline; the vector is not kept
          * @param holes the corners of each hole, in either direction; null for none

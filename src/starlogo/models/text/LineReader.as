@@ -3,8 +3,8 @@ package starlogo.models.text
     import starlogo.models.refuseIf;
 
     /**
-     * Divides text that has one statement per line into words, some lines at a time. A format's reader gets the first word of each
-     * statement, and asks for the others.
+     * Divides text that has one statement per line into words, some lines at a time. A format's reader gets the first word of a
+     * statement, and asks for the others. A word that it does not ask for or skip, it gets as if it were a first one.
      *
      * @private
      */
@@ -80,7 +80,7 @@ package starlogo.models.text
         /**
          * Does a step: reads some statements, or none if the next piece of the text must be divided first.
          *
-         * @param read reads a statement, whose first word it gets: <code>function(word:String):void</code>
+         * @param read <code>function(word:String):void</code>; gets a statement's first word, and reads or skips the others
          * @return the share of the text that is read, from 0 to 1
          */
         public function readStatements(read:Function):Number

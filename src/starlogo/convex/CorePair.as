@@ -39,11 +39,6 @@ package starlogo.convex
          */
         public var timeLeft:Number = Infinity;
 
-        // The vector from the second shape's origin to the first one's at time 0.
-        private var _startX:Number = 0;
-        private var _startY:Number = 0;
-        private var _startZ:Number = 0;
-
         /** Sets two shapes, where they are stored, and no limit. The distance at which they touch includes no margin of a motion. */
         public function setShapes(a:ConvexShape, b:ConvexShape):void
         {
@@ -71,9 +66,6 @@ package starlogo.convex
         {
             // If the shapes are swapped, the first one moves in the opposite direction as seen from the second.
             var side:int = isSwapped ? -1 : 1;
-            _startX = x + side * motion.startX;
-            _startY = y + side * motion.startY;
-            _startZ = z + side * motion.startZ;
             motionX = side * motion.x;
             motionY = side * motion.y;
             motionZ = side * motion.z;
@@ -83,10 +75,11 @@ package starlogo.convex
         /** Moves the first shape to where it is at the motion's time. */
         public function moveTo(motion:RelativeMotion):void
         {
+            var side:int = isSwapped ? -1 : 1;
             var time:Number = motion.time;
-            x = _startX + time * motionX;
-            y = _startY + time * motionY;
-            z = _startZ + time * motionZ;
+            x = first.x - second.x + side * motion.startX + time * motionX;
+            y = first.y - second.y + side * motion.startY + time * motionY;
+            z = first.z - second.z + side * motion.startZ + time * motionZ;
         }
 
         // Whether a shape comes after another one: by their places, or at the same place by the numbers that they are made of.

@@ -9,8 +9,8 @@ package starlogo.convex
     internal final class CommonPoint
     {
         // The feature of each core that faces the other, relative to the second one's origin.
-        private var _a:ContactFeature = new ContactFeature();
-        private var _b:ContactFeature = new ContactFeature();
+        private var _first:ContactFeature = new ContactFeature();
+        private var _second:ContactFeature = new ContactFeature();
 
         private var _clip:PolygonClip = new PolygonClip();
 
@@ -20,20 +20,20 @@ package starlogo.convex
             findFeatures(cores, out);
             // how far the place halfway between the surfaces is from the common part, along the normal
             var by:Number;
-            if (_a.end == 3)
+            if (_first.end == 3)
             {
-                writeMean(_a.points, 3, out);
+                writeMean(_first.points, 3, out);
                 by = out.depth / 2 - cores.first.radius;
             }
-            else if (_b.end == 3)
+            else if (_second.end == 3)
             {
-                writeMean(_b.points, 3, out);
+                writeMean(_second.points, 3, out);
                 by = cores.second.radius - out.depth / 2;
             }
             else
             {
                 findShared(out);
-                var surface:Number = out.normalX * cores.x + out.normalY * cores.y + out.normalZ * cores.z - _a.farthest - cores.first.radius;
+                var surface:Number = out.normalX * cores.x + out.normalY * cores.y + out.normalZ * cores.z - _first.farthest - cores.first.radius;
                 by = surface + out.depth / 2 - (out.normalX * out.x + out.normalY * out.y + out.normalZ * out.z);
             }
             out.x += by * out.normalX;
@@ -45,42 +45,42 @@ package starlogo.convex
         // empty.
         private function findFeatures(cores:CorePair, contact:ContactPoint):void
         {
-            _a.clear();
-            _b.clear();
+            _first.clear();
+            _second.clear();
             if (cores.second.end < cores.first.end)
             {
-                _b.find(cores.second, 1, contact);
+                _second.find(cores.second, 1, contact);
             }
-            if (_b.end != 3)
+            if (_second.end != 3)
             {
-                _a.find(cores.first, -1, contact);
-                _a.move(cores.x, cores.y, cores.z);
+                _first.find(cores.first, -1, contact);
+                _first.move(cores.x, cores.y, cores.z);
             }
-            if (_a.end > 3 && _b.end == 0)
+            if (_first.end > 3 && _second.end == 0)
             {
-                _b.find(cores.second, 1, contact);
+                _second.find(cores.second, 1, contact);
             }
-            if (_a.end > 3 && _b.end > 3)
+            if (_first.end > 3 && _second.end > 3)
             {
-                _a.order(contact);
-                _b.order(contact);
+                _first.order(contact);
+                _second.order(contact);
             }
         }
 
         // Writes the middle of what two edges or faces share when seen along the normal. It is in the plane of either.
         private function findShared(out:ContactPoint):void
         {
-            if (_b.end > 6)
+            if (_second.end > 6)
             {
-                writeMeanWithin(_a, _b, out);
+                writeMeanWithin(_first, _second, out);
             }
-            else if (_a.end > 6)
+            else if (_first.end > 6)
             {
-                writeMeanWithin(_b, _a, out);
+                writeMeanWithin(_second, _first, out);
             }
             else
             {
-                writeCrossing(_a.points, _b.points, out);
+                writeCrossing(_first.points, _second.points, out);
             }
         }
 
@@ -117,17 +117,17 @@ package starlogo.convex
 
         // Writes where two segments cross, seen along the normal, or the point of the first one that is nearest to the other's end. If they are
         // parallel, writes the middle of the part that they share.
-        private static function writeCrossing(a:Vector.<Number>, b:Vector.<Number>, out:ContactPoint):void
+        private static function writeCrossing(p:Vector.<Number>, q:Vector.<Number>, out:ContactPoint):void
         {
-            var ux:Number = a[3] - a[0];
-            var uy:Number = a[4] - a[1];
-            var uz:Number = a[5] - a[2];
-            var vx:Number = b[3] - b[0];
-            var vy:Number = b[4] - b[1];
-            var vz:Number = b[5] - b[2];
-            var gapX:Number = b[0] - a[0];
-            var gapY:Number = b[1] - a[1];
-            var gapZ:Number = b[2] - a[2];
+            var ux:Number = p[3] - p[0];
+            var uy:Number = p[4] - p[1];
+            var uz:Number = p[5] - p[2];
+            var vx:Number = q[3] - q[0];
+            var vy:Number = q[4] - q[1];
+            var vz:Number = q[5] - q[2];
+            var gapX:Number = q[0] - p[0];
+            var gapY:Number = q[1] - p[1];
+            var gapZ:Number = q[2] - p[2];
             var uu:Number = ux * ux + uy * uy + uz * uz;
             var crossX:Number = uy * vz - uz * vy;
             var crossY:Number = uz * vx - ux * vz;
@@ -137,9 +137,9 @@ package starlogo.convex
             var other:Number;
             if (squared > Tolerances.DIRECTION * Tolerances.DIRECTION * uu * (vx * vx + vy * vy + vz * vz))
             {
-                var onB:Number = ((gapY * uz - gapZ * uy) * crossX + (gapZ * ux - gapX * uz) * crossY + (gapX * uy - gapY * ux) * crossZ) / squared;
-                onB = onB > 0 ? (onB < 1 ? onB : 1) : 0;
-                one = ((gapX + onB * vx) * ux + (gapY + onB * vy) * uy + (gapZ + onB * vz) * uz) / uu;
+                var onQ:Number = ((gapY * uz - gapZ * uy) * crossX + (gapZ * ux - gapX * uz) * crossY + (gapX * uy - gapY * ux) * crossZ) / squared;
+                onQ = onQ > 0 ? (onQ < 1 ? onQ : 1) : 0;
+                one = ((gapX + onQ * vx) * ux + (gapY + onQ * vy) * uy + (gapZ + onQ * vz) * uz) / uu;
                 other = one;
             }
             else
@@ -150,9 +150,9 @@ package starlogo.convex
             one = one > 0 ? (one < 1 ? one : 1) : 0;
             other = other > 0 ? (other < 1 ? other : 1) : 0;
             var share:Number = (one + other) / 2;
-            out.x = a[0] + share * ux;
-            out.y = a[1] + share * uy;
-            out.z = a[2] + share * uz;
+            out.x = p[0] + share * ux;
+            out.y = p[1] + share * uy;
+            out.z = p[2] + share * uz;
         }
     }
 }

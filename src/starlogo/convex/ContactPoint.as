@@ -39,7 +39,7 @@ package starlogo.convex
             depth = other.depth;
             if (other.ground != null)
             {
-                clearGround().copyFrom(other.ground);
+                resetGround().copyFrom(other.ground);
             }
             else if (ground != null)
             {
@@ -48,7 +48,7 @@ package starlogo.convex
         }
 
         /** Returns what the ground knows of the depth, for a contact of which it knows nothing yet. */
-        public function clearGround():GroundDepth
+        public function resetGround():GroundDepth
         {
             ground ||= new GroundDepth();
             ground.clear();

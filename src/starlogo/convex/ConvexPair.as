@@ -86,6 +86,7 @@ package starlogo.convex
             if (_witness.distance > Tolerances.PERPENDICULAR_GAP * (a.extent + b.extent))
             {
                 out.setNormal(_witness.gap.x / _witness.distance, _witness.gap.y / _witness.distance, _witness.gap.z / _witness.distance);
+                // The depth is that of the cores, less than 0, until finishContact() adds the radii.
                 out.depth = -_witness.distance;
             }
             else

@@ -25,7 +25,7 @@ package starlogo.convex
          * Finds the time.
          *
          * @param cores has the shapes where they are stored; overwritten
-         * @param motion the motion of the shape that was asked about first: see ConvexPair
+         * @param motion the motion of a: see ConvexPair
          */
         public function findTime(cores:CorePair, motion:RelativeMotion):void
         {
@@ -63,7 +63,7 @@ package starlogo.convex
         private function skipToBalls(cores:CorePair, motion:RelativeMotion):void
         {
             var balls:CoreGap = _balls;
-            // the motion is that of the shape that was asked about first
+            // the motion is that of a
             var side:int = cores.isSwapped ? -1 : 1;
             balls.x = side * cores.x;
             balls.y = side * cores.y;

@@ -36,10 +36,10 @@ package starlogo.convex
                 // the whole set is one triangle
                 for (var i:int = 0; i < 9; i += 3)
                 {
-                    var ofA:int = cores.first.end > 3 ? i : 0;
-                    _simplex.add(cores, ofA, i - ofA);
+                    var ofFirst:int = cores.first.end > 3 ? i : 0;
+                    _simplex.add(cores, ofFirst, i - ofFirst);
                 }
-                _simplex.move(cores);
+                _simplex.reduce(-1, false);
                 keep(cores, out);
             }
             else
@@ -77,25 +77,23 @@ package starlogo.convex
                 {
                     return;
                 }
-                if (_simplex.reduce(out.separation > _simplex.nearest.rounding))
+                var rounding:Number = _simplex.nearest.rounding;
+                var origin:int = _simplex.reduce(_simplex.count - 1, out.separation > rounding);
+                if (origin == NearestPlace.LOST)
                 {
-                    keep(cores, out);
-                    return;
-                }
-                // If rounding hides which part of the simplex is nearest, no step can come nearer.
-                if (_simplex.nearest.squaredDistance == Infinity)
-                {
+                    // no step can come nearer
                     return;
                 }
                 keep(cores, out);
-                if (_least <= _simplex.nearest.rounding * _simplex.nearest.rounding)
+                if (origin == NearestPlace.INSIDE || _least <= rounding * rounding)
                 {
                     return;
                 }
             }
         }
 
-        // Adds the corner that is farthest towards the origin. Returns false if it does not bring the simplex nearer.
+        // Adds the corner that is farthest towards the origin. Returns false if the search ends: the corner does not bring the simplex nearer, or the
+        // cores are too far apart.
         private function addFarthest(cores:CorePair, out:CoreWitness):Boolean
         {
             var along:Vector3D = _along;
@@ -121,10 +119,9 @@ package starlogo.convex
                 out.normalX = x;
                 out.normalY = y;
                 out.normalZ = z;
-                if (separation > cores.maxDistance || separation > cores.touchingDistance && cores.timeLeft < Infinity
-                        && separation - cores.touchingDistance > -cores.timeLeft * (x * cores.motionX + y * cores.motionY + z * cores.motionZ))
+                if (areTooFar(cores, out))
                 {
-                    out.distance = separation;
+                    out.distance = Infinity;
                     return false;
                 }
             }
@@ -135,6 +132,14 @@ package starlogo.convex
                 return false;
             }
             return _simplex.add(cores, i, k);
+        }
+
+        // Whether the cores are known to be farther apart than the search has to know, or not to touch in the time that is left.
+        private static function areTooFar(cores:CorePair, witness:CoreWitness):Boolean
+        {
+            var gap:Number = witness.separation - cores.touchingDistance;
+            return witness.separation > cores.maxDistance || gap > 0 && cores.timeLeft < Infinity
+                && gap > -cores.timeLeft * (witness.normalX * cores.motionX + witness.normalY * cores.motionY + witness.normalZ * cores.motionZ);
         }
 
         // Keeps the simplex's nearest point as the result if it is nearer than all before. Sets the direction of the next step. The vector between

@@ -23,8 +23,8 @@ package starlogo.convex
         // The direction to try, of any length. How far each core extends along it, and the set of all differences of a point of the first and a point
         // of the second.
         private var _along:Vector3D = new Vector3D();
-        private var _ofA:Interval = new Interval();
-        private var _ofB:Interval = new Interval();
+        private var _ofFirst:Interval = new Interval();
+        private var _ofSecond:Interval = new Interval();
         private var _differences:Interval = new Interval();
 
         /** Finds the displacement of the first core. Its length is less than 0 if the cores are apart. Only normal and depth are written. */
@@ -90,12 +90,12 @@ package starlogo.convex
 
         private function tryEdges(cores:CorePair, out:ContactPoint):void
         {
-            var a:ConvexShape = cores.first;
-            var areBare:Boolean = a.areEdgesBare && cores.second.areEdgesBare;
+            var first:ConvexShape = cores.first;
+            var areBare:Boolean = first.areEdgesBare && cores.second.areEdgesBare;
             var end:int = readEdges(cores.second);
-            for (var i:int = 0; i < a.edges.length; i += 4)
+            for (var i:int = 0; i < first.edges.length; i += 4)
             {
-                readEdge(a, i, _edge, 0);
+                readEdge(first, i, _edge, 0);
                 for (var k:int = 0; k < end; k += PER_EDGE)
                 {
                     if (areBare || isOutOfBoth(k))
@@ -160,16 +160,16 @@ package starlogo.convex
         }
 
         // Reads all edges of the second core. Returns how many numbers they are.
-        private function readEdges(b:ConvexShape):int
+        private function readEdges(second:ConvexShape):int
         {
-            var count:int = b.edges.length >> 2;
+            var count:int = second.edges.length >> 2;
             while (_edges.length < PER_EDGE * count)
             {
                 _edges.push(0);
             }
             for (var i:int = 0; i < count; i++)
             {
-                readEdge(b, 4 * i, _edges, PER_EDGE * i);
+                readEdge(second, 4 * i, _edges, PER_EDGE * i);
             }
             return PER_EDGE * count;
         }
@@ -202,8 +202,7 @@ package starlogo.convex
             }
         }
 
-        // Tries the direction across two points or parallel segments that points upwards as far as possible, for the shape that was asked about
-        // first.
+        // Tries the direction across two points or parallel segments that points upwards as far as possible, for a.
         private function tryUpwards(cores:CorePair, out:ContactPoint):void
         {
             _along.setTo(0, 0, 0);
@@ -286,11 +285,11 @@ package starlogo.convex
         private function projectDifferences(cores:CorePair, out:Interval):void
         {
             var along:Vector3D = _along;
-            cores.first.project(along, _ofA);
-            cores.second.project(along, _ofB);
+            cores.first.project(along, _ofFirst);
+            cores.second.project(along, _ofSecond);
             var from:Number = along.x * cores.x + along.y * cores.y + along.z * cores.z;
-            out.least = _ofA.least - _ofB.greatest + from;
-            out.greatest = _ofA.greatest - _ofB.least + from;
+            out.least = _ofFirst.least - _ofSecond.greatest + from;
+            out.greatest = _ofFirst.greatest - _ofSecond.least + from;
         }
     }
 }

@@ -3,10 +3,10 @@ package starlogo.convex
     import starlogo.geometry.Tolerances;
 
     /**
-     * The cores of two shapes, where they are, and what a search has to find out about them.
+     * The cores of two shapes, where they are, and what a search has to find out about them. In this package a and b are two shapes in the order that
+     * was asked about, first and second the same two in the order of their places.
      *
-     * <p>The first shape is the one that comes first by its place, not the one that was asked about first. So rounding does not depend on the order
-     * of the arguments.</p>
+     * <p>So rounding does not depend on the order of the arguments.</p>
      */
     internal final class CorePair
     {
@@ -14,7 +14,7 @@ package starlogo.convex
         public var first:ConvexShape = null;
         public var second:ConvexShape = null;
 
-        /** Whether the second shape is the one that was asked about first. */
+        /** Whether the first shape is b. */
         public var isSwapped:Boolean = false;
 
         /** The vector from the second shape's origin to the first one's. */
@@ -39,41 +39,33 @@ package starlogo.convex
          */
         public var timeLeft:Number = Infinity;
 
-        // The vector from the second shape's origin to the first one's at time 0.
-        private var _startX:Number = 0;
-        private var _startY:Number = 0;
-        private var _startZ:Number = 0;
-
-        /** Sets two shapes, where they are stored. The distance at which they touch includes no margin of a motion. */
-        public function setShapes(asked:ConvexShape, other:ConvexShape):void
+        /** Sets two shapes, where they are stored, and no limit. The distance at which they touch includes no margin of a motion. */
+        public function setShapes(a:ConvexShape, b:ConvexShape):void
         {
-            isSwapped = isAfter(asked, other);
-            var a:ConvexShape = isSwapped ? other : asked;
-            var b:ConvexShape = isSwapped ? asked : other;
+            isSwapped = isAfter(a, b);
+            var low:ConvexShape = isSwapped ? b : a;
+            var high:ConvexShape = isSwapped ? a : b;
             // Writing an object to a field costs Adobe's VM more than comparing it first.
-            if (first !== a)
+            if (first !== low)
             {
-                first = a;
+                first = low;
             }
-            if (second !== b)
+            if (second !== high)
             {
-                second = b;
+                second = high;
             }
-            x = a.x - b.x;
-            y = a.y - b.y;
-            z = a.z - b.z;
+            x = low.x - high.x;
+            y = low.y - high.y;
+            z = low.z - high.z;
             maxDistance = timeLeft = Infinity;
-            touchingDistance = (a.radius + b.radius) * Tolerances.TOUCHING + (a.margin + b.margin) + Tolerances.CORES * (a.extent + b.extent);
+            touchingDistance = (low.radius + high.radius) * Tolerances.TOUCHING + (low.margin + high.margin) + Tolerances.CORES * (low.extent + high.extent);
         }
 
-        /** Sets the motion of the shape that was asked about first, and moves the first one to where it is at the motion's time. */
+        /** Sets the motion of a, and moves the first shape to where it is at the motion's time. */
         public function setMotion(motion:RelativeMotion):void
         {
             // If the shapes are swapped, the first one moves in the opposite direction as seen from the second.
             var side:int = isSwapped ? -1 : 1;
-            _startX = x + side * motion.startX;
-            _startY = y + side * motion.startY;
-            _startZ = z + side * motion.startZ;
             motionX = side * motion.x;
             motionY = side * motion.y;
             motionZ = side * motion.z;
@@ -83,36 +75,37 @@ package starlogo.convex
         /** Moves the first shape to where it is at the motion's time. */
         public function moveTo(motion:RelativeMotion):void
         {
+            var side:int = isSwapped ? -1 : 1;
             var time:Number = motion.time;
-            x = _startX + time * motionX;
-            y = _startY + time * motionY;
-            z = _startZ + time * motionZ;
+            x = first.x - second.x + side * motion.startX + time * motionX;
+            y = first.y - second.y + side * motion.startY + time * motionY;
+            z = first.z - second.z + side * motion.startZ + time * motionZ;
         }
 
         // Whether a shape comes after another one: by their places, or at the same place by the numbers that they are made of.
-        private static function isAfter(a:ConvexShape, b:ConvexShape):Boolean
+        private static function isAfter(shape:ConvexShape, other:ConvexShape):Boolean
         {
-            if (a.x != b.x)
+            if (shape.x != other.x)
             {
-                return a.x > b.x;
+                return shape.x > other.x;
             }
-            if (a.y != b.y)
+            if (shape.y != other.y)
             {
-                return a.y > b.y;
+                return shape.y > other.y;
             }
-            if (a.z != b.z)
+            if (shape.z != other.z)
             {
-                return a.z > b.z;
+                return shape.z > other.z;
             }
-            if (a.radius != b.radius || a.end != b.end)
+            if (shape.radius != other.radius || shape.end != other.end)
             {
-                return a.radius > b.radius || a.radius == b.radius && a.end > b.end;
+                return shape.radius > other.radius || shape.radius == other.radius && shape.end > other.end;
             }
-            for (var i:int = 0; i < a.end; i++)
+            for (var i:int = 0; i < shape.end; i++)
             {
-                if (a.points[i] != b.points[i])
+                if (shape.points[i] != other.points[i])
                 {
-                    return a.points[i] > b.points[i];
+                    return shape.points[i] > other.points[i];
                 }
             }
             return false;

@@ -3,12 +3,15 @@ package starlogo.convex
     /** The gap between two cores, and a direction that keeps the cores apart, as a record. The shapes' radii do not count. */
     internal final class CoreWitness
     {
-        /** The gap. The closest point of the first core is relative to its origin. If the cores overlap, the vector means nothing. */
+        /**
+         * The gap. The closest point of the first core is relative to its origin. If the cores overlap, the vector means nothing. If the search ended
+         * early, nothing of it means anything.
+         */
         public var gap:CoreGap = new CoreGap();
 
         /**
-         * The length of the gap: 0 if the cores overlap. If the search ended early, it is only more than CorePair.maxDistance, or too much for the
-         * time that is left.
+         * The length of the gap: 0 if the cores overlap. Infinity if the search ended early, because the cores are farther apart than
+         * CorePair.maxDistance, or do not touch in the time that is left.
          */
         public var distance:Number = 0;
 

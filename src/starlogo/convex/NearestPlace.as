@@ -10,13 +10,22 @@ package starlogo.convex
      */
     internal final class NearestPlace
     {
+        /** The origin is inside of the simplex. */
+        public static const INSIDE:int = 0;
+
+        /** The origin is outside, and the place is found. */
+        public static const OUTSIDE:int = 1;
+
+        /** Rounding hides which part of the simplex is nearest, so there is no place. */
+        public static const LOST:int = 2;
+
         // The rounding error of a corner, as a fraction of the extents and places: about four units in the last place.
         private static const CORNER_ROUNDING:Number = 4e-16;
 
         // The squared ratio of height to base below which a triangle counts as its edges.
         private static const FLAT:Number = 1e-28;
 
-        /** The place, and its squared distance: Infinity if there is none. */
+        /** The place, and its squared distance. */
         public var x:Number = 0;
         public var y:Number = 0;
         public var z:Number = 0;
@@ -57,9 +66,9 @@ package starlogo.convex
          * @param count how many corners there are. If there are four, the place before is that of the first three
          * @param newest the corner that was added last; -1 if any part may be the nearest
          * @param isApart whether it is known that the cores are apart
-         * @return whether the origin is inside of the simplex
+         * @return INSIDE, OUTSIDE or LOST
          */
-        public function find(count:int, newest:int, isApart:Boolean):Boolean
+        public function find(count:int, newest:int, isApart:Boolean):int
         {
             squaredDistance = Infinity;
             _newest = newest;
@@ -75,11 +84,11 @@ package starlogo.convex
             {
                 tryTriangle(0, 1, 2);
             }
-            else
+            else if (tryTetrahedron(isApart))
             {
-                return tryTetrahedron(isApart);
+                return INSIDE;
             }
-            return false;
+            return squaredDistance == Infinity ? LOST : OUTSIDE;
         }
 
         // Returns whether the origin is inside of the tetrahedron. If not, tries the faces that the origin is beyond; the face of the first three

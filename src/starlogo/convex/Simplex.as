@@ -13,8 +13,8 @@ package starlogo.convex
         public var nearest:NearestPlace;
 
         // For each corner, the points of both cores that it is the difference of.
-        private var _ofA:Vector.<int> = new Vector.<int>(4, true);
-        private var _ofB:Vector.<int> = new Vector.<int>(4, true);
+        private var _ofFirst:Vector.<int> = new Vector.<int>(4, true);
+        private var _ofSecond:Vector.<int> = new Vector.<int>(4, true);
 
         public function Simplex()
         {
@@ -28,7 +28,7 @@ package starlogo.convex
             count = 0;
         }
 
-        /** Computes all corners again, after a has moved, and the nearest place. */
+        /** Computes all corners again, after the first core has moved, and the nearest place. */
         public function move(cores:CorePair):void
         {
             // A simplex around the origin says nothing about where the cores are nearest once they are apart.
@@ -38,55 +38,45 @@ package starlogo.convex
             {
                 writeCorner(cores, count);
             }
-            // any part may be the nearest
-            reduceWith(-1, false);
+            reduce(-1, false);
         }
 
         /** Adds the difference of two points, given as the indices of their first numbers. Returns false if it is a corner already. */
-        public function add(cores:CorePair, ofA:int, ofB:int):Boolean
+        public function add(cores:CorePair, ofFirst:int, ofSecond:int):Boolean
         {
             for (var i:int = 0; i < count; i++)
             {
-                if (_ofA[i] == ofA && _ofB[i] == ofB)
+                if (_ofFirst[i] == ofFirst && _ofSecond[i] == ofSecond)
                 {
                     return false;
                 }
             }
-            _ofA[count] = ofA;
-            _ofB[count] = ofB;
+            _ofFirst[count] = ofFirst;
+            _ofSecond[count] = ofSecond;
             writeCorner(cores, count);
             count++;
             return true;
         }
 
         /**
-         * Finds the place nearest to the origin after a corner was added, and drops the corners that have no share of it.
+         * Finds the place nearest to the origin, and drops the corners that have no share of it.
          *
+         * @param newest the corner that was added last: the place includes it. -1 if any part may be the nearest
          * @param isApart whether it is known that the cores are apart
-         * @return whether the origin is inside of the simplex
+         * @return where the origin is: see NearestPlace. If it is LOST, the last corner is dropped
          */
-        public function reduce(isApart:Boolean):Boolean
+        public function reduce(newest:int, isApart:Boolean):int
         {
-            return reduceWith(count - 1, isApart);
-        }
-
-        // Reduces the simplex. See NearestPlace.find() for the newest corner.
-        private function reduceWith(newest:int, isApart:Boolean):Boolean
-        {
-            if (nearest.find(count, newest, isApart))
+            var origin:int = nearest.find(count, newest, isApart);
+            if (origin == NearestPlace.LOST)
             {
-                return true;
-            }
-            if (nearest.squaredDistance == Infinity)
-            {
-                // rounding hides which part is nearest
                 count--;
             }
-            else
+            else if (origin == NearestPlace.OUTSIDE)
             {
                 dropCorners();
             }
-            return false;
+            return origin;
         }
 
         /** Writes the first core's point at the nearest place, relative to that core's origin. */
@@ -100,7 +90,7 @@ package starlogo.convex
             for (var i:int = 0; i < count; i++)
             {
                 var share:Number = shares[i];
-                var at:int = _ofA[i];
+                var at:int = _ofFirst[i];
                 pointX += share * p[at];
                 pointY += share * p[int(at + 1)];
                 pointZ += share * p[int(at + 2)];
@@ -114,8 +104,8 @@ package starlogo.convex
         {
             var p:Vector.<Number> = cores.first.points;
             var q:Vector.<Number> = cores.second.points;
-            var i:int = _ofA[corner];
-            var k:int = _ofB[corner];
+            var i:int = _ofFirst[corner];
+            var k:int = _ofSecond[corner];
             var at:int = 3 * corner;
             corners[at] = p[i] - q[k] + cores.x;
             corners[int(at + 1)] = p[int(i + 1)] - q[int(k + 1)] + cores.y;
@@ -134,8 +124,8 @@ package starlogo.convex
                     if (kept < i)
                     {
                         shares[kept] = shares[i];
-                        _ofA[kept] = _ofA[i];
-                        _ofB[kept] = _ofB[i];
+                        _ofFirst[kept] = _ofFirst[i];
+                        _ofSecond[kept] = _ofSecond[i];
                         for (var c:int = 0; c < 3; c++)
                         {
                             corners[int(3 * kept + c)] = corners[int(3 * i + c)];

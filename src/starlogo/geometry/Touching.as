@@ -2,7 +2,7 @@ package starlogo.geometry
 {
     /**
      * How near two shapes of a game have to be to touch. This is the one rule of all tests that say whether or when two touch: of shapes that
-     * stand, that move and that are asked about; of structures, hierarchies, triangles and the ground. Distances and depths include no margin.
+     * stand, that move and that are asked about; of structures, hierarchies, triangles and the ground.
      *
      * <p>Two shapes touch if the distance of their cores is at most the sum of these lengths. A core is a sphere's centre, a capsule's axis, a whole
      * box, triangle or hull.</p>
@@ -11,12 +11,24 @@ package starlogo.geometry
      * <li>the two radii, times Tolerances.TOUCHING. For two boxes and for hulls, half-extents count as radii</li>
      * <li>for each of the two, the margin of its place (<code>marginOfPlace()</code>)</li>
      * <li>for each of the two that is a model's triangle or node, the margin of its surface (<code>marginOfSurface()</code>)</li>
-     * <li>while one of the two moves, the margin of its motion (<code>marginOfMotion()</code>). The time of impact includes no margin: margins decide
-     *     whether two shapes touch at all</li>
+     * <li>while one of the two moves, the margins of its motion's two vectors (<code>marginOfMotion()</code>)</li>
      * <li>a ray is a shape without a radius. At a sphere and a capsule the radius counts, at a box and a hull the half-extents or the distances of the
      *     faces from the centre, times Tolerances.TOUCHING; at triangles the margin of the surface. The place of a hit at a box, a hull or a triangle
      *     includes no tolerance</li>
-     * <li>where the package convex decides, Tolerances.CORES of the extents of both cores</li>
+     * <li>where the package convex decides, Tolerances.CORES of the extents of both cores. After the motion's beginning, RoundKernel adds
+     *     Tolerances.ROUNDING of the extents of cores with hardly any radius, because it computes their gap at each step</li>
+     * </ul>
+     *
+     * <p>These lengths decide whether two shapes touch at all. The other answers leave them out: they are the time at which the distance of the cores is
+     * the sum of the radii, the distance, and the depth. There are three exceptions. They are as small as rounding.</p>
+     *
+     * <ul>
+     * <li>A structure of a game is placed in the world once for all questions (<code>Body.worldStructure()</code>). It is widened there by the margin
+     *     of its place, so all its answers include that margin</li>
+     * <li>The times of two agents that are spheres (SpherePairTests) and of an agent and an edge of the world (EdgePairTests) include all that decides,
+     *     because one closed form gives both</li>
+     * <li>SpherePairTests counts one vector of the motion: the other one is 0 or its reverse. EdgePairTests counts Tolerances.ROUNDING of the extent
+     *     in place of the motion</li>
      * </ul>
      *
      * <p>The package intersection compares structures that have no place in a game, so there the margins of places and surfaces are 0. Its

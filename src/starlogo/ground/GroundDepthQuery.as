@@ -51,7 +51,7 @@ package starlogo.ground
          */
         public function findContact(out:ContactPoint):void
         {
-            var ground:GroundDepth = out.clearGround();
+            var ground:GroundDepth = out.resetGround();
             findDeepestBehind(out);
             // a point of the model is that deep behind a triangle
             ground.isSure = ground.hasTriangle;
@@ -81,7 +81,7 @@ package starlogo.ground
             out.x = box.x;
             out.y = box.y;
             out.z = low + out.depth / 2;
-            out.clearGround();
+            out.resetGround();
             _pieces.moveToWorld(out);
         }
 

@@ -98,7 +98,7 @@ package starlogo.ground
             motion.time = first;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
-                out.clearGround();
+                out.resetGround();
                 _pieces.moveToWorld(out);
             }
         }

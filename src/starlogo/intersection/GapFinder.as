@@ -7,8 +7,8 @@ package starlogo.intersection
 
     /**
      * Finds the gap between the cores of two structures, one of which moves, and tests whether two touch where they stand. RoundKernel answers
-     * all other questions by the gap. Abstract: there is a class for each pair of kinds. Between the calls for two structures it keeps where they are
-     * in axes of its own, in which the gap is easy to find.
+     * all other questions by the gap. Abstract: there is a class for each pair of kinds. It has axes of its own, in which the gap is easy to find.
+     * <code>begin()</code> sets them for two structures; the gap is in them until <code>placeGap()</code>.
      *
      * @private
      */
@@ -32,27 +32,27 @@ package starlogo.intersection
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space
          * @param motion the motion of a
-         * @param localMotion receives the motion in the finder's axes: where a's core is at time 0 as seen from b's, and how it moves from there
+         * @param coreMotion receives the place and the motion of a's core, but not the time
          * @param out receives the extent and the radii
          */
-        public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, localMotion:RelativeMotion, out:CoreGap):void
+        public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, coreMotion:CoreMotion, out:CoreGap):void
         {
             throw new IllegalOperationError(this + " does not implement begin");
         }
 
-        /** Finds the gap at the motion's time. It is a vector in the finder's axes. @param b of <code>begin()</code> */
-        public function find(b:BoundingStructure, localMotion:RelativeMotion, out:CoreGap):void
+        /** Finds the gap at the core's time, in the finder's axes. @param b of <code>begin()</code> */
+        public function findGap(b:BoundingStructure, coreMotion:CoreMotion, out:CoreGap):void
         {
-            throw new IllegalOperationError(this + " does not implement find");
+            throw new IllegalOperationError(this + " does not implement findGap");
         }
 
         /**
          * Turns the gap that was found last into the structures' space, and writes the closest point of a, where a is stored. The structures are those
          * of <code>begin()</code>.
          */
-        public function finish(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
+        public function placeGap(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
         {
-            throw new IllegalOperationError(this + " does not implement finish");
+            throw new IllegalOperationError(this + " does not implement placeGap");
         }
     }
 }

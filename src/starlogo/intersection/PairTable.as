@@ -12,7 +12,7 @@ package starlogo.intersection
      * Says how two structures meet: whether they touch, when a moving one first touches the other, how they overlap, and how far apart they are.
      * Here alone it is decided which kernel answers for two kinds. The package is made of a kernel for each pair of kinds, a ConvexTrianglePair for a
      * shape and triangles, and the tests of moving boxes (<code>sweep</code>) and of rays (<code>ray</code>). Read PairKernel next, which explains
-     * the questions, then RoundKernel and SphereBoxGap.
+     * the questions, then RoundKernel and SphereBoxGapFinder.
      *
      * <p>Spheres, capsules and boxes have kernels of their own, because the package convex takes two to eleven times as long. That package decides
      * about hulls. It also finds the distance of two boxes and their contact, and the contact of a sphere or capsule whose core overlaps the core of
@@ -66,10 +66,10 @@ package starlogo.intersection
                 kernels[KINDS * kind + BoundingStructure.OTHER] = kernels[KINDS * BoundingStructure.OTHER + kind] = missing;
             }
             addPair(kernels, BoundingStructure.SPHERE, BoundingStructure.SPHERE, new SphereSphereKernel());
-            addPair(kernels, BoundingStructure.SPHERE, BoundingStructure.CAPSULE, new RoundKernel(new SphereCapsuleGap(), convex));
-            addPair(kernels, BoundingStructure.SPHERE, BoundingStructure.BOX, new RoundKernel(new SphereBoxGap(), convex));
-            addPair(kernels, BoundingStructure.CAPSULE, BoundingStructure.CAPSULE, new RoundKernel(new CapsuleCapsuleGap(), convex));
-            addPair(kernels, BoundingStructure.CAPSULE, BoundingStructure.BOX, new RoundKernel(new CapsuleBoxGap(), convex));
+            addPair(kernels, BoundingStructure.SPHERE, BoundingStructure.CAPSULE, new RoundKernel(new SphereCapsuleGapFinder(), convex));
+            addPair(kernels, BoundingStructure.SPHERE, BoundingStructure.BOX, new RoundKernel(new SphereBoxGapFinder(), convex));
+            addPair(kernels, BoundingStructure.CAPSULE, BoundingStructure.CAPSULE, new RoundKernel(new CapsuleCapsuleGapFinder(), convex));
+            addPair(kernels, BoundingStructure.CAPSULE, BoundingStructure.BOX, new RoundKernel(new CapsuleBoxGapFinder(), convex));
             addPair(kernels, BoundingStructure.BOX, BoundingStructure.BOX, new BoxBoxKernel(convex));
             return kernels;
         }

@@ -26,8 +26,8 @@ package starlogo.intersection
         private var _finder:GapFinder;
         private var _convex:ConvexKernel;
 
-        // The motion in the finder's axes, and the gap at its time.
-        private var _localMotion:RelativeMotion = new RelativeMotion();
+        // The core of a in the finder's axes, and the gap at its time.
+        private var _coreMotion:CoreMotion = new CoreMotion();
         private var _gap:CoreGap = new CoreGap();
 
         /**
@@ -49,29 +49,28 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            _localMotion.time = 0;
-            begin(a, b, motion);
+            motion.time = 0;
+            findGap(a, b, motion);
             motion.findMargin();
             var gap:CoreGap = _gap;
-            var localMotion:RelativeMotion = _localMotion;
+            var core:CoreMotion = _coreMotion;
             var radii:Number = gap.radiusA + gap.radiusB;
             var touchingDistance:Number = radii * Tolerances.TOUCHING + motion.margin;
             var squared:Number = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
             if (squared <= touchingDistance * touchingDistance)
             {
-                motion.time = 0;
                 return;
             }
             motion.time = RelativeMotion.NEVER;
-            var closing:Number = -(gap.x * localMotion.x + gap.y * localMotion.y + gap.z * localMotion.z);
+            var closing:Number = -(gap.x * core.motionX + gap.y * core.motionY + gap.z * core.motionZ);
             if (closing > 0)
             {
                 // most pairs need only this step of Newton's method
                 var distance:Number = Math.sqrt(squared);
-                localMotion.time = (distance - radii) * distance / closing;
-                if (localMotion.time <= motion.latest)
+                core.time = (distance - radii) * distance / closing;
+                if (core.time <= motion.latest && findZero(b, motion))
                 {
-                    findZero(b, motion);
+                    motion.time = core.time;
                 }
             }
         }
@@ -79,14 +78,13 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            _localMotion.time = motion.time;
-            begin(a, b, motion);
+            findGap(a, b, motion);
             var gap:CoreGap = _gap;
             // If the gap is longer than this, it has a direction in spite of rounding.
             var least:Number = Tolerances.DIRECTION * gap.extent;
             if (gap.x * gap.x + gap.y * gap.y + gap.z * gap.z > least * least)
             {
-                _finder.finish(a, b, gap);
+                _finder.placeGap(a, b, gap);
                 out.setFromGap(gap, motion);
             }
             else
@@ -101,9 +99,8 @@ package starlogo.intersection
             var areSwapped:Boolean = _finder.areSwapped(a, b);
             var first:BoundingStructure = areSwapped ? b : a;
             var second:BoundingStructure = areSwapped ? a : b;
-            _localMotion.time = 0;
-            begin(first, second, RelativeMotion.NONE);
-            _finder.finish(first, second, _gap);
+            findGap(first, second, RelativeMotion.NONE);
+            _finder.placeGap(first, second, _gap);
             out.setFromGap(_gap);
             if (areSwapped)
             {
@@ -111,16 +108,19 @@ package starlogo.intersection
             }
         }
 
-        // Finds the gap at the local motion's time.
-        private function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        // Finds the gap at the motion's time.
+        private function findGap(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            _finder.begin(a, b, motion, _localMotion, _gap);
-            _finder.find(b, _localMotion, _gap);
+            _coreMotion.time = motion.time;
+            _finder.begin(a, b, motion, _coreMotion, _gap);
+            _finder.findGap(b, _coreMotion, _gap);
         }
 
         /*
-         * Finds when the gap is as long as the sum of the radii, by Newton's method, from its first step on. The method never steps over the first
-         * zero when it starts to the left of it. Each step shrinks the product of the gap and its slope to a quarter, and both are numbers of 53
+         * Finds when the gap is as long as the sum of the radii, by Newton's method. When it begins, the gap is that of time 0, and the core's time is
+         * that of the first step. When it ends, the core's time is the time of impact. Returns false if that is after the motion's latest time.
+         *
+         * The method never steps over the first zero when it starts to the left of it. Each step shrinks the product of the gap and its slope to a quarter, and both are numbers of 53
          * bits. So 80 steps are enough. Should rounding need more, the time of the last step is the time of impact: the structures do not touch
          * before, and their gap is at most rounding.
          *
@@ -128,13 +128,14 @@ package starlogo.intersection
          * it goes through this distance and that of the step before, and does not step over the first zero either. A step that went too far because
          * of rounding is halved.
          */
-        private function findZero(b:BoundingStructure, motion:RelativeMotion):void
+        private function findZero(b:BoundingStructure, motion:RelativeMotion):Boolean
         {
             var gap:CoreGap = _gap;
-            var localMotion:RelativeMotion = _localMotion;
+            var core:CoreMotion = _coreMotion;
             var radii:Number = gap.radiusA + gap.radiusB;
             // A gap that is no longer than this has no certain direction.
             var uncertain:Number = Tolerances.DIRECTION * gap.extent;
+            // Radii allow for the rounding of the gap at each step. Where there are hardly any, the extent does.
             var rounding:Number = radii < uncertain ? Tolerances.ROUNDING * gap.extent : 0;
             var touchingDistance:Number = radii * Tolerances.TOUCHING + motion.margin + rounding;
             var lastTime:Number = 0;
@@ -142,23 +143,23 @@ package starlogo.intersection
             var hasOvershot:Boolean = false;
             for (var step:int = 1; step < MOST_STEPS; step++)
             {
-                _finder.find(b, localMotion, gap);
-                var time:Number = localMotion.time;
+                _finder.findGap(b, core, gap);
+                var time:Number = core.time;
                 var squared:Number = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
                 if (4 * squared < radii * radii)
                 {
                     // the slope had so large a rounding error that the step went beyond the zero
-                    localMotion.time = (lastTime + time) / 2;
+                    core.time = (lastTime + time) / 2;
                     hasOvershot = true;
                     continue;
                 }
-                var isTouching:Boolean = squared <= touchingDistance * touchingDistance;
-                if (isTouching && (squared <= radii * radii || squared <= (touchingDistance - radii) * (touchingDistance - radii)))
+                if (squared <= radii * radii || squared <= (touchingDistance - radii) * (touchingDistance - radii))
                 {
-                    break;
+                    // No gap is left, or one as short as the margins, which has no direction for another step.
+                    return true;
                 }
                 var distance:Number = Math.sqrt(squared);
-                var closing:Number = -(gap.x * localMotion.x + gap.y * localMotion.y + gap.z * localMotion.z);
+                var closing:Number = -(gap.x * core.motionX + gap.y * core.motionY + gap.z * core.motionZ);
                 var next:Number = RelativeMotion.NEVER;
                 if ((hasOvershot || distance < uncertain) && distance < lastDistance)
                 {
@@ -169,26 +170,26 @@ package starlogo.intersection
                     // when the plane between the closest points, moved along, has no gap left
                     next = time + (distance - radii) * distance / closing;
                 }
-                if (isTouching)
+                if (squared <= touchingDistance * touchingDistance)
                 {
                     // They touch to within rounding. One more step makes up for a step that rounding may have skipped.
-                    localMotion.time = next <= 1 ? next : time;
-                    break;
+                    core.time = next <= 1 ? next : time;
+                    return true;
                 }
                 if (!(next > time))
                 {
                     // The rest of the gap is so short that rounding leaves no step. They touch at this time.
-                    break;
+                    return true;
                 }
                 if (!(next <= motion.latest))
                 {
-                    return;
+                    return false;
                 }
                 lastTime = time;
                 lastDistance = distance;
-                localMotion.time = next;
+                core.time = next;
             }
-            motion.time = localMotion.time;
+            return true;
         }
     }
 }

@@ -16,6 +16,6 @@ package starlogo.intersection
      */
     public function capsuleBox(capsule:Capsule, box:Box):Boolean
     {
-        return CapsuleBoxGap.STANDING.areTouching(capsule, box);
+        return CapsuleBoxGapFinder.STANDING.areTouching(capsule, box);
     }
 }

@@ -16,6 +16,6 @@ package starlogo.intersection
      */
     public function capsuleCapsule(a:Capsule, b:Capsule):Boolean
     {
-        return CapsuleCapsuleGap.STANDING.areTouching(a, b);
+        return CapsuleCapsuleGapFinder.STANDING.areTouching(a, b);
     }
 }

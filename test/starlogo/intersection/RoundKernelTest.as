@@ -34,6 +34,7 @@ package starlogo.intersection
 import starlogo.bounding.BoundingStructure;
 import starlogo.convex.CoreGap;
 import starlogo.convex.RelativeMotion;
+import starlogo.intersection.CoreMotion;
 import starlogo.intersection.GapFinder;
 
 class Halves extends GapFinder
@@ -41,16 +42,16 @@ class Halves extends GapFinder
     public var length:Number = 0;
     public var count:int = 0;
 
-    override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, localMotion:RelativeMotion, out:CoreGap):void
+    override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, coreMotion:CoreMotion, out:CoreGap):void
     {
-        localMotion.x = -1;
+        coreMotion.motionX = -1;
         out.extent = 1e-300;
     }
 
-    override public function find(b:BoundingStructure, localMotion:RelativeMotion, out:CoreGap):void
+    override public function findGap(b:BoundingStructure, coreMotion:CoreMotion, out:CoreGap):void
     {
         out.x = length;
-        localMotion.x = count == 0 ? -1 : -length * 1e3;
+        coreMotion.motionX = count == 0 ? -1 : -length * 1e3;
         length /= 2;
         count++;
     }

@@ -20,7 +20,7 @@ package starlogo.intersection.sweep
         public var motionY:Number = 0;
         public var motionZ:Number = 0;
 
-        /** The distance at which the boxes still touch. */
+        /** The gap across which the boxes still touch: the sum of the margins (see Touching). */
         public var tolerance:Number = 0;
 
         /** The vector from a's middle to b's at time 0. */

@@ -34,7 +34,8 @@ package starlogo.search.pairs
         private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
         private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
 
-        // The vector from the second middle to the first. Its radius A is the largest distance of the two at which the spheres touch.
+        // The vector from the second middle to the first. Its radius A is the largest distance of the two at which the spheres touch, with all that
+        // Touching names. So the time of impact includes that too.
         private var _gap:CoreGap = new CoreGap();
         private var _kernel:SphereSphereKernel = new SphereSphereKernel();
 
@@ -183,7 +184,7 @@ package starlogo.search.pairs
             _gap.x += motion.startX;
             _gap.y += motion.startY;
             _gap.z += motion.startZ;
-            // the motion's own rounding errors are added too
+            // The margin of the motion. Its start is 0 or the reverse of it: see Touching.
             _gap.radiusA += Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             findSphereEntry(_gap, motion);
             // rounding can miss a touch at the end of the motion

@@ -8,16 +8,16 @@ package starlogo.intersection
     import starlogo.convex.RelativeMotion;
 
     /** Finds the gap between a sphere's centre and a box, in the box's axes. */
-    internal final class SphereBoxGap extends GapFinder
+    internal final class SphereBoxGapFinder extends GapFinder
     {
-        /** @inheritDoc */
+        /** inheritDoc */
         override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
         {
             return sphereBox(a as Sphere, b as Box);
         }
 
-        /** @inheritDoc */
-        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, localMotion:RelativeMotion, out:CoreGap):void
+        /** inheritDoc */
+        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, coreMotion:CoreMotion, out:CoreGap):void
         {
             var sphere:Sphere = a as Sphere;
             var box:Box = b as Box;
@@ -27,35 +27,35 @@ package starlogo.intersection
             var y:Number = center.y - middle.y + motion.startY;
             var z:Number = center.z - middle.z + motion.startZ;
             var axis:Vector3D = box.axisX;
-            localMotion.startX = axis.x * x + axis.y * y + axis.z * z;
-            localMotion.x = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
+            coreMotion.x = axis.x * x + axis.y * y + axis.z * z;
+            coreMotion.motionX = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
             axis = box.axisY;
-            localMotion.startY = axis.x * x + axis.y * y + axis.z * z;
-            localMotion.y = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
+            coreMotion.y = axis.x * x + axis.y * y + axis.z * z;
+            coreMotion.motionY = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
             axis = box.axisZ;
-            localMotion.startZ = axis.x * x + axis.y * y + axis.z * z;
-            localMotion.z = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
+            coreMotion.z = axis.x * x + axis.y * y + axis.z * z;
+            coreMotion.motionZ = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
             out.radiusA = sphere.radius;
             out.radiusB = 0;
             out.extent = box.halfX + box.halfY + box.halfZ + out.radiusA;
         }
 
-        /** @inheritDoc */
-        override public function find(b:BoundingStructure, localMotion:RelativeMotion, out:CoreGap):void
+        /** inheritDoc */
+        override public function findGap(b:BoundingStructure, coreMotion:CoreMotion, out:CoreGap):void
         {
-            var time:Number = localMotion.time;
-            BoxGap.measure(localMotion.startX + time * localMotion.x, localMotion.startY + time * localMotion.y, localMotion.startZ + time * localMotion.z,
+            var time:Number = coreMotion.time;
+            PointToBox.measure(coreMotion.x + time * coreMotion.motionX, coreMotion.y + time * coreMotion.motionY, coreMotion.z + time * coreMotion.motionZ,
                     b as Box, out);
         }
 
-        /** @inheritDoc */
-        override public function finish(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
+        /** inheritDoc */
+        override public function placeGap(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
         {
             var center:Vector3D = (a as Sphere).center;
             out.pointX = center.x;
             out.pointY = center.y;
             out.pointZ = center.z;
-            BoxGap.turn(b as Box, out);
+            PointToBox.turn(b as Box, out);
         }
     }
 }

@@ -5,7 +5,7 @@ package starlogo.intersection
     import starlogo.convex.CoreGap;
 
     /** The vector of a gap between a point and a box, for the finders of gaps that end at a box. */
-    internal final class BoxGap
+    internal final class PointToBox
     {
         /** Sets the vector to the one from the nearest point of a box to a point, in the box's axes and as seen from its middle. */
         public static function measure(x:Number, y:Number, z:Number, box:Box, out:CoreGap):void

@@ -8,21 +8,21 @@ package starlogo.intersection
     import starlogo.convex.RelativeMotion;
 
     /** Finds the gap between a sphere's centre and a capsule's axis, as seen from the start of the axis. */
-    internal final class SphereCapsuleGap extends GapFinder
+    internal final class SphereCapsuleGapFinder extends GapFinder
     {
         // The vector from the start of the capsule's axis to its end.
         private var _axisX:Number = 0;
         private var _axisY:Number = 0;
         private var _axisZ:Number = 0;
 
-        /** @inheritDoc */
+        /** inheritDoc */
         override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
         {
             return sphereCapsule(a as Sphere, b as Capsule);
         }
 
-        /** @inheritDoc */
-        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, localMotion:RelativeMotion, out:CoreGap):void
+        /** inheritDoc */
+        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, coreMotion:CoreMotion, out:CoreGap):void
         {
             var sphere:Sphere = a as Sphere;
             var capsule:Capsule = b as Capsule;
@@ -32,24 +32,24 @@ package starlogo.intersection
             _axisX = end.x - start.x;
             _axisY = end.y - start.y;
             _axisZ = end.z - start.z;
-            localMotion.startX = center.x - start.x + motion.startX;
-            localMotion.startY = center.y - start.y + motion.startY;
-            localMotion.startZ = center.z - start.z + motion.startZ;
-            localMotion.x = motion.x;
-            localMotion.y = motion.y;
-            localMotion.z = motion.z;
+            coreMotion.x = center.x - start.x + motion.startX;
+            coreMotion.y = center.y - start.y + motion.startY;
+            coreMotion.z = center.z - start.z + motion.startZ;
+            coreMotion.motionX = motion.x;
+            coreMotion.motionY = motion.y;
+            coreMotion.motionZ = motion.z;
             out.radiusA = sphere.radius;
             out.radiusB = capsule.radius;
             out.extent = Math.abs(_axisX) + Math.abs(_axisY) + Math.abs(_axisZ) + (out.radiusA + out.radiusB);
         }
 
-        /** @inheritDoc */
-        override public function find(b:BoundingStructure, localMotion:RelativeMotion, out:CoreGap):void
+        /** inheritDoc */
+        override public function findGap(b:BoundingStructure, coreMotion:CoreMotion, out:CoreGap):void
         {
-            var time:Number = localMotion.time;
-            var x:Number = localMotion.startX + time * localMotion.x;
-            var y:Number = localMotion.startY + time * localMotion.y;
-            var z:Number = localMotion.startZ + time * localMotion.z;
+            var time:Number = coreMotion.time;
+            var x:Number = coreMotion.x + time * coreMotion.motionX;
+            var y:Number = coreMotion.y + time * coreMotion.motionY;
+            var z:Number = coreMotion.z + time * coreMotion.motionZ;
             var axisX:Number = _axisX;
             var axisY:Number = _axisY;
             var axisZ:Number = _axisZ;
@@ -59,8 +59,8 @@ package starlogo.intersection
             out.z = z;
         }
 
-        /** @inheritDoc */
-        override public function finish(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
+        /** inheritDoc */
+        override public function placeGap(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
         {
             var center:Vector3D = (a as Sphere).center;
             out.pointX = center.x;

@@ -8,10 +8,10 @@ package starlogo.intersection
     import starlogo.geometry.Tolerances;
 
     /** Finds the gap between the axes of two capsules. */
-    internal final class CapsuleCapsuleGap extends GapFinder
+    internal final class CapsuleCapsuleGapFinder extends GapFinder
     {
         /** For <code>capsuleCapsule()</code>. */
-        public static const STANDING:CapsuleCapsuleGap = new CapsuleCapsuleGap();
+        public static const STANDING:CapsuleCapsuleGapFinder = new CapsuleCapsuleGapFinder();
 
         // The axis of a, u, and that of b, v, each from its start to its end. The vector from v's start to u's.
         private var _uX:Number = 0;
@@ -43,7 +43,7 @@ package starlogo.intersection
             return x * x + y * y + z * z <= touchingDistance * touchingDistance;
         }
 
-        /** @inheritDoc */
+        /** inheritDoc */
         override public function areSwapped(a:BoundingStructure, b:BoundingStructure):Boolean
         {
             var startA:Vector3D = (a as Capsule).start;
@@ -52,38 +52,38 @@ package starlogo.intersection
             return isAfter(startA, startB);
         }
 
-        /** @inheritDoc */
-        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, localMotion:RelativeMotion, out:CoreGap):void
+        /** inheritDoc */
+        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, coreMotion:CoreMotion, out:CoreGap):void
         {
             var capsule:Capsule = a as Capsule;
             var other:Capsule = b as Capsule;
             setAxes(capsule, other);
-            localMotion.startX = _x + motion.startX;
-            localMotion.startY = _y + motion.startY;
-            localMotion.startZ = _z + motion.startZ;
-            localMotion.x = motion.x;
-            localMotion.y = motion.y;
-            localMotion.z = motion.z;
+            coreMotion.x = _x + motion.startX;
+            coreMotion.y = _y + motion.startY;
+            coreMotion.z = _z + motion.startZ;
+            coreMotion.motionX = motion.x;
+            coreMotion.motionY = motion.y;
+            coreMotion.motionZ = motion.z;
             out.radiusA = capsule.radius;
             out.radiusB = other.radius;
             out.extent = Math.abs(_uX) + Math.abs(_uY) + Math.abs(_uZ) + (Math.abs(_vX) + Math.abs(_vY) + Math.abs(_vZ)) + (out.radiusA + out.radiusB);
         }
 
-        /** @inheritDoc */
-        override public function find(b:BoundingStructure, localMotion:RelativeMotion, out:CoreGap):void
+        /** inheritDoc */
+        override public function findGap(b:BoundingStructure, coreMotion:CoreMotion, out:CoreGap):void
         {
-            var time:Number = localMotion.time;
-            _x = localMotion.startX + time * localMotion.x;
-            _y = localMotion.startY + time * localMotion.y;
-            _z = localMotion.startZ + time * localMotion.z;
+            var time:Number = coreMotion.time;
+            _x = coreMotion.x + time * coreMotion.motionX;
+            _y = coreMotion.y + time * coreMotion.motionY;
+            _z = coreMotion.z + time * coreMotion.motionZ;
             findShares();
             out.x = _x + _shareOfU * _uX - _shareOfV * _vX;
             out.y = _y + _shareOfU * _uY - _shareOfV * _vY;
             out.z = _z + _shareOfU * _uZ - _shareOfV * _vZ;
         }
 
-        /** @inheritDoc */
-        override public function finish(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
+        /** inheritDoc */
+        override public function placeGap(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
         {
             var start:Vector3D = (a as Capsule).start;
             var end:Vector3D = (a as Capsule).end;

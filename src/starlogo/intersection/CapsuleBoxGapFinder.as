@@ -15,10 +15,10 @@ package starlogo.intersection
      * <p>The squared distance to the box is convex along the segment, and quadratic between the points where the segment crosses the planes of
      * the box's faces. So its minimum has a closed form.</p>
      */
-    internal final class CapsuleBoxGap extends GapFinder
+    internal final class CapsuleBoxGapFinder extends GapFinder
     {
         /** For <code>capsuleBox()</code>. */
-        public static const STANDING:CapsuleBoxGap = new CapsuleBoxGap();
+        public static const STANDING:CapsuleBoxGapFinder = new CapsuleBoxGapFinder();
 
         // The segment as seen from the box's middle: its start, and the vector from there to its end. -1 for each axis that is mirrored.
         private var _x:Number = 0;
@@ -65,21 +65,21 @@ package starlogo.intersection
             return squaredDistance <= radius * radius;
         }
 
-        /** @inheritDoc */
-        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, localMotion:RelativeMotion, out:CoreGap):void
+        /** inheritDoc */
+        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, coreMotion:CoreMotion, out:CoreGap):void
         {
             var capsule:Capsule = a as Capsule;
             var box:Box = b as Box;
             setSegment(capsule, box);
             var axis:Vector3D = box.axisX;
-            localMotion.startX = _x + _signX * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
-            localMotion.x = _signX * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            coreMotion.x = _x + _signX * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
+            coreMotion.motionX = _signX * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             axis = box.axisY;
-            localMotion.startY = _y + _signY * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
-            localMotion.y = _signY * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            coreMotion.y = _y + _signY * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
+            coreMotion.motionY = _signY * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             axis = box.axisZ;
-            localMotion.startZ = _z + _signZ * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
-            localMotion.z = _signZ * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            coreMotion.z = _z + _signZ * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
+            coreMotion.motionZ = _signZ * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             out.radiusA = capsule.radius;
             out.radiusB = 0;
             out.extent = _alongX + _alongY + _alongZ + box.halfX + box.halfY + box.halfZ + out.radiusA;
@@ -88,15 +88,15 @@ package starlogo.intersection
         /**
          * If several points are closest, the one in the middle of them is taken.
          *
-         * @inheritDoc
+         * inheritDoc
          */
-        override public function find(b:BoundingStructure, localMotion:RelativeMotion, out:CoreGap):void
+        override public function findGap(b:BoundingStructure, coreMotion:CoreMotion, out:CoreGap):void
         {
             var box:Box = b as Box;
-            var time:Number = localMotion.time;
-            _x = localMotion.startX + time * localMotion.x;
-            _y = localMotion.startY + time * localMotion.y;
-            _z = localMotion.startZ + time * localMotion.z;
+            var time:Number = coreMotion.time;
+            _x = coreMotion.x + time * coreMotion.motionX;
+            _y = coreMotion.y + time * coreMotion.motionY;
+            _z = coreMotion.z + time * coreMotion.motionZ;
             findShare(box);
             var share:Number = _share;
             if (_lastIn <= _firstOut)
@@ -108,11 +108,11 @@ package starlogo.intersection
             // The comparison is false for NaN too.
             share = share > 0 ? (share < 1 ? share : 1) : 0;
             _share = share;
-            BoxGap.measure(_x + share * _alongX, _y + share * _alongY, _z + share * _alongZ, box, out);
+            PointToBox.measure(_x + share * _alongX, _y + share * _alongY, _z + share * _alongZ, box, out);
         }
 
-        /** @inheritDoc */
-        override public function finish(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
+        /** inheritDoc */
+        override public function placeGap(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
         {
             var start:Vector3D = (a as Capsule).start;
             var end:Vector3D = (a as Capsule).end;
@@ -122,7 +122,7 @@ package starlogo.intersection
             out.x *= _signX;
             out.y *= _signY;
             out.z *= _signZ;
-            BoxGap.turn(b as Box, out);
+            PointToBox.turn(b as Box, out);
         }
 
         private function setSegment(capsule:Capsule, box:Box):void

@@ -77,7 +77,8 @@ package starlogo.agents
 
         /**
          * @private Counts changes of all that a search reads: what <code>bodyRevision</code> counts, the place, the breed, and whether the
-         * agent sweeps. A snapshot that is restored raises it too, if it puts the last place elsewhere.
+         * agent sweeps; and for the agents of the ground and the edges, changes of these. A snapshot that is restored raises it too, if it puts
+         * the last place elsewhere.
          */
         engine var revision:int = 0;
 

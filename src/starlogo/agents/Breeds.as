@@ -18,7 +18,6 @@ package starlogo.agents
         public static const ANY:int = 2;
 
         // The names by number. The first two are those of the ground and of the edges.
-        private static const GROUND:int = 0;
         private static const OF_WORLD:int = 2;
         private static var sNames:Vector.<String> = new <String>[TERRAIN, EDGE, ""];
 
@@ -79,12 +78,6 @@ package starlogo.agents
         public static function isOfWorld(number:int):Boolean
         {
             return number < OF_WORLD;
-        }
-
-        /** Whether a number is that of the breed of the ground. */
-        public static function isGround(number:int):Boolean
-        {
-            return number == GROUND;
         }
 
         /** The name for a number. */

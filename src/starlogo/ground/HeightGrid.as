@@ -43,14 +43,14 @@ package starlogo.ground
         /** Bounds of the heights, for squares of cells. */
         public var pyramid:HeightPyramid;
 
-        /** Whether a frame needs the heights, the holes and the pyramid as they are. Then the next change makes new ones. */
-        public var isHeld:Boolean = false;
-
-        /** Another number after each change of the surface. */
-        public var revision:int = 0;
+        /** The number of frames that need the ground as it is. While there are any, it must not change. */
+        public var holders:int = 0;
 
         private var _range:HeightRange = new HeightRange();
         private var _point:GroundPoint = new GroundPoint();
+
+        // A grid that has been a copy of this one, or of which this one is a copy; or null.
+        private var _spare:HeightGrid = null;
 
         public function HeightGrid(columns:int, rows:int, cellWidth:Number, x:Number, y:Number)
         {
@@ -59,44 +59,42 @@ package starlogo.ground
             this.cellWidth = cellWidth;
             this.x = x;
             this.y = y;
-            reset();
+            heights = new Vector.<Number>(columns * rows, true);
+            pyramid = new HeightPyramid(columns, rows);
         }
 
         /** Makes all heights 0, without holes. */
         public function reset():void
         {
-            revision++;
-            heights = new Vector.<Number>(columns * rows, true);
-            holes = null;
-            pyramid = new HeightPyramid(columns, rows);
-        }
-
-        /** Makes another grid the same ground, or makes a new one. The two share their lists. */
-        public function copyInto(other:HeightGrid):HeightGrid
-        {
-            other ||= new HeightGrid(2, 2, 1, 0, 0);
-            other.columns = columns;
-            other.rows = rows;
-            other.cellWidth = cellWidth;
-            other.x = x;
-            other.y = y;
-            other.isBlocky = isBlocky;
-            other.heights = heights;
-            other.holes = holes;
-            other.pyramid = pyramid;
-            return other;
-        }
-
-        /** Call it before a change of some heights or holes. */
-        public function beginChange():void
-        {
-            if (isHeld)
+            for (var i:int = 0; i < heights.length; i++)
             {
-                heights = heights.concat();
-                holes = holes == null ? null : holes.concat();
-                pyramid = pyramid.clone();
-                isHeld = false;
+                heights[i] = 0;
             }
+            holes = null;
+            updateBounds(0, 0, columns - 1, rows - 1);
+        }
+
+        /** Returns a copy that no frame holds. An earlier copy is used again. */
+        public function copy():HeightGrid
+        {
+            if (_spare == null || _spare.holders > 0)
+            {
+                _spare = new HeightGrid(columns, rows, cellWidth, x, y);
+            }
+            _spare.copyFrom(this);
+            _spare._spare = this;
+            return _spare;
+        }
+
+        private function copyFrom(other:HeightGrid):void
+        {
+            isBlocky = other.isBlocky;
+            for (var i:int = 0; i < heights.length; i++)
+            {
+                heights[i] = other.heights[i];
+            }
+            holes = other.holes == null ? null : other.holes.concat();
+            pyramid.copyFrom(other.pyramid);
         }
 
         /** Whether a place is between the first height and the last, or at most this far outside along x and y. */
@@ -322,7 +320,6 @@ package starlogo.ground
         /** Computes the bounds of all squares to which a range of heights belongs. Call it after a change of these heights or holes. */
         public function updateBounds(firstColumn:int, firstRow:int, lastColumn:int, lastRow:int):void
         {
-            revision++;
             pyramid.update(this, firstColumn, firstRow, lastColumn, lastRow);
         }
 

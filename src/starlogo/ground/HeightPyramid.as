@@ -55,12 +55,13 @@ package starlogo.ground
             return ((heights - 1) >> (level * SHIFT)) + 1;
         }
 
-        /** A copy. */
-        public function clone():HeightPyramid
+        /** Takes the bounds of another grid with as many columns and rows. */
+        public function copyFrom(other:HeightPyramid):void
         {
-            var copy:HeightPyramid = new HeightPyramid(_columns, _rows);
-            copy._bounds = _bounds.concat();
-            return copy;
+            for (var i:int = 0; i < _bounds.length; i++)
+            {
+                _bounds[i] = other._bounds[i];
+            }
         }
 
         /** Finds bounds of all heights. */

@@ -224,11 +224,12 @@ package starlogo.queries
         }
 
         /**
-         * @private Returns the tree of the extents, and builds it first if it is stale. Throws an error before the first update. While a
-         *     model is loading, its extents mean nothing.
+         * @private Returns the tree of the extents, and builds it first if it is stale. The row of the ground is as the ground is now. Throws
+         *     an error before the first update. While a model is loading, its extents mean nothing.
          */
         engine function treeOfExtents():RowTree
         {
+            _table.readWorld();
             return build(_extents, _table.extents);
         }
 

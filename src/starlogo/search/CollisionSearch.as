@@ -152,7 +152,7 @@ package starlogo.search
 
         /**
          * Finds the contact of two agents that touch. It takes them where the last search saw them, or where they are now if the last search did
-         * not see both. The ground and the edges of the world count as they are now, or as they were when they were held.
+         * not see both. The ground and the edges of the world count as they are now, or as the last search has read them while they are held.
          *
          * @param motion receives the motion of the first relative to the second, with the time of the touch: 1 if neither sweeps
          * @param out receives the contact. Its normal points from the second agent to the first
@@ -164,6 +164,7 @@ package starlogo.search
             {
                 throw new ArgumentError("the ground and the edges of the world have no contact with each other");
             }
+            table.readWorld();
             if (table.list.rankOf(a) > table.list.rankOf(b))
             {
                 // as in the pairs of a search, so rounding is the same in either order

@@ -1,7 +1,12 @@
 package starlogo.search
 {
+    import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Sphere;
     import starlogo.engine;
+    import starlogo.ground.HeightGrid;
     import starlogo.models.Model;
     import starlogo.solid.ModelTree;
 
@@ -58,8 +63,17 @@ package starlogo.search
         /** @private The model; null for shapes that have none. */
         engine var model:Model = null;
 
-        /** @private The agent that stands for the ground or the edges of the world; null for the shapes of agents. */
-        engine var worldAgent:WorldAgent = null;
+        /** @private The heights of the ground; null for other shapes. */
+        engine var grid:HeightGrid = null;
+
+        /** @private The edges of the world: the least and the greatest x, then y, then z. Null for other shapes. They do not change. */
+        engine var edges:Vector.<Number> = null;
+
+        /**
+         * @private For the ground and the edges: adds the tests of pairs with them to a narrow phase, so a game without them does not load the
+         *     code. <code>function(narrowPhase:NarrowPhase):void</code>
+         */
+        engine var addTests:Function = null;
 
         /**
          * For colliders only.
@@ -73,6 +87,27 @@ package starlogo.search
             this.modelName = modelName;
             this.kind = kind;
             this.revision = revision;
+        }
+
+        /**
+         * @private Makes a shape of the ground or of the edges of the world. Its structure gives the scale for tolerances: as wide as a cell, or a
+         *     point.
+         *
+         * @param grid the heights of the ground, or null
+         * @param edges the edges, or null
+         * @param addTests adds the tests of pairs with them to a narrow phase
+         */
+        engine static function ofWorld(grid:HeightGrid, edges:Vector.<Number>, addTests:Function):ModelShape
+        {
+            var isGround:Boolean = grid != null;
+            var shape:ModelShape = new ModelShape(isGround ? Breeds.TERRAIN : Breeds.EDGE, Agent.ANY_KIND, 0);
+            shape.structure = new Sphere(new Vector3D(), isGround ? grid.cellWidth / 2 : 0);
+            shape.form = isGround ? GROUND : EDGES;
+            shape.isUpright = true;
+            shape.grid = grid;
+            shape.edges = edges;
+            shape.addTests = addTests;
+            return shape;
         }
 
         /**

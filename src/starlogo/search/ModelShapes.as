@@ -1,9 +1,7 @@
 package starlogo.search
 {
-    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.requireInWorld;
@@ -32,9 +30,6 @@ package starlogo.search
         private var _ofModels:Object = {};
         private var _recent:Vector.<ModelShape> = new Vector.<ModelShape>();
 
-        // The shapes of the ground and of the edges that were needed last.
-        private var _ofWorldAgents:Vector.<ModelShape> = new <ModelShape>[null, null];
-
         /**
          * @param choice chooses the shapes
          */
@@ -44,10 +39,11 @@ package starlogo.search
         }
 
         /**
-         * The shape of an agent's model.
+         * The shape of an agent's model, or the ground or the edges of the world as they are now.
          *
          * @return null while the model is loading
-         * @throws ArgumentError if the model is unknown or lacks data that is needed, or if the choice gives it no shape
+         * @throws ArgumentError if the model is unknown or lacks data that is needed, if the choice gives it no shape, or if the ground or the
+         *     edges are not known
          * @throws RangeError if its structure is not in the world
          */
         public function shapeOf(agent:Agent):ModelShape
@@ -109,36 +105,13 @@ package starlogo.search
             requireInWorld(agent + ": half of the length of its model's structure", extents[3], extents[4], extents[5]);
         }
 
-        private function shapeOfWorldAgent(worldAgent:WorldAgent):ModelShape
+        private static function shapeOfWorldAgent(agent:WorldAgent):ModelShape
         {
-            var breed:int = worldAgent.breedNumber;
-            var shape:ModelShape = _ofWorldAgents[breed];
-            if (shape == null || shape.worldAgent !== worldAgent)
+            if (agent.surface == null)
             {
-                shape = _ofWorldAgents[breed] = newShapeOfWorldAgent(worldAgent);
+                throw new ArgumentError("the place of " + agent + " is not known: it was exchanged before another Collision wrote the snapshot");
             }
-            return shape;
-        }
-
-        /**
-         * Makes a shape for the ground or the edges of the world. Its structure gives the scale for tolerances: as wide as a cell, or a point. A
-         * table's row has a shape of its own, because it may be held (AgentTable.holdWorld).
-         *
-         * @throws ArgumentError if the heights or the edges are not known, because the agent comes from a snapshot of another Collision
-         */
-        public static function newShapeOfWorldAgent(worldAgent:WorldAgent):ModelShape
-        {
-            var isGround:Boolean = worldAgent.isGround;
-            if (isGround ? worldAgent.grid == null : worldAgent.edges == null)
-            {
-                throw new ArgumentError("the place of " + worldAgent + " is not known: it was exchanged before another Collision wrote the snapshot");
-            }
-            var shape:ModelShape = new ModelShape(worldAgent.shape, Agent.ANY_KIND, 0);
-            shape.structure = new Sphere(new Vector3D(), isGround ? worldAgent.grid.cellWidth / 2 : 0);
-            shape.form = isGround ? ModelShape.GROUND : ModelShape.EDGES;
-            shape.worldAgent = worldAgent;
-            shape.isUpright = true;
-            return shape;
+            return agent.surface;
         }
 
         /** Forgets the shapes of models that were replaced or removed. Returns whether there were any. */

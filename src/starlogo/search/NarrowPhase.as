@@ -221,13 +221,13 @@ package starlogo.search
             return GroundPairTests(testsOfWorldAgent(ground));
         }
 
-        // The tests with the ground or the edges of the world. Its agent adds them.
+        // The tests with the ground or the edges of the world. Its shape adds them.
         private function testsOfWorldAgent(body:Body):PairTests
         {
             var isGround:Boolean = body.form == ModelShape.GROUND;
             if (isGround ? groundTests == null : edgeTests == null)
             {
-                body.shape.worldAgent.addTests(this);
+                body.shape.addTests(this);
             }
             return isGround ? groundTests : edgeTests;
         }

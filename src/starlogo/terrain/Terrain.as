@@ -10,6 +10,7 @@ package starlogo.terrain
     import starlogo.geometry.requireInWorld;
     import starlogo.ground.GroundPoint;
     import starlogo.ground.HeightGrid;
+    import starlogo.search.ModelShape;
     import starlogo.search.pairs.GroundPairTests;
     import starlogo.search.WorldAgent;
 
@@ -25,18 +26,15 @@ package starlogo.terrain
      * <p>A cell or a column may be a hole. Nothing is there, as outside of the grid, however deep. The ground beside it ends in upright walls.</p>
      *
      * <p>Heights may change at any time. Frames and questions that begin later see the change. The cost is in proportion to the heights that
-     * change. The memory is 9 bytes for each height. A call that throws changes nothing.</p>
+     * change. The memory is 9 bytes for each height, and twice as much once a handler has changed the ground. A call that throws changes nothing.</p>
      */
     public final class Terrain
     {
         /** The largest number of cells. */
         public static const MOST_CELLS:int = 16000000;
 
-        /** @private The heights. */
-        engine var grid:HeightGrid;
-
-        /** @private The value of <code>agent</code>. */
-        engine var worldAgent:WorldAgent;
+        /** @private The value of <code>agent</code>. Its surface has the heights. */
+        engine var worldAgent:WorldAgent = new WorldAgent(Breeds.TERRAIN);
 
         private var _point:GroundPoint = new GroundPoint();
 
@@ -62,9 +60,7 @@ package starlogo.terrain
             }
             requireInWorld("a terrain's x and y", x, y, 0);
             requireInWorld("the end of a terrain", x + columns * cellWidth, y + rows * cellWidth, 0);
-            grid = new HeightGrid(columns, rows, cellWidth, x, y);
-            worldAgent = new WorldAgent(Breeds.TERRAIN, GroundPairTests.addTo);
-            worldAgent.grid = grid;
+            worldAgent.surface = ModelShape.ofWorld(new HeightGrid(columns, rows, cellWidth, x, y), null, GroundPairTests.addTo);
             // only the edges' agents have negative ids: see Agent.id
             worldAgent.idNumber = Agent.takeId();
             worldAgent.moveTo(x, y, 0);
@@ -93,6 +89,12 @@ package starlogo.terrain
             return terrain;
         }
 
+        /** @private The heights as they are now. Call <code>worldAgent.beginChange()</code> to change them. */
+        engine function get grid():HeightGrid
+        {
+            return worldAgent.surface.grid;
+        }
+
         /** Whether the surface is upright columns; otherwise it is slopes. May be changed at any time. */
         public function get isBlocky():Boolean
         {
@@ -103,8 +105,7 @@ package starlogo.terrain
         {
             if (value != grid.isBlocky)
             {
-                grid.isBlocky = value;
-                grid.revision++;
+                worldAgent.beginChange().isBlocky = value;
             }
         }
 
@@ -190,12 +191,12 @@ package starlogo.terrain
             {
                 requireInWorld("a terrain's height", heights[i], 0, 0);
             }
-            grid.beginChange();
+            var changed:HeightGrid = worldAgent.beginChange();
             for (i = 0; i < heights.length; i++)
             {
-                grid.heights[int((row + int(i / columns)) * grid.columns + column + i % columns)] = heights[i];
+                changed.heights[int((row + int(i / columns)) * changed.columns + column + i % columns)] = heights[i];
             }
-            grid.updateBounds(column, row, column + columns - 1, row + rows - 1);
+            changed.updateBounds(column, row, column + columns - 1, row + rows - 1);
         }
 
         /**
@@ -209,9 +210,9 @@ package starlogo.terrain
         {
             if (this.isHole(column, row) != isHole)
             {
-                grid.beginChange();
-                grid.setHole(row * grid.columns + column, isHole);
-                grid.updateBounds(column, row, column, row);
+                var changed:HeightGrid = worldAgent.beginChange();
+                changed.setHole(row * changed.columns + column, isHole);
+                changed.updateBounds(column, row, column, row);
             }
         }
 
@@ -237,17 +238,18 @@ package starlogo.terrain
         {
             requireInWorld("a mound's place and height", x, y, height);
             requireInWorld("a mound's width", width, 0, 0);
-            var radius:Number = width / 2 / grid.cellWidth;
-            var middleColumn:Number = (x - grid.x) / grid.cellWidth;
-            var middleRow:Number = (y - grid.y) / grid.cellWidth;
-            if (!(width > 0 && grid.isWithin(x, y, (width + cellWidth) / 2)))
+            var ground:HeightGrid = grid;
+            var radius:Number = width / 2 / ground.cellWidth;
+            var middleColumn:Number = (x - ground.x) / ground.cellWidth;
+            var middleRow:Number = (y - ground.y) / ground.cellWidth;
+            if (!(width > 0 && ground.isWithin(x, y, (width + cellWidth) / 2)))
             {
                 throw new RangeError("a mound of width " + width + " at (" + x + ", " + y + ") is not within the terrain");
             }
             var first:int = Math.max(0, Math.ceil(middleColumn - radius));
-            var last:int = Math.min(grid.columns - 1, Math.floor(middleColumn + radius));
+            var last:int = Math.min(ground.columns - 1, Math.floor(middleColumn + radius));
             var firstRow:int = Math.max(0, Math.ceil(middleRow - radius));
-            var lastRow:int = Math.min(grid.rows - 1, Math.floor(middleRow + radius));
+            var lastRow:int = Math.min(ground.rows - 1, Math.floor(middleRow + radius));
             var raised:Vector.<Number> = new Vector.<Number>();
             for (var row:int = firstRow; row <= lastRow; row++)
             {
@@ -256,7 +258,7 @@ package starlogo.terrain
                     var acrossX:Number = (column - middleColumn) / radius;
                     var acrossY:Number = (row - middleRow) / radius;
                     var share:Number = Math.max(0, 1 - acrossX * acrossX - acrossY * acrossY);
-                    raised.push(grid.heights[int(row * grid.columns + column)] + height * share * share);
+                    raised.push(ground.heights[int(row * ground.columns + column)] + height * share * share);
                 }
             }
             // There are none if the hill is between heights.
@@ -288,7 +290,7 @@ package starlogo.terrain
         /** Makes the ground flat again, of height 0, without holes. */
         public function reset():void
         {
-            grid.reset();
+            worldAgent.beginChange().reset();
         }
 
         /**

@@ -28,7 +28,7 @@ package starlogo.terrain
         public var triangles:Vector.<uint> = new Vector.<uint>();
 
         private var _revision:int = -1;
-        private var _grid:HeightGrid;
+        private var _terrain:Terrain;
         private var _source:GroundTriangles = new GroundTriangles();
 
         // Bounds of all heights.
@@ -56,7 +56,8 @@ package starlogo.terrain
             {
                 throw new RangeError("the borders of a rectangle must be numbers, not " + [minX, minY, maxX, maxY]);
             }
-            var grid:HeightGrid = _grid = terrain.grid;
+            var grid:HeightGrid = terrain.grid;
+            _terrain = terrain;
             var first:int = within(Math.ceil((minX - grid.x) / grid.cellWidth), 0, grid.columns);
             var firstRow:int = within(Math.ceil((minY - grid.y) / grid.cellWidth), 0, grid.rows);
             var last:int = within(Math.floor((maxX - grid.x) / grid.cellWidth), -1, grid.columns - 1);
@@ -64,7 +65,6 @@ package starlogo.terrain
             // A box from a quarter of a cell behind the first height to a quarter before the last one. So it passes over the columns of these
             // heights and over the cells between them, and over no other.
             var box:GroundBox = _search.box;
-            _search.grid = grid;
             box.x = grid.x + (first + last) / 2 * grid.cellWidth;
             box.y = grid.y + (firstRow + lastRow) / 2 * grid.cellWidth;
             box.halfX = ((last - first) / 2 - 0.25) * grid.cellWidth;
@@ -79,13 +79,14 @@ package starlogo.terrain
          */
         public function update():Boolean
         {
-            if (_grid.revision == _revision)
+            if (_terrain.worldAgent.revision == _revision)
             {
                 return false;
             }
-            _revision = _grid.revision;
+            _revision = _terrain.worldAgent.revision;
+            _search.grid = _terrain.grid;
             vertices.length = normals.length = triangles.length = 0;
-            _grid.pyramid.findWhole(_whole);
+            _search.grid.pyramid.findWhole(_whole);
             _search.floor = _whole.least;
             _source.begin(_search);
             while (_source.next())
@@ -117,7 +118,7 @@ package starlogo.terrain
                 }
                 else
                 {
-                    addNormal((corners[i] - _grid.x) / _grid.cellWidth, (corners[i + 1] - _grid.y) / _grid.cellWidth);
+                    addNormal((corners[i] - _terrain.x) / _terrain.cellWidth, (corners[i + 1] - _terrain.y) / _terrain.cellWidth);
                 }
             }
         }
@@ -127,9 +128,10 @@ package starlogo.terrain
         {
             var column:int = Math.round(x);
             var row:int = Math.round(y);
-            var at:int = row * _grid.columns + column;
-            var slopeX:Number = _grid.isBlocky ? 0 : slopeAt(at, 1, column, _grid.columns - 1);
-            var slopeY:Number = _grid.isBlocky ? 0 : slopeAt(at, _grid.columns, row, _grid.rows - 1);
+            var grid:HeightGrid = _search.grid;
+            var at:int = row * grid.columns + column;
+            var slopeX:Number = grid.isBlocky ? 0 : slopeAt(at, 1, column, grid.columns - 1);
+            var slopeY:Number = grid.isBlocky ? 0 : slopeAt(at, grid.columns, row, grid.rows - 1);
             var length:Number = Math.sqrt(slopeX * slopeX + slopeY * slopeY + 1);
             normals.push(-slopeX / length, -slopeY / length, 1 / length);
         }
@@ -139,7 +141,8 @@ package starlogo.terrain
         {
             var before:int = place > 0 ? 1 : 0;
             var after:int = place < last ? 1 : 0;
-            return (_grid.heights[at + after * step] - _grid.heights[at - before * step]) / (before + after) / _grid.cellWidth;
+            var heights:Vector.<Number> = _search.grid.heights;
+            return (heights[at + after * step] - heights[at - before * step]) / (before + after) / _search.grid.cellWidth;
         }
     }
 }

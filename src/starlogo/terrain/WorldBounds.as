@@ -4,6 +4,7 @@ package starlogo.terrain
     import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.geometry.requireInWorld;
+    import starlogo.search.ModelShape;
     import starlogo.search.pairs.EdgePairTests;
     import starlogo.search.WorldAgent;
 
@@ -16,7 +17,7 @@ package starlogo.terrain
     public final class WorldBounds
     {
         /** @private The value of <code>agent</code>. */
-        engine var worldAgent:WorldAgent = new WorldAgent(Breeds.EDGE, EdgePairTests.addTo);
+        engine var worldAgent:WorldAgent = new WorldAgent(Breeds.EDGE);
 
         /**
          * Creates the edges of the world. Where a number is infinite, the world has no edge.
@@ -58,43 +59,44 @@ package starlogo.terrain
                 }
                 requireInWorld("the edges of the world", isFinite(edges[i]) ? edges[i] : 0, isFinite(edges[i + 1]) ? edges[i + 1] : 0, 0);
             }
-            worldAgent.setEdges(edges);
+            worldAgent.revision++;
+            worldAgent.surface = ModelShape.ofWorld(null, edges, EdgePairTests.addTo);
         }
 
         /** The least x. */
         public function get minX():Number
         {
-            return worldAgent.edges[0];
+            return worldAgent.surface.edges[0];
         }
 
         /** The greatest x. */
         public function get maxX():Number
         {
-            return worldAgent.edges[1];
+            return worldAgent.surface.edges[1];
         }
 
         /** The least y. */
         public function get minY():Number
         {
-            return worldAgent.edges[2];
+            return worldAgent.surface.edges[2];
         }
 
         /** The greatest y. */
         public function get maxY():Number
         {
-            return worldAgent.edges[3];
+            return worldAgent.surface.edges[3];
         }
 
         /** The least z. */
         public function get minZ():Number
         {
-            return worldAgent.edges[4];
+            return worldAgent.surface.edges[4];
         }
 
         /** The greatest z. */
         public function get maxZ():Number
         {
-            return worldAgent.edges[5];
+            return worldAgent.surface.edges[5];
         }
 
         /**

@@ -1,7 +1,9 @@
 package starlogo.collision
 {
     import flash.errors.IllegalOperationError;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
@@ -81,6 +83,62 @@ package starlogo.collision
                 });
             _collision.update(_agents);
             assertDepths(0.1, 5.1, 0.1, 0.1);
+        }
+
+        [Test]
+        public function whatIsNoContactOfTheFrameSeesTheGroundAsItIs():void
+        {
+            var other:BinCollider = new BinCollider();
+            var otherCollision:Collision = new Collision(other);
+            otherCollision.terrain = _terrain;
+            otherCollision.bounds = _bounds;
+            otherCollision.onCollision("balls", Collision.TERRAIN, ignore);
+            otherCollision.onCollision("balls", Collision.EDGE, ignore);
+            var queries:AgentQueries = new AgentQueries(_collision);
+            var eye:Vector3D = new Vector3D(0, 0, 8);
+            var down:Vector3D = new Vector3D(0, 0, -1);
+            _collision.onCollision("balls", Collision.TERRAIN, function(ball:Agent, ground:Agent):void
+                {
+                    raise();
+                    _bounds.setTo(-9, -9, 0.9, 9, 9, 9);
+                    _depths.push(depthOf(ball, ground), depthOf(ball, _bounds.agent));
+                    _depths.push(other.contactOf(ball, ground).depth, other.contactOf(ball, _bounds.agent).depth);
+                    _depths.push(queries.cast(eye, down).distance, queries.castAll(eye, down)[0].distance);
+                    assertTrue(other.areColliding(ball, _bounds.agent) && queries.touchesEdge(ball, _bounds));
+                    _terrain.isBlocky = true;
+                    _terrain.reset();
+                    _depths.push(depthOf(ball, ground), queries.cast(eye, down).distance);
+                });
+            otherCollision.update(_agents);
+            queries.update(_agents);
+            _collision.update(_agents);
+            assertDepths(0.1, 0, 5.1, 1, 3, 3, 0.1, 7.1);
+        }
+
+        [Test]
+        public function handlersThatChangeTheGroundInEveryFrameUseTwoGridsInTurns():void
+        {
+            var grids:Array = [];
+            _terrain.setHole(9, 9, true);
+            _collision.onCollision("balls", Collision.TERRAIN, function(ball:Agent, ground:Agent):void
+                {
+                    for (var i:int = 0; i < 2; i++)
+                    {
+                        _terrain.setHeight(5, 5, _terrain.getHeight(5, 5) + 1);
+                    }
+                    _depths.push(depthOf(ball, ground));
+                    grids.push(_terrain.grid);
+                });
+            for (var frame:int = 0; frame < 4; frame++)
+            {
+                _collision.update(_agents);
+                assertEquals(2 * frame + 2, _terrain.heightAt(0, 0));
+                assertTrue(_terrain.isHole(9, 9));
+                _terrain.setHeight(0, 0, frame);
+                assertStrictlyEquals("a change between frames copies nothing", grids[frame], _terrain.grid);
+                assertStrictlyEquals(grids[frame % 2], grids[frame]);
+            }
+            assertTrue(_depths.join(), _depths[0] < _depths[1] && _depths[1] < _depths[2] && _depths[2] < _depths[3]);
         }
 
         // The place of the ground counts for the rounding of contacts. It was that of some frame before.

@@ -61,7 +61,6 @@ package starlogo.collision.snapshots
         public static function restore(bytes:ByteArray, grid:HeightGrid):void
         {
             bytes.position += HEAD;
-            grid.beginChange();
             grid.isBlocky = bytes.readBoolean();
             grid.heights = readNumbers(bytes, grid.columns * grid.rows, false);
             grid.holes = null;

@@ -81,7 +81,7 @@ package starlogo.collision.snapshots
             SnapshotPlatforms.write(rest, agents, table);
             if (hasHeights)
             {
-                SnapshotGround.write(rest, ground.grid);
+                SnapshotGround.write(rest, ground.surface.grid);
             }
             if (withTraits)
             {
@@ -134,7 +134,7 @@ package starlogo.collision.snapshots
             if ((parts.contents & HAS_HEIGHTS) != 0)
             {
                 copy.position = parts.groundAt;
-                SnapshotGround.restore(copy, world[ListedAgents.GROUND_ROW].grid);
+                SnapshotGround.restore(copy, world[ListedAgents.GROUND_ROW].beginChange());
             }
             return parts.touches;
         }
@@ -244,7 +244,7 @@ package starlogo.collision.snapshots
             if ((contents & HAS_HEIGHTS) != 0)
             {
                 parts.groundAt = bytes.position;
-                check(SnapshotGround.passOver(bytes, ground.grid));
+                check(SnapshotGround.passOver(bytes, ground.surface.grid));
             }
             parts.traitsAt = bytes.position;
             check((contents & HAS_TRAITS) != 0 || parts.traitsAt == bytes.length);

@@ -188,7 +188,7 @@ package starlogo.search.pairs
         private function placeOf(edges:Body, edge:int):Number
         {
             // the first number is 1 or -1: whether the direction is the axis or against it
-            return along(edge, 1, 1, 1) * edges.shape.worldAgent.edges[edge];
+            return along(edge, 1, 1, 1) * edges.shape.edges[edge];
         }
 
         // The length of a vector in the direction out of the world.

@@ -181,7 +181,7 @@ package starlogo.search.pairs
 
         private static function gridOf(ground:Body):HeightGrid
         {
-            return ground.shape.worldAgent.grid;
+            return ground.shape.grid;
         }
 
         // Whether the two overlap, by the full test.

@@ -56,12 +56,11 @@ package starlogo.search.table
         // The number of rows read last whose models are still loading.
         engine var loadingCount:int = 0;
 
-        // By the rows of the ground and of the edges: whether they have changed since they were read before; and the revisions of their surfaces.
+        // By the rows of the ground and of the edges: whether they have changed since they were read before.
         engine var hasWorldChanged:Vector.<Boolean> = new <Boolean>[false, false];
-        private var _surfaceRevisions:Vector.<int> = new <int>[0, 0];
 
-        // By these rows: the copies that tests see while the ground and the edges are held.
-        private var _held:Vector.<WorldAgent> = new <WorldAgent>[null, null];
+        // Whether a frame needs these rows as they are.
+        private var _isWorldHeld:Boolean = false;
 
         // The rows that are being read whose bodies have changed, and their new shapes.
         private var _reshaped:NumberList = new NumberList();
@@ -143,67 +142,66 @@ package starlogo.search.table
             return _modelShapes.areSpheres;
         }
 
-        /** Reads the agent of the ground or of the edges of the world into its row if the row has another one, or empties the row. */
+        /** Reads the agent of the ground or of the edges of the world into its row, or empties the row. */
         public function readWorldAgent(row:int, agent:WorldAgent):void
         {
             var isOther:Boolean = list.agents[row] !== agent;
-            var surfaceRevision:int = agent == null ? 0 : agent.surfaceRevision;
+            hasWorldChanged[row] = isOther || agent != null && agent.revision != places.last.revisions[row];
             if (isOther)
             {
-                var shape:ModelShape = agent == null ? null : ModelShapes.newShapeOfWorldAgent(agent);
                 list.agents[row] = agent;
                 shapes[row] = null;
-                if (agent != null)
-                {
-                    breeds[row] = agent.breedNumber;
-                    setShape(row, shape);
-                    readBody(row);
-                    places.last.read(row, agent);
-                    places.previous.read(row, agent);
-                }
             }
-            hasWorldChanged[row] = isOther || surfaceRevision != _surfaceRevisions[row];
-            _surfaceRevisions[row] = surfaceRevision;
-        }
-
-        /** Lets tests see the ground and the edges of the world as they are now, until <code>releaseWorld()</code>. */
-        public function holdWorld():void
-        {
-            for (var row:int = ListedAgents.GROUND_ROW; row <= ListedAgents.EDGES_ROW; row++)
+            if (agent != null)
             {
-                var worldAgent:WorldAgent = list.agents[row] as WorldAgent;
-                if (worldAgent != null)
-                {
-                    _held[row] = worldAgent.hold(_held[row]);
-                    shapes[row].worldAgent = _held[row];
-                }
+                breeds[row] = agent.breedNumber;
+                readSurface(row);
+                places.last.read(row, agent);
+                places.previous.read(row, agent);
             }
         }
 
-        /** From now on tests see the ground and the edges as they are. */
-        public function releaseWorld():void
+        /** Reads the ground and the edges of the world as they are now, unless they are held. */
+        public function readWorld():void
         {
-            for (var row:int = ListedAgents.GROUND_ROW; row <= ListedAgents.EDGES_ROW; row++)
+            if (!_isWorldHeld)
             {
-                var worldAgent:WorldAgent = list.agents[row] as WorldAgent;
-                if (worldAgent != null && shapes[row].worldAgent === _held[row])
-                {
-                    worldAgent.release(_held[row]);
-                    shapes[row].worldAgent = worldAgent;
-                }
+                readSurface(ListedAgents.GROUND_ROW);
+                readSurface(ListedAgents.EDGES_ROW);
+            }
+        }
+
+        private function readSurface(row:int):void
+        {
+            var agent:WorldAgent = list.agents[row] as WorldAgent;
+            if (agent != null && shapes[row] !== agent.surface)
+            {
+                setShape(row, agent.surface);
+                readBody(row);
+            }
+        }
+
+        /** Holds the ground and the edges of the world as they were read, or lets go of them. */
+        public function holdWorld(isHeld:Boolean):void
+        {
+            var ground:ModelShape = shapes[ListedAgents.GROUND_ROW];
+            var change:int = isHeld ? 1 : -1;
+            _isWorldHeld = isHeld;
+            if (ground != null)
+            {
+                ground.grid.holders += change;
             }
         }
 
         /**
          * The body of an agent as it is now: that of its row, if the agent has not changed since, and else a body that is made. Its shape is null
-         * while the agent's model is loading. A row of the ground or of the edges may be held, and is not of now then.
+         * while the agent's model is loading.
          */
         public function currentBodyOf(agent:Agent, made:Body):Body
         {
             forgetReplaced();
             var row:int = list.rowOf(agent);
-            var isOfNow:Boolean = row >= ListedAgents.FIRST_LISTED || row >= 0 && shapes[row].worldAgent === agent;
-            if (isOfNow && agent.revision == places.last.revisions[row] && agent.bodyRevision == _bodyRevisions[row])
+            if (row >= 0 && agent.revision == places.last.revisions[row] && agent.bodyRevision == _bodyRevisions[row])
             {
                 return bodyOf(row);
             }

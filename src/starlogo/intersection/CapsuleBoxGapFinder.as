@@ -65,7 +65,7 @@ package starlogo.intersection
             return squaredDistance <= radius * radius;
         }
 
-        /** inheritDoc */
+        /** @inheritDoc */
         override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, coreMotion:CoreMotion, out:CoreGap):void
         {
             var capsule:Capsule = a as Capsule;
@@ -88,7 +88,7 @@ package starlogo.intersection
         /**
          * If several points are closest, the one in the middle of them is taken.
          *
-         * inheritDoc
+         * @inheritDoc
          */
         override public function findGap(b:BoundingStructure, coreMotion:CoreMotion, out:CoreGap):void
         {
@@ -111,7 +111,7 @@ package starlogo.intersection
             PointToBox.measure(_x + share * _alongX, _y + share * _alongY, _z + share * _alongZ, box, out);
         }
 
-        /** inheritDoc */
+        /** @inheritDoc */
         override public function placeGap(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
         {
             var start:Vector3D = (a as Capsule).start;

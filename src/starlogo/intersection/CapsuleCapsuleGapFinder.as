@@ -43,7 +43,7 @@ package starlogo.intersection
             return x * x + y * y + z * z <= touchingDistance * touchingDistance;
         }
 
-        /** inheritDoc */
+        /** @inheritDoc */
         override public function areSwapped(a:BoundingStructure, b:BoundingStructure):Boolean
         {
             var startA:Vector3D = (a as Capsule).start;
@@ -52,7 +52,7 @@ package starlogo.intersection
             return isAfter(startA, startB);
         }
 
-        /** inheritDoc */
+        /** @inheritDoc */
         override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, coreMotion:CoreMotion, out:CoreGap):void
         {
             var capsule:Capsule = a as Capsule;
@@ -69,7 +69,7 @@ package starlogo.intersection
             out.extent = Math.abs(_uX) + Math.abs(_uY) + Math.abs(_uZ) + (Math.abs(_vX) + Math.abs(_vY) + Math.abs(_vZ)) + (out.radiusA + out.radiusB);
         }
 
-        /** inheritDoc */
+        /** @inheritDoc */
         override public function findGap(b:BoundingStructure, coreMotion:CoreMotion, out:CoreGap):void
         {
             var time:Number = coreMotion.time;
@@ -82,7 +82,7 @@ package starlogo.intersection
             out.z = _z + _shareOfU * _uZ - _shareOfV * _vZ;
         }
 
-        /** inheritDoc */
+        /** @inheritDoc */
         override public function placeGap(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
         {
             var start:Vector3D = (a as Capsule).start;

@@ -10,13 +10,13 @@ package starlogo.intersection
     /** Finds the gap between a sphere's centre and a box, in the box's axes. */
     internal final class SphereBoxGapFinder extends GapFinder
     {
-        /** inheritDoc */
+        /** @inheritDoc */
         override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
         {
             return sphereBox(a as Sphere, b as Box);
         }
 
-        /** inheritDoc */
+        /** @inheritDoc */
         override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, coreMotion:CoreMotion, out:CoreGap):void
         {
             var sphere:Sphere = a as Sphere;
@@ -40,7 +40,7 @@ package starlogo.intersection
             out.extent = box.halfX + box.halfY + box.halfZ + out.radiusA;
         }
 
-        /** inheritDoc */
+        /** @inheritDoc */
         override public function findGap(b:BoundingStructure, coreMotion:CoreMotion, out:CoreGap):void
         {
             var time:Number = coreMotion.time;
@@ -48,7 +48,7 @@ package starlogo.intersection
                     b as Box, out);
         }
 
-        /** inheritDoc */
+        /** @inheritDoc */
         override public function placeGap(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
         {
             var center:Vector3D = (a as Sphere).center;

@@ -15,13 +15,13 @@ package starlogo.intersection
         private var _axisY:Number = 0;
         private var _axisZ:Number = 0;
 
-        /** inheritDoc */
+        /** @inheritDoc */
         override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
         {
             return sphereCapsule(a as Sphere, b as Capsule);
         }
 
-        /** inheritDoc */
+        /** @inheritDoc */
         override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, coreMotion:CoreMotion, out:CoreGap):void
         {
             var sphere:Sphere = a as Sphere;
@@ -43,7 +43,7 @@ package starlogo.intersection
             out.extent = Math.abs(_axisX) + Math.abs(_axisY) + Math.abs(_axisZ) + (out.radiusA + out.radiusB);
         }
 
-        /** inheritDoc */
+        /** @inheritDoc */
         override public function findGap(b:BoundingStructure, coreMotion:CoreMotion, out:CoreGap):void
         {
             var time:Number = coreMotion.time;
@@ -59,7 +59,7 @@ package starlogo.intersection
             out.z = z;
         }
 
-        /** inheritDoc */
+        /** @inheritDoc */
         override public function placeGap(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
         {
             var center:Vector3D = (a as Sphere).center;

@@ -40,7 +40,7 @@ package starlogo.solid
 
         private var _search:BoxSearch = new BoxSearch();
 
-        // How many numbers they have.
+        // How many numbers weldedCorners has.
         private var _weldedCount:int = 0;
 
         // The axis of all rays, 0 for x, and the next two axes. It is the axis along which the model is shortest.

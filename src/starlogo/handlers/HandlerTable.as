@@ -173,6 +173,7 @@ package starlogo.handlers
             var before:Vector.<PairHandlers> = _all;
             _all = new Vector.<PairHandlers>();
             _indices.clear();
+            // another object, because its revision begins again: KeptPairs compares both
             interests = new BreedInterests();
             kinds = contactKinds = 0;
             _isOneRemoved = false;

@@ -13,7 +13,7 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * The shape that a Collider uses for a model, in the model's space. All agents with the model for which it chooses alike share it. An
+     * The shape that a Collider uses for a model, in the model's space. All agents with the model for which it chooses alike share it. A
      * BaseShapeChoice sets it.
      */
     public final class ModelShape

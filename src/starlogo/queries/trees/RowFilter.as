@@ -20,7 +20,7 @@ package starlogo.queries.trees
         /** The filter's <code>accepts</code>; null if there is none. */
         public var accepts:Function = null;
 
-        /** Whether breeds or agents are excluded. If not, <code>admits()</code> is true for all rows. */
+        /** Whether breeds or agents are excluded. If not, <code>mayCount()</code> is true for all rows. */
         public var excludes:Boolean = false;
 
         /** The breeds that may count, a set of NodeBreeds. */

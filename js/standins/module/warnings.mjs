@@ -80,7 +80,9 @@ export function $hintOfName(name, names) {
 
 /** What an error says about an option that is not among the names of all: the nearest one. */
 export function $hintOfOption(key, names) {
-	const farAway = names.map((each) => distanceOf(key.toLowerCase(), each.toLowerCase()));
+	const word = key.toLowerCase();
+	// each letter in common counts against two changes, because abbreviations are common
+	const farAway = names.map((each) => $changesBetween(word, each.toLowerCase()) - 2 * $commonLetters(word, each.toLowerCase()));
 	const least = Math.min(...farAway);
 	return least < 1 ? `the nearest is ${names[farAway.indexOf(least)]}; ` : "";
 }
@@ -100,25 +102,20 @@ function $settableNames(object) {
 	return names;
 }
 
-/** How many letters are too many, too few or others (Levenshtein, 1966). */
+/** How many letters have to be inserted, removed or replaced (Levenshtein, 1966). */
 function $changesBetween(name, other) {
-	let same = 0;
-	while (same < name.length && name[same] === other[same]) same++;
-	return distanceOf(name, other) + 2 * same;
-}
-
-/**
- * How far one word is from another: how many letters have to be inserted, removed or replaced (Levenshtein, 1966), less two for each letter of a
- * beginning that both have, because abbreviations are common.
- */
-function distanceOf(word, other) {
-	let same = 0;
-	while (same < word.length && word[same] === other[same]) same++;
 	let counts = [...other, ""].map((_, i) => i);
-	[...word].forEach((letter, i) => {
+	[...name].forEach((letter, i) => {
 		const before = counts;
 		counts = [i + 1];
 		for (let j = 0; j < other.length; j++) counts.push(Math.min(before[j + 1] + 1, counts[j] + 1, before[j] + (letter === other[j] ? 0 : 1)));
 	});
-	return counts[other.length] - 2 * same;
+	return counts[other.length];
+}
+
+/** How many letters two words have in common from the beginning on. */
+function $commonLetters(name, other) {
+	let same = 0;
+	while (same < name.length && name[same] === other[same]) same++;
+	return same;
 }

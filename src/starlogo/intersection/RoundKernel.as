@@ -118,11 +118,9 @@ package starlogo.intersection
 
         // Finds when the gap is as long as the sum of the radii, by Newton's method. When it begins, the gap is that of time 0, and the core's time is
         // that of the first step. When it ends, the core's time is the time of impact. Returns false if that is after the motion's latest time.
-        // 
         // The method never steps over the first zero when it starts to the left of it. Each step shrinks the product of the gap and its slope to a
         // quarter, and both are numbers of 53 bits. So 80 steps are enough. Should rounding need more, the time of the last step is the time of impact:
         // the structures do not touch before, and their gap is at most rounding.
-        // 
         // If the cores are very close, rounding hides the direction of the gap, and with it the slope. Then a chord takes the place of the tangent: it
         // goes through this distance and that of the step before, and does not step over the first zero either. A step that went too far because of
         // rounding is halved.

@@ -26,7 +26,8 @@ package starlogo.terrain
      * <p>A cell or a column may be a hole. Nothing is there, as outside of the grid, however deep. The ground beside it ends in upright walls.</p>
      *
      * <p>Heights may change at any time. Frames and questions that begin later see the change. The cost is in proportion to the heights that
-     * change. The memory is 9 bytes for each height, and twice as much once a handler has changed the ground. A call that throws changes nothing.</p>
+     * change, but the first change that handlers make in a frame copies all heights. The memory is 9 bytes for each height, and twice as much once a
+     * handler has changed the ground. A call that throws changes nothing.</p>
      */
     public final class Terrain
     {

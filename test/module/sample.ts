@@ -84,7 +84,6 @@ import {
 	SearchCounts,
 	ShapeChoice,
 	SharedFitStorage,
-	Slices,
 	SourceFrame,
 	ShapeHit,
 	Sphere,
@@ -321,8 +320,7 @@ export function fitAll(vertices: Float64Array): number[] {
 	log.push(`${library.tightestFit("cloud").volume}, ${hierarchies.has("cloud")}, ${hull.dimension}`);
 	const session = new FitSession(vertices);
 	const fit: Fit = new NaiveSphereFitter().fitting(session);
-	const counting = new Slices(7, 3, (first: number, end: number) => log.push(`${first} to ${end}`));
-	const work: Steps = new StepSequence().add(fit).add(counting);
+	const work: Steps = new StepSequence().add(fit).slices(7, 3, (first: number, end: number) => log.push(`${first} to ${end}`));
 	finish(work);
 	return fitters.map((fitter) => fitter.fit(vertices).volume);
 }

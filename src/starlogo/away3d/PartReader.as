@@ -5,7 +5,7 @@ package starlogo.away3d
     import starlogo.geometry.AffineTransform;
     import starlogo.models.ModelError;
     import starlogo.models.refuseIf;
-    import starlogo.steps.Slices;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
@@ -58,7 +58,7 @@ package starlogo.away3d
         public function readingVertices(points:PointTable):Steps
         {
             open();
-            return new Slices(vertexCount, INDICES_PER_STEP, function(first:int, end:int):void
+            return new StepSequence().slices(vertexCount, INDICES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
                     {
@@ -80,7 +80,7 @@ package starlogo.away3d
             open();
             refuseIf(indices.length < 3 * triangleCount, _name,
                     "a sub-geometry has " + triangleCount + " triangles, but only " + indices.length + " indices");
-            return new Slices(3 * triangleCount, INDICES_PER_STEP, function(first:int, end:int):void
+            return new StepSequence().slices(3 * triangleCount, INDICES_PER_STEP, function(first:int, end:int):void
                 {
                     readTriangles(indices, first, end, points, triangles);
                     progress = end / Math.max(1, 3 * triangleCount);

@@ -1,6 +1,6 @@
 package starlogo.geometry
 {
-    import starlogo.steps.Slices;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
@@ -58,7 +58,7 @@ package starlogo.geometry
         /** The steps that transform all of the points in place. */
         public function transformingPoints(points:Vector.<Number>):Steps
         {
-            return new Slices(points.length / 3, POINTS_PER_STEP, function(first:int, end:int):void
+            return new StepSequence().slices(points.length / 3, POINTS_PER_STEP, function(first:int, end:int):void
                 {
                     transformPoints(points, first, end, points, first);
                 });

@@ -9,7 +9,6 @@ package starlogo.libraries
     import starlogo.fitting.Fitter;
     import starlogo.fitting.HullFitter;
     import starlogo.geometry.Tolerances;
-    import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -118,7 +117,7 @@ package starlogo.libraries
             }
             var wider:BoundingStructure = structure.clone();
             wider.widen(_tolerance);
-            return new Slices(_vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
+            return new StepSequence().slices(_vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     var outside:int = firstOutside(wider, first, end);
                     if (outside >= 0)

@@ -6,7 +6,6 @@ package starlogo.models
     import starlogo.geometry.VertexBounds;
     import starlogo.geometry.VertexData;
     import starlogo.geometry.cubeRoot;
-    import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -160,7 +159,7 @@ package starlogo.models
         {
             checkExtent();
             _frame.addMove(firstX + secondX, firstY + secondY, firstZ + secondZ, divisor);
-            return new Slices(_data.vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
+            return new StepSequence().slices(_data.vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     // 0 - 0 is 0, but -0 would be negative
                     place(first, end, firstX, firstY, firstZ, 0 - secondX, 0 - secondY, 0 - secondZ, divisor);

@@ -28,8 +28,8 @@ package starlogo.steps
         private static const MAKES_WORK:int = 2;
         private static const MAKES_EACH:int = 3;
 
-        // The parts, how each is done, and the index of the present part. There are no closures, because creating one costs as much as a
-        // small part.
+        // The parts, how each is done, and the index of the present part. Parts are not wrapped in closures, because creating one costs as much
+        // as a small part.
         private var _parts:Vector.<Function> = new Vector.<Function>();
         private var _kinds:Vector.<int> = new Vector.<int>();
         private var _next:int = 0;
@@ -55,15 +55,23 @@ package starlogo.steps
         }
 
         /**
-         * Adds work on many things, as Slices does it. Returns the sequence.
+         * Adds work on things that are numbered from 0. Each step does some of them. Returns the sequence.
          *
          * @param count the number of things
          * @param size the number of things in each step
-         * @param work <code>(first:int, end:int):void</code>; does the things from one number up to another
+         * @param work <code>(first:int, end:int):void</code>; does the things from one number up to another. If there are none, it is called
+         * once with two zeros
          */
         public function slices(count:int, size:int, work:Function):StepSequence
         {
-            return add(new Slices(count, size, work));
+            var next:int = 0;
+            return repeat(function():Boolean
+                {
+                    var first:int = next;
+                    next = Math.min(first + size, count);
+                    work(first, next);
+                    return next < count;
+                });
         }
 
         /**

@@ -1,9 +1,8 @@
 package starlogo.steps
 {
     /**
-     * Work that is done in small steps, so that a game can go on meanwhile. This package has two kinds of it: StepSequence is made of parts
-     * that are done one after the other, and Slices is a loop over many things. <code>finish()</code> does all steps at once. Read
-     * StepSequence next.
+     * Work that is done in small steps, so that a game can go on meanwhile. A StepSequence is made of parts that are done one after the other,
+     * for example loops over many things. <code>finish()</code> does all steps at once. Read StepSequence next.
      */
     public interface Steps
     {

@@ -29,8 +29,8 @@ package starlogo.libraries
     import starlogo.models.cooked.CookedFile;
     import starlogo.queries.AgentQueries;
     import starlogo.solid.SolidContents;
-    import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
     import starlogo.steps.finish;
     import support.EachCollider;
     import support.Effort;
@@ -209,7 +209,7 @@ package starlogo.libraries
             var refused:int = 0;
             var played:int = 0;
             var count:int = Effort.choose(200, 10000, 120);
-            var forging:Slices = new Slices(count, 1, function(first:int, end:int):void
+            var forging:Steps = new StepSequence().slices(count, 1, function(first:int, end:int):void
                 {
                     var land:GreatLand = new GreatLand();
                     land.loadHulls = true;

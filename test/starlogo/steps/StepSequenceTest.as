@@ -51,6 +51,22 @@ package starlogo.steps
         {
             var work:StepSequence = new StepSequence().slices(5, 2, noteSlice).call(note("a"));
             assertEquals("0-2|2-4|4-5|a.", trail(work));
+            assertEquals("0-2|2-4.", trail(new StepSequence().slices(4, 2, noteSlice)));
+            assertEquals("0-2.", trail(new StepSequence().slices(2, 3, noteSlice)));
+            assertEquals("0-0.", trail(new StepSequence().slices(0, 3, noteSlice)));
+        }
+
+        [Test]
+        public function doesNothingWhenNoStepIsLeft():void
+        {
+            for each (var count:int in [0, 2, 3])
+            {
+                var work:StepSequence = new StepSequence().slices(count, 3, noteSlice);
+                finish(work);
+                _log = [];
+                assertFalse(work.step());
+                assertEquals(0, _log.length);
+            }
         }
 
         [Test]

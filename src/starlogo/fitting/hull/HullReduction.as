@@ -3,7 +3,6 @@ package starlogo.fitting.hull
     import starlogo.bounding.HullTopology;
     import starlogo.fitting.FitSession;
     import starlogo.geometry.ConvexHull;
-    import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -92,7 +91,7 @@ package starlogo.fitting.hull
 
         private function queueingAll():Steps
         {
-            return new Slices(_solid.faceCount, FACES_PER_STEP, function(first:int, end:int):void
+            return new StepSequence().slices(_solid.faceCount, FACES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var edge:int = 4 * first; edge < 4 * end; edge++)
                     {

@@ -3,7 +3,6 @@ package starlogo.models.collada
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.text.Decimal;
     import starlogo.models.text.TextWords;
-    import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -95,7 +94,7 @@ package starlogo.models.collada
                     var count:int = cornersIn(indices);
                     _element.refuseIf(count % 3 != 0, "expected three corners for each triangle, but found " + count);
                     _element.checkCount(count / 3, "triangles");
-                    return new Slices(count, CORNERS_PER_STEP, function(first:int, end:int):void
+                    return new StepSequence().slices(count, CORNERS_PER_STEP, function(first:int, end:int):void
                         {
                             readTriangles(indices, first, end);
                         });

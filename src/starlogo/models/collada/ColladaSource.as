@@ -2,7 +2,6 @@ package starlogo.models.collada
 {
     import starlogo.models.FileLimits;
     import starlogo.models.text.Decimal;
-    import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -54,7 +53,7 @@ package starlogo.models.collada
             accessor.document.limits.count(FileLimits.NUMBERS, 3 * wanted, accessor);
             count = wanted;
             first = _points.length / 3;
-            return new Slices(count, POINTS_PER_STEP, function(from:int, end:int):void
+            return new StepSequence().slices(count, POINTS_PER_STEP, function(from:int, end:int):void
                 {
                     for (var i:int = from; i < end; i++)
                     {

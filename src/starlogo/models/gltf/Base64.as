@@ -2,7 +2,7 @@ package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
     import starlogo.models.refuseIf;
-    import starlogo.steps.Slices;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /** Decodes base64 text (RFC 4648). */
@@ -31,7 +31,7 @@ package starlogo.models.gltf
             refuseIf(length % 4 == 1, name, "its base64 is cut off", place);
             out.length = length * 3 >> 2;
             // Each step begins with a group of four digits, because the number of digits per step is a multiple of four.
-            return new Slices(length, CHARACTERS_PER_STEP, function(first:int, end:int):void
+            return new StepSequence().slices(length, CHARACTERS_PER_STEP, function(first:int, end:int):void
                 {
                     refuseIf(!decode(text, start + first, start + end, out, first * 3 >> 2), name, "expected base64, but found other characters", place);
                 });

@@ -17,8 +17,8 @@ package starlogo.libraries
         // Increase it whenever an algorithm of the engine gives other results for the same settings.
         private static const REVISION:int = 11;
 
-        // For each section of a cooked file, the fingerprint of the settings of what is in it. Null if that is not wanted, or cannot be kept.
-        private var _fingerprints:Vector.<Fingerprint> = new Vector.<Fingerprint>(CookedFile.SECTIONS, true);
+        // For each section of a cooked file, the settings of what is in it, as a text. Null if that is not wanted, or cannot be kept.
+        private var _texts:Vector.<String> = new Vector.<String>(CookedFile.SECTIONS, true);
 
         /** @private Whether the surface for exact colliders is wanted. */
         engine var wantsSurface:Boolean = false;
@@ -45,15 +45,14 @@ package starlogo.libraries
                 wantsHull = structures.keepHulls;
                 keepsAll = structures.keepAll;
                 var signatures:String = signaturesOf(structures.fitters);
-                _fingerprints[CookedFile.STRUCTURES] = signatures == null ? null : fingerprintOf("structures, " + signatures);
+                _texts[CookedFile.STRUCTURES] = signatures == null ? null : "structures, " + signatures;
                 // The smallest sphere may take the hull's place.
-                _fingerprints[CookedFile.HULL] = signatures == null || !wantsHull ? null
-                    : fingerprintOf(structures.hullFitter.signature + ", " + signatures);
+                _texts[CookedFile.HULL] = signatures == null || !wantsHull ? null : structures.hullFitter.signature + ", " + signatures;
             }
             if (hierarchies != null)
             {
-                _fingerprints[CookedFile.HIERARCHY] = _fingerprints[CookedFile.SURFACE] =
-                    fingerprintOf(["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join());
+                _texts[CookedFile.HIERARCHY] = _texts[CookedFile.SURFACE] =
+                    ["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join();
                 wantsSurface = hierarchies.prepareExact;
                 maxDepth = hierarchies.maxDepth;
             }
@@ -62,9 +61,9 @@ package starlogo.libraries
         /** All settings as sixteen hexadecimal digits. */
         public function toString():String
         {
-            var all:Array = [_fingerprints[CookedFile.STRUCTURES], _fingerprints[CookedFile.HIERARCHY], wantsSurface];
-            var hull:Fingerprint = _fingerprints[CookedFile.HULL];
-            return fingerprintOf((hull == null ? all : all.concat(hull)).join()).toString();
+            var all:Array = [fingerprintOf(CookedFile.STRUCTURES), fingerprintOf(CookedFile.HIERARCHY), wantsSurface];
+            var hull:Fingerprint = fingerprintOf(CookedFile.HULL);
+            return fingerprintOfText((hull == null ? all : all.concat(hull)).join()).toString();
         }
 
         /**
@@ -74,7 +73,8 @@ package starlogo.libraries
          */
         engine function sectionOf(file:CookedFile, index:int):ByteArray
         {
-            return _fingerprints[index] == null ? null : file.section(index, _fingerprints[index]);
+            var settings:Fingerprint = fingerprintOf(index);
+            return settings == null ? null : file.section(index, settings);
         }
 
         /**
@@ -87,11 +87,11 @@ package starlogo.libraries
          */
         engine function bytesOfFile(modelKey:Fingerprint, contents:Vector.<ByteArray>):ByteArray
         {
-            var settings:Vector.<Fingerprint> = _fingerprints.concat();
+            var settings:Vector.<Fingerprint> = new Vector.<Fingerprint>(CookedFile.SECTIONS, true);
             var kept:Vector.<ByteArray> = contents.concat();
-            settings[CookedFile.MODEL] = modelKey;
             for (var i:int = 0; i < CookedFile.SECTIONS; i++)
             {
+                settings[i] = i == CookedFile.MODEL ? modelKey : fingerprintOf(i);
                 kept[i] = settings[i] == null ? null : kept[i];
             }
             return CookedFile.write(settings, kept);
@@ -112,7 +112,13 @@ package starlogo.libraries
             return signatures.join(", ");
         }
 
-        private static function fingerprintOf(text:String):Fingerprint
+        // The fingerprint of the settings of a section; null if it has none.
+        private function fingerprintOf(section:int):Fingerprint
+        {
+            return _texts[section] == null ? null : fingerprintOfText(_texts[section]);
+        }
+
+        private static function fingerprintOfText(text:String):Fingerprint
         {
             var fingerprint:Fingerprint = new Fingerprint();
             fingerprint.addWord(REVISION);

@@ -1,11 +1,10 @@
 // This room has what was computed for each model. A ModelTable has a ModelEntry for each name, and the two libraries show clients a part of it;
-// ModelResults takes the results from a cooked file or a FitStore (StoredResults), or has a StructuresBuilder and a BoxTreeBuilder compute
+// ModelResults takes the results from a cooked file or a FitStore (CookedResults), or has a StructuresBuilder and a BoxTreeBuilder compute
 // them. Read this file first, then BoundingStructuresLibrary and ModelResults.
 package starlogo.libraries
 {
     import starlogo.engine;
     import starlogo.models.Model;
-    import starlogo.models.PoseListener;
     import starlogo.solid.ModelTree;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -17,7 +16,7 @@ package starlogo.libraries
      *
      * @private
      */
-    public final class ModelEntry implements PoseListener
+    public final class ModelEntry
     {
         private var _table:ModelTable;
         private var _model:Model = null;
@@ -93,23 +92,13 @@ package starlogo.libraries
             countChange(_model);
             if (_model != null)
             {
-                _model.removeListener(this);
+                _model.removeListener(followPose);
             }
             _model = model;
             if (_model != null)
             {
-                _model.addListener(this);
+                _model.addListener(followPose);
             }
-        }
-
-        /** @inheritDoc */
-        public function onPose():void
-        {
-            if (hasTree)
-            {
-                _tree.refit();
-            }
-            countChange(_model);
         }
 
         /** Sets the tree; null for none. @param building makes it when it is first needed; null if it is made */
@@ -136,6 +125,15 @@ package starlogo.libraries
         public function get isLoading():Boolean
         {
             return _loadingCount > 0;
+        }
+
+        private function followPose():void
+        {
+            if (hasTree)
+            {
+                _tree.refit();
+            }
+            countChange(_model);
         }
 
         private function countChange(before:Object):void

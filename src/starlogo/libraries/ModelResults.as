@@ -4,6 +4,7 @@ package starlogo.libraries
     import starlogo.data.Fingerprint;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
+    import starlogo.libraries.cooked.CookedResults;
     import starlogo.libraries.cooked.CookedTree;
     import starlogo.models.Model;
     import starlogo.models.cooked.CookedFile;
@@ -42,7 +43,7 @@ package starlogo.libraries
 
         // Where results are kept; null for nowhere. The fingerprint of the model's vertices and triangles. Whether all results have come from there.
         private var _store:FitStore;
-        private var _geometry:Fingerprint = new Fingerprint();
+        private var _geometry:Fingerprint = null;
         private var _cameFromStore:Boolean = false;
 
         /**
@@ -71,9 +72,10 @@ package starlogo.libraries
             _store = store == null || isComplete ? null : store;
             if (_store != null)
             {
+                _geometry = new Fingerprint();
                 add(_geometry.addingGeometry(model.vertices, model.triangles)).begin(readingStored);
             }
-            begin(findingStructures).call(takeStructures).begin(makingTree);
+            begin(findingStructures).begin(makingTree);
             if (_store != null)
             {
                 begin(makingTreeToStore).call(keepResults);
@@ -98,7 +100,7 @@ package starlogo.libraries
                 finish(buildingTree);
                 modelTree.prepareExact();
             }
-            return StoredResults.write(structures, modelTree, _settings, modelKey, CookedWriter.of(_model));
+            return CookedResults.write(structures, modelTree, _settings, modelKey, CookedWriter.of(_model));
         }
 
         // Whether all results that are wanted are there, or stored.
@@ -124,7 +126,7 @@ package starlogo.libraries
         // Takes the results that are missing from a file of the model.
         private function takeFrom(file:CookedFile):void
         {
-            var stored:StoredResults = StoredResults.read(file, _settings, _model);
+            var stored:CookedResults = CookedResults.read(file, _settings, _model);
             structures ||= stored.structures;
             if (stored.division != null && (_cookedTree == null || stored.surface != null && modelTree.surface == null))
             {
@@ -135,12 +137,10 @@ package starlogo.libraries
 
         private function findingStructures():Steps
         {
-            return structures == null ? _structuresBuilder : null;
-        }
-
-        private function takeStructures():void
-        {
-            structures ||= _structuresBuilder == null ? null : _structuresBuilder.structures;
+            return structures != null || _structuresBuilder == null ? null : new StepSequence().add(_structuresBuilder).call(function():void
+                {
+                    structures = _structuresBuilder.structures;
+                });
         }
 
         private function restoringTree():Steps
@@ -163,7 +163,7 @@ package starlogo.libraries
         {
             if (willStore)
             {
-                _store.keep(_geometry, _settings, StoredResults.write(structures, modelTree, _settings, _geometry, null));
+                _store.keep(_geometry, _settings, CookedResults.write(structures, modelTree, _settings, _geometry, null));
             }
         }
 

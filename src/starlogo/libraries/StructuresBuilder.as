@@ -10,7 +10,6 @@ package starlogo.libraries
     import starlogo.fitting.HullFitter;
     import starlogo.geometry.Tolerances;
     import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
 
     use namespace engine;
 
@@ -33,10 +32,6 @@ package starlogo.libraries
         private var _fits:Vector.<Fit> = new Vector.<Fit>();
         private var _hullFit:Fit = null;
         private var _keepsAll:Boolean;
-
-        // How far outside of a structure vertices may be, and how many fits are checked.
-        private var _tolerance:Number = 0;
-        private var _checked:int = 0;
 
         /**
          * @param name the shape's name
@@ -72,7 +67,7 @@ package starlogo.libraries
                 _hullFit = session.fitOf(hullFitter);
                 add(_hullFit);
             }
-            call(findTolerance).beginEach(checkingNext).call(choose);
+            call(addChecks);
         }
 
         /**
@@ -96,28 +91,27 @@ package starlogo.libraries
             return false;
         }
 
-        private function findTolerance():void
+        private function addChecks():void
         {
-            _tolerance = Tolerances.CONTAINMENT * EnclosingStructures.sphere(_vertices, _vertices[0], _vertices[1], _vertices[2]).radius;
+            // how far outside of a structure vertices may be
+            var tolerance:Number = Tolerances.CONTAINMENT * EnclosingStructures.sphere(_vertices, _vertices[0], _vertices[1], _vertices[2]).radius;
+            for (var i:int = 0; i < _fits.length; i++)
+            {
+                addCheck(_fitters[i], _fits[i].structure, tolerance);
+            }
+            call(choose);
         }
 
-        // The check of the next fit; null after the last. It throws an ArgumentError if the fitter has found a structure that cannot be used.
-        private function checkingNext():Steps
+        // Adds the steps that check whether what a fitter has found can be used.
+        private function addCheck(fitter:Fitter, structure:BoundingStructure, tolerance:Number):void
         {
-            if (_checked == _fits.length)
-            {
-                return null;
-            }
-            var fitter:Fitter = _fitters[_checked];
-            var structure:BoundingStructure = _fits[_checked].structure;
-            _checked++;
             if (structure == null || structure.kind > BoundingStructure.BOX)
             {
                 throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + fitter + " found " + structure);
             }
             var wider:BoundingStructure = structure.clone();
-            wider.widen(_tolerance);
-            return new StepSequence().slices(_vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
+            wider.widen(tolerance);
+            slices(_vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     var outside:int = firstOutside(wider, first, end);
                     if (outside >= 0)

@@ -3,7 +3,6 @@
 // file first, then ModelReader and obj/ObjReader, and ModelLoader with loading/ModelLoad for loading.
 package starlogo.models
 {
-    import starlogo.data.areSameNumbers;
     import starlogo.engine;
     import starlogo.geometry.VertexBounds;
     import starlogo.geometry.VertexData;
@@ -55,8 +54,8 @@ package starlogo.models
 
         private var _data:ModelData;
 
-        // What is told about each pose, and the vertices of the next one until they are checked, null before the first.
-        private var _listeners:Vector.<PoseListener> = new Vector.<PoseListener>();
+        // The functions that are called after each pose; and the vertices of the next pose until they are checked, null before the first.
+        private var _listeners:Vector.<Function> = new Vector.<Function>();
         private var _posed:Vector.<Number> = null;
 
         /**
@@ -67,14 +66,14 @@ package starlogo.models
          * @param triangles three vertex indices for each triangle (0 is the first vertex); null or empty if only vertices are known; is not
          * changed
          * @param scaling <code>FOOTPRINT</code>, <code>VOLUME</code> or <code>AS_GIVEN</code>
-         * @param fromFile for the engine alone: what a ModelReader has read. The model keeps it, and all other arguments have no effect
+         * @param data for the engine alone: what a ModelReader has read. The model keeps it, and the other arguments have no effect
          * @throws ModelError if the name is empty, if there is no vertex, if a coordinate is missing, not finite or so large that the
          * model's extent is not finite, if an index names no vertex, or if the scaling is unknown
          * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295. In a Vector all indices are such integers
          */
-        public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT, fromFile:ModelData = null)
+        public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT, data:ModelData = null)
         {
-            _data = fromFile || ModelData.of(name, vertices, triangles, scaling);
+            _data = data || ModelData.of(name, vertices, triangles, scaling);
         }
 
         /** The model's place and scale in its source, for a renderer that draws the source. Shared with the model. */
@@ -107,25 +106,25 @@ package starlogo.models
         /** The number of each triangle's material, -1 for none; null if no triangle has one. This is the model's own vector: do not change it. */
         public function get materials():Vector.<int>
         {
-            return _data.materials == null ? null : _data.materials.list(triangleCount);
+            return _data.materials.list(triangleCount);
         }
 
         /** The name of each material, by its number; null for a material without a name. Null if nothing gave names. Do not change it. */
         public function get materialNames():Vector.<String>
         {
-            return _data.materials == null ? null : _data.materials.names;
+            return _data.materials.names;
         }
 
         /** The number of the mesh that each triangle belongs to, -1 for none; null if the model has no meshes. Do not change it. */
         public function get meshes():Vector.<int>
         {
-            return _data.meshes == null ? null : _data.meshes.list(triangleCount);
+            return _data.meshes.list(triangleCount);
         }
 
         /** The name of each mesh, by its number; null for a mesh without a name. Null if nothing gave names. Do not change it. */
         public function get meshNames():Vector.<String>
         {
-            return _data.meshes == null ? null : _data.meshes.names;
+            return _data.meshes.names;
         }
 
         /**
@@ -196,9 +195,9 @@ package starlogo.models
                 own[i] = _posed[i];
             }
             _data.cooked = null;
-            for each (var listener:PoseListener in _listeners)
+            for each (var listener:Function in _listeners)
             {
-                listener.onPose();
+                listener();
             }
         }
 
@@ -211,9 +210,11 @@ package starlogo.models
         /**
          * Tells a listener about each pose from now on.
          *
+         * @param listener <code>function():void</code>, called when the vertices are at their new places; must not throw
+         *
          * @private
          */
-        engine final function addListener(listener:PoseListener):void
+        engine final function addListener(listener:Function):void
         {
             _listeners.push(listener);
         }
@@ -223,22 +224,9 @@ package starlogo.models
          *
          * @private
          */
-        engine final function removeListener(listener:PoseListener):void
+        engine final function removeListener(listener:Function):void
         {
             _listeners.splice(_listeners.indexOf(listener), 1);
-        }
-
-        /**
-         * Whether a model of these points and this model's triangles is this model. The points are normalised in the same way. Then they
-         * must equal its vertices to the last bit, and their frame must equal its source frame. The triangles must stay as they are, so the
-         * answer is false for a transform that mirrors.
-         *
-         * @private
-         */
-        engine final function isMadeOf(points:Vector.<Number>):Boolean
-        {
-            var made:ModelData = ModelData.of(name, points, triangles, _data.scaling, _data.transform);
-            return areSameNumbers(made.vertices, vertices) && made.frame.equals(source) && String(made.triangles) == String(triangles);
         }
 
         private function get triangleCount():int
@@ -248,19 +236,19 @@ package starlogo.models
 
         private function labelsOf(what:String, numbers:Vector.<int>, names:Vector.<String>):TriangleLabels
         {
-            if (numbers == null)
-            {
-                return null;
-            }
-            var count:int = triangleCount;
-            refuseIf(numbers.length != count, name, numbers.length + " numbers of " + what + " for " + count + " triangles");
             var labels:TriangleLabels = new TriangleLabels();
-            labels.setNames(names == null ? null : names.slice());
-            for (var i:int = 0; i < count; i++)
+            var count:int = triangleCount;
+            if (numbers != null)
             {
-                refuseIf(numbers[i] < -1 || names != null && numbers[i] >= names.length, name, "no name for number " + numbers[i] + " of its " + what);
-                labels.beginRun(numbers[i], i);
+                refuseIf(numbers.length != count, name, numbers.length + " numbers of " + what + " for " + count + " triangles");
+                labels.names = names == null ? null : names.slice();
+                for (var i:int = 0; i < count; i++)
+                {
+                    refuseIf(numbers[i] < -1 || names != null && numbers[i] >= names.length, name, "no name for number " + numbers[i] + " of its " + what);
+                    labels.beginRun(numbers[i], i);
+                }
             }
+            labels.trim(count);
             return labels;
         }
     }

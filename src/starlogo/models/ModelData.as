@@ -17,13 +17,13 @@ package starlogo.models
         /** x, y, z of each vertex. Before the Normalisation they are as in the file, turned to z up. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
-        /** Three vertex indices for each triangle. The Normalisation sets it to null if there are none. */
+        /** Three vertex indices for each triangle. The Normalisation replaces an empty list by null. */
         public var triangles:Vector.<uint> = new Vector.<uint>();
 
-        /** The material of each triangle. The Normalisation sets it to null if no triangle has one. */
+        /** The material of each triangle. */
         public var materials:TriangleLabels = new TriangleLabels();
 
-        /** The mesh of each triangle. The Normalisation sets it to null if no triangle has one. */
+        /** The mesh of each triangle. */
         public var meshes:TriangleLabels = new TriangleLabels();
 
         /** The scaling: Model.FOOTPRINT, VOLUME or AS_GIVEN. */

@@ -11,7 +11,7 @@ package starlogo.models
 
     use namespace engine;
 
-    /** Checks what a model is made of, and turns, scales and moves it as Model says, in steps. */
+    /** The steps that check what a model is made of, and turn, scale and move it as Model says. */
     internal final class Normalisation extends StepSequence
     {
         // Extents in x and y below this fraction of the z extent are rounding errors of the program that placed the vertices.
@@ -21,50 +21,49 @@ package starlogo.models
         private static const CORNERS_PER_STEP:int = 20000;
 
         private var _data:ModelData;
-        private var _frame:SourceFrame = new SourceFrame();
+
+        // the box around the vertices, as they are after the steps so far
         private var _bounds:VertexBounds;
 
         /**
-         * @param data its vertices and triangles are complete, in any unit. The constructor changes what needs no steps, the steps the rest
-         * @throws ModelError if there is no name or no vertex, if the scaling is unknown, or if the last vertex or triangle is incomplete.
-         * The steps throw the other errors of Model's constructor
+         * @param data its vertices and triangles are complete, in any unit. The steps change them, and throw the errors of Model's constructor
          */
         public function Normalisation(data:ModelData)
         {
             _data = data;
-            var vertices:Vector.<Number> = data.vertices;
-            refuseIf(data.name == "", data.name, "a model needs a name that is not empty");
-            refuseIf(vertices.length == 0, data.name, "no vertices: a model needs at least one");
-            refuseIf(vertices.length % 3 != 0, data.name, "vertices have three coordinates each, but there are " + vertices.length + " in all");
-            vertices.fixed = true;
-            refuseIf(Model.SCALINGS.indexOf(data.scaling) < 0, data.name, "the scaling must be Model.FOOTPRINT, VOLUME or AS_GIVEN, not \"" + data.scaling + "\"");
-            var unit:Number = data.scaling == Model.AS_GIVEN ? data.unit : 1;
-            var factors:Vector3D = data.transform == null ? new Vector3D(unit, unit, unit) : data.transform.scale;
+            call(checkData).call(addParts);
+        }
+
+        private function checkData():void
+        {
+            var count:int = _data.vertices.length;
+            refuseIf(_data.name == "", _data.name, "a model needs a name that is not empty");
+            refuseIf(count == 0, _data.name, "no vertices: a model needs at least one");
+            refuseIf(count % 3 != 0, _data.name, "vertices have three coordinates each, but there are " + count + " in all");
+            refuseIf(Model.SCALINGS.indexOf(_data.scaling) < 0, _data.name, "the scaling must be Model.FOOTPRINT, VOLUME or AS_GIVEN, not \"" + _data.scaling + "\"");
+        }
+
+        private function addParts():void
+        {
+            var unit:Number = _data.scaling == Model.AS_GIVEN ? _data.unit : 1;
+            var factors:Vector3D = _data.transform == null ? new Vector3D(unit, unit, unit) : _data.transform.scale;
             addMeasuring();
             // data that have a frame are normalised already
-            if (data.frame != null)
+            if (_data.frame != null)
             {
                 call(checkExtent);
             }
             else
             {
-                data.frame = _frame;
+                _data.frame = new SourceFrame();
                 addPlacing(factors);
             }
-            var triangleCount:int = data.triangles.length / 3;
-            data.materials = data.materials.trim(triangleCount);
-            data.meshes = data.meshes.trim(triangleCount);
-            checkCorners(0, 0);
-            data.triangles = triangleCount == 0 ? null : data.triangles;
-            if (triangleCount > 0)
+            slices(_data.triangles.length, CORNERS_PER_STEP, checkCorners);
+            if (factors.x * factors.y * factors.z < 0)
             {
-                data.triangles.fixed = true;
-                slices(3 * triangleCount, CORNERS_PER_STEP, checkCorners);
-                if (factors.x * factors.y * factors.z < 0)
-                {
-                    call(reverseTriangles);
-                }
+                call(reverseTriangles);
             }
+            call(close);
         }
 
         private function addPlacing(factors:Vector3D):void
@@ -111,7 +110,7 @@ package starlogo.models
         {
             call(function():void
                 {
-                    _frame.addTransform(transform, factor);
+                    _data.frame.addTransform(transform, factor);
                 }).add(transform.transformingPoints(_data.vertices));
             return addMeasuring();
         }
@@ -144,41 +143,44 @@ package starlogo.models
         // The steps that put a point of the box at the origin, the middle in x and y, at a height above the floor; and divide by a divisor.
         private function placingBox(height:Number, divisor:Number):Steps
         {
-            return placing(_bounds.minX, _bounds.minY, _bounds.minZ, _bounds.extentX / 2, _bounds.extentY / 2, height, divisor);
+            // 0 - 0 is 0, but -0 would be negative
+            return placing(new Vector3D(_bounds.minX, _bounds.minY, _bounds.minZ), new Vector3D(0 - _bounds.extentX / 2, 0 - _bounds.extentY / 2, 0 - height), divisor);
         }
 
         // Moves by the transform. With the scaling VOLUME the lowest vertex is put at z = 0 first.
         private function translating():Steps
         {
-            var move:Vector3D = _data.transform == null ? new Vector3D() : _data.transform.translation;
-            return placing(0, 0, _data.scaling == Model.VOLUME ? _bounds.minZ : 0, -move.x, -move.y, -move.z, 1);
+            return placing(new Vector3D(0, 0, _data.scaling == Model.VOLUME ? _bounds.minZ : 0), _data.transform == null ? new Vector3D() : _data.transform.translation, 1);
         }
 
-        // The steps that put a point at the origin, and divide by a divisor. The point is the sum of two, whose differences are exact.
-        private function placing(firstX:Number, firstY:Number, firstZ:Number, secondX:Number, secondY:Number, secondZ:Number, divisor:Number):Steps
+        // The steps that put a low corner at the origin, move, and divide by a divisor. The differences from the corner come first and the division
+        // last. So the bounds are exact, and the smallest and largest numbers work.
+        private function placing(low:Vector3D, move:Vector3D, divisor:Number):Steps
         {
             checkExtent();
-            _frame.addMove(firstX + secondX, firstY + secondY, firstZ + secondZ, divisor);
+            _data.frame.addMove(low.x - move.x, low.y - move.y, low.z - move.z, divisor);
             return new StepSequence().slices(_data.vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
                 {
-                    // 0 - 0 is 0, but -0 would be negative
-                    place(first, end, firstX, firstY, firstZ, 0 - secondX, 0 - secondY, 0 - secondZ, divisor);
+                    place(_data.vertices, first, end, low, move, divisor);
                 });
         }
 
-        // The differences come first and the division last. So the bounds are exact, and the smallest and largest numbers work.
-        private function place(first:int, end:int, firstX:Number, firstY:Number, firstZ:Number, moveX:Number, moveY:Number, moveZ:Number,
-                divisor:Number):void
+        private static function place(vertices:Vector.<Number>, first:int, end:int, low:Vector3D, move:Vector3D, divisor:Number):void
         {
-            var placed:Vector.<Number> = _data.vertices;
+            var lowX:Number = low.x;
+            var lowY:Number = low.y;
+            var lowZ:Number = low.z;
+            var moveX:Number = move.x;
+            var moveY:Number = move.y;
+            var moveZ:Number = move.z;
             var last:int = 3 * end;
             for (var i:int = 3 * first; i < last; i += 3)
             {
                 var j:int = i + 1;
                 var k:int = i + 2;
-                placed[i] = (placed[i] - firstX + moveX) / divisor;
-                placed[j] = (placed[j] - firstY + moveY) / divisor;
-                placed[k] = (placed[k] - firstZ + moveZ) / divisor;
+                vertices[i] = (vertices[i] - lowX + moveX) / divisor;
+                vertices[j] = (vertices[j] - lowY + moveY) / divisor;
+                vertices[k] = (vertices[k] - lowZ + moveZ) / divisor;
             }
         }
 
@@ -198,13 +200,17 @@ package starlogo.models
         private function reverseTriangles():void
         {
             _data.triangles.reverse();
-            for each (var labels:TriangleLabels in [_data.materials, _data.meshes])
-            {
-                if (labels != null)
-                {
-                    labels.reverse(_data.triangles.length / 3);
-                }
-            }
+            _data.materials.reverse(_data.triangles.length / 3);
+            _data.meshes.reverse(_data.triangles.length / 3);
+        }
+
+        private function close():void
+        {
+            var triangleCount:int = _data.triangles.length / 3;
+            _data.materials.trim(triangleCount);
+            _data.meshes.trim(triangleCount);
+            _data.vertices.fixed = _data.triangles.fixed = true;
+            _data.triangles = triangleCount == 0 ? null : _data.triangles;
         }
 
         // as in the client: an extent of 0 counts as 1

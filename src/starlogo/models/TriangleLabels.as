@@ -11,7 +11,7 @@ package starlogo.models
         /** The name of each number, or null for a number without a name. Null if nothing gives names. */
         public var names:Vector.<String> = new Vector.<String>();
 
-        /** The first triangle of each run. Triangles before the first run have no number. */
+        /** The first triangle of each run. Triangles before the first run have the number -1. */
         public var starts:Vector.<int> = new Vector.<int>();
 
         /** The number of each run; -1 for none. */
@@ -40,12 +40,6 @@ package starlogo.models
             return names.length - 1;
         }
 
-        /** Replaces all names. @param value the name of each number; null if nothing gives names */
-        public function setNames(value:Vector.<String>):void
-        {
-            names = value;
-        }
-
         /** Gives a number to all triangles from one on. It must not be before the last run. */
         public function beginRun(number:int, triangle:int):void
         {
@@ -61,10 +55,9 @@ package starlogo.models
             }
         }
 
-        /** Drops runs beyond the last triangle. Returns these labels; null if no triangle has a number. @param count the number of triangles */
-        public function trim(count:int):TriangleLabels
+        /** Drops runs beyond the last triangle, and the names if then no triangle has a number. @param count the number of triangles */
+        public function trim(count:int):void
         {
-            var isAny:Boolean = false;
             while (starts.length > 0 && starts[starts.length - 1] >= count)
             {
                 starts.pop();
@@ -72,48 +65,64 @@ package starlogo.models
             }
             for each (var number:int in numbers)
             {
-                isAny ||= number >= 0;
+                if (number >= 0)
+                {
+                    return;
+                }
             }
-            return isAny ? this : null;
+            starts.length = numbers.length = 0;
+            names = null;
+        }
+
+        /** Whether no triangle has a number. Of trimmed labels. */
+        public function get isEmpty():Boolean
+        {
+            return starts.length == 0;
         }
 
         /** Reverses the order of the triangles. @param count the number of triangles */
         public function reverse(count:int):void
         {
-            var before:Vector.<int> = list(count);
-            _list = null;
+            var oldStarts:Vector.<int> = starts;
+            var oldNumbers:Vector.<int> = numbers;
             starts = new Vector.<int>();
             numbers = new Vector.<int>();
-            for (var i:int = 0; i < count; i++)
+            var end:int = count;
+            for (var i:int = oldStarts.length - 1; i >= 0; i--)
             {
-                beginRun(before[count - 1 - i], i);
+                beginRun(oldNumbers[i], count - end);
+                end = oldStarts[i];
+            }
+            if (end > 0)
+            {
+                beginRun(-1, count - end);
             }
         }
 
-        /** The number of each triangle, as a list. Always the same list. @param count the number of triangles */
+        /** The number of each triangle, as a list. Always the same list. Null if no triangle has a number. @param count the number of triangles */
         public function list(count:int):Vector.<int>
         {
-            if (_list == null)
+            if (_list == null && !isEmpty)
             {
                 _list = new Vector.<int>(count, true);
                 for (var i:int = 0; i < count; i++)
                 {
-                    _list[i] = numberOf(this, i);
+                    _list[i] = numberOf(i);
                 }
             }
             return _list;
         }
 
-        /** The number of a triangle; -1 if there are no labels. */
-        public static function numberOf(labels:TriangleLabels, triangle:int):int
+        /** The number of a triangle; -1 if it has none. */
+        public function numberOf(triangle:int):int
         {
             var low:int = -1;
-            var high:int = labels == null ? 0 : labels.starts.length;
+            var high:int = starts.length;
             // the last run that does not begin after the triangle
             while (low + 1 < high)
             {
                 var middle:int = (low + high) >> 1;
-                if (labels.starts[middle] <= triangle)
+                if (starts[middle] <= triangle)
                 {
                     low = middle;
                 }
@@ -122,13 +131,13 @@ package starlogo.models
                     high = middle;
                 }
             }
-            return low < 0 ? -1 : labels.numbers[low];
+            return low < 0 ? -1 : numbers[low];
         }
 
         /** The name of a number; null if it has none. */
-        public static function nameOf(labels:TriangleLabels, number:int):String
+        public function nameOf(number:int):String
         {
-            return labels == null || labels.names == null || number < 0 || number >= labels.names.length ? null : labels.names[number];
+            return names == null || number < 0 || number >= names.length ? null : names[number];
         }
     }
 }

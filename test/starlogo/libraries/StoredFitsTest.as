@@ -19,7 +19,7 @@ package starlogo.libraries
     import starlogo.fitting.Fitter;
     import starlogo.fitting.HullFitter;
     import starlogo.fitting.MinimalCapsuleFitter;
-    import starlogo.libraries.cooked.CookedStructures;
+    import starlogo.libraries.cooked.CookedResults;
     import starlogo.models.BuiltInModel;
     import starlogo.models.CookedModel;
     import starlogo.models.Model;
@@ -279,7 +279,7 @@ package starlogo.libraries
                 }
                 else
                 {
-                    assertEquals(number, CookedModel.fromBytes("cube", bytes).data.materials == null ? -1 : 0);
+                    assertEquals(number, CookedModel.fromBytes("cube", bytes).data.materials.numberOf(0));
                 }
             }
         }
@@ -379,7 +379,7 @@ package starlogo.libraries
                 var land:GreatLand = new GreatLand();
                 take(land, model, rewritten(model, function(index:int, section:ByteArray):ByteArray
                         {
-                            return index == CookedFile.STRUCTURES ? CookedStructures.write(new <BoundingStructure>[box]) : section;
+                            return index == CookedFile.STRUCTURES ? CookedResults.writeStructures(new <BoundingStructure>[box]) : section;
                         }));
                 assertEquals(LibraryContents.of(_greatLand, "bear"), LibraryContents.of(land, "bear"));
             }

@@ -1,6 +1,5 @@
 package starlogo.models.collada
 {
-    import starlogo.models.text.NextOfTwo;
     import starlogo.models.text.TextWords;
     import starlogo.steps.Steps;
 
@@ -8,14 +7,14 @@ package starlogo.models.collada
     internal final class ColladaWords implements Steps
     {
         private static const CHARACTERS_PER_STEP:int = 200000;
+        private static const SPACE:int = 0x20;
 
         /** The words, when no step is left. */
         public var words:Array = [];
 
-        // the text, the start of its next piece, and the finder of word ends
+        // the text, and the start of its next piece
         private var _text:String;
         private var _start:int = 0;
-        private var _ends:NextOfTwo;
 
         /**
          * @param elements the elements to read
@@ -28,7 +27,6 @@ package starlogo.models.collada
                 texts.push(element.texts.join(" "));
             }
             _text = texts.join(" ");
-            _ends = new NextOfTwo(_text, " ", "\n");
         }
 
         /** The number of characters of the texts. */
@@ -40,7 +38,11 @@ package starlogo.models.collada
         /** @inheritDoc Reads a piece of the text. It does not split words. */
         public function step():Boolean
         {
-            var end:int = _text.length - _start > CHARACTERS_PER_STEP ? _ends.after(_start + CHARACTERS_PER_STEP) : _text.length;
+            var end:int = Math.min(_start + CHARACTERS_PER_STEP, _text.length);
+            while (end < _text.length && _text.charCodeAt(end) > SPACE)
+            {
+                end++;
+            }
             var more:Array = TextWords.of(_text.substring(_start, end));
             for (var i:int = 0; i < more.length && _start > 0; i++)
             {

@@ -2,7 +2,6 @@ package starlogo.models.collada
 {
     import starlogo.models.FileLimits;
     import starlogo.models.ModelError;
-    import starlogo.models.text.NextOfTwo;
     import starlogo.steps.Steps;
 
     /**
@@ -18,6 +17,8 @@ package starlogo.models.collada
         private static const MAX_ATTRIBUTES:int = 100;
 
         private static const TAGS_PER_STEP:int = 100;
+        private static const QUOTE:int = 0x22;
+        private static const APOSTROPHE:int = 0x27;
         private static const QUESTION:int = 0x3F;
         private static const EXCLAMATION:int = 0x21;
         private static const SLASH:int = 0x2F;
@@ -33,7 +34,6 @@ package starlogo.models.collada
 
         private var _text:String;
         private var _at:int = 0;
-        private var _quotes:NextOfTwo;
         private var _document:ColladaDocument;
 
         // the names of the elements that are not closed yet, with their prefixes
@@ -48,7 +48,6 @@ package starlogo.models.collada
         {
             _document = new ColladaDocument(limits);
             _text = text;
-            _quotes = new NextOfTwo(text, "\"", "'");
         }
 
         /**
@@ -118,8 +117,8 @@ package starlogo.models.collada
         private function openElement():void
         {
             var end:int = endOf(">") - 1;
-            var quote:int = _quotes.after(_at);
-            var name:String = _text.substring(_at, Math.min(quote, end)).split(NAME_END, 1)[0];
+            var quote:int = quoteBefore(end);
+            var name:String = _text.substring(_at, quote).split(NAME_END, 1)[0];
             refuseIf(name == "" || root != null && _open == null);
             _document.limits.count(FileLimits.THINGS, 1, this);
             var element:ColladaElement = new ColladaElement(_document, localName(name), _open);
@@ -133,7 +132,7 @@ package starlogo.models.collada
                 element.setAttribute(localName(words[1]), decoded(_text.substring(quote + 1, close)));
                 _at = close + 1;
                 end = end < close ? endOf(">") - 1 : end;
-                quote = _quotes.after(_at);
+                quote = quoteBefore(end);
             }
             refuseIf(quote < end, "an element has more than " + MAX_ATTRIBUTES + " attributes");
             refuseIf(!TAG_END.test(_text.substring(_at, end)));
@@ -148,6 +147,18 @@ package starlogo.models.collada
             }
             refuseIf(_names.length > MAX_DEPTH, "elements are nested more than " + MAX_DEPTH + " deep");
             _at = end + 1;
+        }
+
+        // The place of the next quote before an end; the end if there is none.
+        private function quoteBefore(end:int):int
+        {
+            var place:int = _at;
+            var code:int = _text.charCodeAt(place);
+            while (place < end && code != QUOTE && code != APOSTROPHE)
+            {
+                code = _text.charCodeAt(++place);
+            }
+            return place;
         }
 
         private function addText(start:int, end:int):void

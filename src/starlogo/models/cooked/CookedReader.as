@@ -115,7 +115,7 @@ package starlogo.models.cooked
                 var length:int = VarInt.read(_bytes);
                 names.push(length < 0 ? null : _bytes.readUTFBytes(length));
             }
-            out.setNames(nameCount < 0 ? null : names);
+            out.names = nameCount < 0 ? null : names;
             var runCount:int = readCount(int.MAX_VALUE);
             var start:int = 0;
             for (i = 0; i < runCount; i++)

@@ -2,8 +2,10 @@ package starlogo.models.cooked
 {
     import flash.geom.Vector3D;
     import flash.utils.ByteArray;
+    import starlogo.data.areSameNumbers;
     import starlogo.engine;
     import starlogo.models.Model;
+    import starlogo.models.ModelData;
     import starlogo.models.ModelTransform;
     import starlogo.models.TriangleLabels;
 
@@ -32,12 +34,20 @@ package starlogo.models.cooked
             for (var form:int = 0; form <= SINGLE; form++)
             {
                 var points:Vector.<Number> = form < SINGLE ? multiples(source, divisorOf(form)) : singles(source);
-                if (model.isMadeOf(points))
+                if (areSourceOf(points, model))
                 {
                     return write(model, form, points);
                 }
             }
             return write(model, DOUBLE, model.vertices);
+        }
+
+        // Whether a model of these points and the model's triangles is the model: the vertices, the place in the source and the triangles are equal to
+        // the last bit. They are not if the transform mirrors, because that reverses the triangles.
+        private static function areSourceOf(points:Vector.<Number>, model:Model):Boolean
+        {
+            var made:ModelData = ModelData.of(model.name, points, model.triangles, model.data.scaling, model.data.transform);
+            return areSameNumbers(made.vertices, model.vertices) && made.frame.equals(model.source) && String(made.triangles) == String(model.triangles);
         }
 
         /** The divisor for the numbers of a form. */
@@ -108,10 +118,10 @@ package starlogo.models.cooked
             {
                 VarInt.write(model.triangles[i] - (i == 0 ? 0 : model.triangles[i - 1]), out);
             }
-            if (model.data.materials != null || model.data.meshes != null)
+            if (!model.data.materials.isEmpty || !model.data.meshes.isEmpty)
             {
-                writeLabels(model.data.materials || new TriangleLabels(), out);
-                writeLabels(model.data.meshes || new TriangleLabels(), out);
+                writeLabels(model.data.materials, out);
+                writeLabels(model.data.meshes, out);
             }
             return out;
         }

@@ -11,6 +11,7 @@ package starlogo.models.polygons
     internal final class EarClipper
     {
         private var _rings:PolygonRings;
+        private var _triangles:Vector.<uint>;
 
         // the present node, the number of corners left, and the number of corners passed since the last ear
         private var _node:int;
@@ -20,10 +21,12 @@ package starlogo.models.polygons
         /**
          * @param rings contains the ring
          * @param start a node of the ring, which must be counter-clockwise when the cutting begins
+         * @param triangles takes the triangles
          */
-        public function EarClipper(rings:PolygonRings, start:int)
+        public function EarClipper(rings:PolygonRings, start:int, triangles:Vector.<uint>)
         {
             _rings = rings;
+            _triangles = triangles;
             _node = start;
         }
 
@@ -54,7 +57,7 @@ package starlogo.models.polygons
                 {
                     if (area > 0)
                     {
-                        _rings.addTriangle(vertex[before], vertex[_node], vertex[after]);
+                        _triangles.push(vertex[before], vertex[_node], vertex[after]);
                     }
                     _rings.remove(_node);
                     _misses = _misses > 2 * _count ? _misses : 0;

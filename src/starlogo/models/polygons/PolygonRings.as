@@ -29,10 +29,11 @@ package starlogo.models.polygons
         /** Limit the tests of corners. */
         internal var limits:FileLimits;
 
-        /** x, y, z of each vertex of the polygons. */
-        internal var vertices:Vector.<Number>;
+        /** Whether the outline has an area. Otherwise there is no axis of projection, and no ring. */
+        internal var hasArea:Boolean = false;
 
-        private var _triangles:Vector.<uint>;
+        // x, y, z of each vertex
+        private var _vertices:Vector.<Number>;
 
         // the indices of the two projected coordinates, and the scale that keeps their products finite
         private var _axisX:int;
@@ -40,39 +41,20 @@ package starlogo.models.polygons
         private var _scale:Number;
 
         /**
+         * Chooses the axis of projection. There are no rings yet.
+         *
          * @param limits limit the tests of corners
          * @param vertices x, y, z, ...; corners are indices of these
-         * @param triangles takes the triangles
+         * @param outline the corners of the outline
          */
-        public function PolygonRings(limits:FileLimits, vertices:Vector.<Number>, triangles:Vector.<uint>)
+        public function PolygonRings(limits:FileLimits, vertices:Vector.<Number>, outline:Vector.<uint>)
         {
             this.limits = limits;
-            this.vertices = vertices;
-            _triangles = triangles;
-        }
-
-        /** Adds a triangle, if its three vertices are different. */
-        internal function addTriangle(a:uint, b:uint, c:uint):void
-        {
-            if (a != b && b != c && c != a)
-            {
-                _triangles.push(a, b, c);
-            }
-        }
-
-        /**
-         * Removes all nodes, and chooses the axis of projection.
-         *
-         * @param outline the corners of the outline
-         * @return false if the outline has no area
-         */
-        internal function setOutline(outline:Vector.<uint>):Boolean
-        {
-            x.length = y.length = vertex.length = next.length = previous.length = 0;
+            _vertices = vertices;
             _scale = 1 / extentOf(outline);
             if (!(_scale > 0 && _scale < Number.POSITIVE_INFINITY))
             {
-                return false;
+                return;
             }
             var normal:Vector.<Number> = new <Number>[
                     doubleArea(outline, 1, 2), doubleArea(outline, 2, 0), doubleArea(outline, 0, 1)];
@@ -87,7 +69,7 @@ package starlogo.models.polygons
             var turnsLeft:Boolean = normal[axis] > 0;
             _axisX = (axis + (turnsLeft ? 1 : 2)) % 3;
             _axisY = (axis + (turnsLeft ? 2 : 1)) % 3;
-            return normal[axis] != 0;
+            hasArea = normal[axis] != 0;
         }
 
         /**
@@ -124,8 +106,8 @@ package starlogo.models.polygons
         // Adds a node for a vertex and returns its index.
         private function addNode(ofVertex:uint, nextNode:int, previousNode:int):int
         {
-            x.push(vertices[3 * ofVertex + _axisX] * _scale);
-            y.push(vertices[3 * ofVertex + _axisY] * _scale);
+            x.push(_vertices[3 * ofVertex + _axisX] * _scale);
+            y.push(_vertices[3 * ofVertex + _axisY] * _scale);
             vertex.push(ofVertex);
             next.push(nextNode);
             previous.push(previousNode);
@@ -174,7 +156,7 @@ package starlogo.models.polygons
             {
                 for (var i:int = 0; i < 3; i++)
                 {
-                    extent = Math.max(extent, Math.abs(vertices[3 * corner + i] - vertices[origin + i]));
+                    extent = Math.max(extent, Math.abs(_vertices[3 * corner + i] - _vertices[origin + i]));
                 }
             }
             return extent;
@@ -183,15 +165,15 @@ package starlogo.models.polygons
         // Twice the area of a loop in the plane of two axes; positive if it is counter-clockwise. The unit is 1/scale squared.
         private function doubleArea(loop:Vector.<uint>, axisX:int, axisY:int):Number
         {
-            var originX:Number = vertices[3 * loop[0] + axisX];
-            var originY:Number = vertices[3 * loop[0] + axisY];
+            var originX:Number = _vertices[3 * loop[0] + axisX];
+            var originY:Number = _vertices[3 * loop[0] + axisY];
             var lastX:Number = 0;
             var lastY:Number = 0;
             var area:Number = 0;
             for each (var corner:uint in loop)
             {
-                var cornerX:Number = (vertices[3 * corner + axisX] - originX) * _scale;
-                var cornerY:Number = (vertices[3 * corner + axisY] - originY) * _scale;
+                var cornerX:Number = (_vertices[3 * corner + axisX] - originX) * _scale;
+                var cornerY:Number = (_vertices[3 * corner + axisY] - originY) * _scale;
                 area += lastX * cornerY - lastY * cornerX;
                 lastX = cornerX;
                 lastY = cornerY;

@@ -23,12 +23,13 @@ package starlogo.models.polygons
         private static const CORNERS_PER_STEP:int = 1500;
         private static const CORNERS_PER_POLYGON:int = 10;
 
-        private var _rings:PolygonRings;
-        private var _bridges:HoleBridges;
-        private var _clipper:EarClipper;
+        private var _limits:FileLimits;
+        private var _vertices:Vector.<Number>;
+        private var _triangles:Vector.<uint>;
 
-        // Whether a part of the last polygon still has to be cut.
-        private var _isCutting:Boolean = false;
+        // What cuts the last polygon; null if all of it is cut. What joins its holes before; null if it has none.
+        private var _clipper:EarClipper = null;
+        private var _bridges:HoleBridges = null;
 
         /**
          * @param limits limit the tests of corners
@@ -37,7 +38,9 @@ package starlogo.models.polygons
          */
         public function Triangulator(limits:FileLimits, vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
-            _rings = new PolygonRings(limits, vertices, triangles);
+            _limits = limits;
+            _vertices = vertices;
+            _triangles = triangles;
         }
 
         /**
@@ -52,16 +55,18 @@ package starlogo.models.polygons
             var next:int = 0;
             return new StepSequence().repeat(function():Boolean
                 {
-                    if (_isCutting)
+                    if (_clipper != null)
                     {
                         cutSome();
-                        return _isCutting || next < count;
                     }
-                    for (var corners:int = 0; corners < CORNERS_PER_STEP && next < count && !_isCutting; corners += CORNERS_PER_POLYGON)
+                    else
                     {
-                        corners += add(next++);
+                        for (var corners:int = 0; corners < CORNERS_PER_STEP && next < count && _clipper == null; corners += CORNERS_PER_POLYGON)
+                        {
+                            corners += add(next++);
+                        }
                     }
-                    return _isCutting || next < count;
+                    return _clipper != null || next < count;
                 });
         }
 
@@ -84,39 +89,46 @@ package starlogo.models.polygons
                 addSmall(outline);
                 return;
             }
-            if (!_rings.setOutline(outline))
+            var rings:PolygonRings = new PolygonRings(_limits, _vertices, outline);
+            if (!rings.hasArea)
             {
                 return;
             }
-            var start:int = _rings.addLoop(outline, true);
-            if (!hasHoles && isFan(outline.length))
+            var start:int = rings.addLoop(outline, true);
+            if (!hasHoles && isFan(rings))
             {
-                addFan(outline.length);
+                addFan(rings.vertex);
                 return;
             }
             var nodes:Vector.<int> = new Vector.<int>();
-            for (var i:int = 0; hasHoles && i < holes.length; i++)
+            for each (var hole:Vector.<uint> in holes)
             {
-                if (holes[i].length > 2)
+                if (hole.length > 2)
                 {
-                    nodes.push(_rings.addLoop(holes[i], false));
+                    nodes.push(rings.addLoop(hole, false));
                 }
             }
-            _bridges = nodes.length == 0 ? null : new HoleBridges(_rings, start, nodes);
-            _clipper = new EarClipper(_rings, start);
+            _bridges = nodes.length == 0 ? null : new HoleBridges(rings, start, nodes);
+            _clipper = new EarClipper(rings, start, _triangles);
             cutSome();
         }
 
         /** Adds a triangle, if its three corners are different. */
         public function addTriangle(a:uint, b:uint, c:uint):void
         {
-            _rings.addTriangle(a, b, c);
+            if (a != b && b != c && c != a)
+            {
+                _triangles.push(a, b, c);
+            }
         }
 
         // Goes on with the last polygon for some milliseconds.
         private function cutSome():void
         {
-            _isCutting = _bridges != null && _bridges.join() || _clipper.cut();
+            if (!(_bridges != null && _bridges.join() || _clipper.cut()))
+            {
+                _clipper = null;
+            }
         }
 
         // Adds an outline of three or four corners. A quad is cut along the diagonal inside it.
@@ -127,26 +139,26 @@ package starlogo.models.polygons
             var c:uint = outline[2];
             if (outline.length == 3)
             {
-                _rings.addTriangle(a, b, c);
+                addTriangle(a, b, c);
                 return;
             }
             var d:uint = outline[3];
             if (!isDiagonal(a, b, c, d) && isDiagonal(b, c, d, a))
             {
-                _rings.addTriangle(a, b, d);
-                _rings.addTriangle(b, c, d);
+                addTriangle(a, b, d);
+                addTriangle(b, c, d);
             }
             else
             {
-                _rings.addTriangle(a, b, c);
-                _rings.addTriangle(a, c, d);
+                addTriangle(a, b, c);
+                addTriangle(a, c, d);
             }
         }
 
         // Whether ac cuts the quad into two triangles of the same direction.
         private function isDiagonal(a:uint, b:uint, c:uint, d:uint):Boolean
         {
-            var vertices:Vector.<Number> = _rings.vertices;
+            var vertices:Vector.<Number> = _vertices;
             var start:int = 3 * a;
             var x:Number = vertices[start];
             var y:Number = vertices[int(start + 1)];
@@ -168,11 +180,11 @@ package starlogo.models.polygons
         }
 
         // Whether the ring turns left as seen from its first corner, as a convex polygon without corners in a straight line does.
-        private function isFan(count:int):Boolean
+        private static function isFan(rings:PolygonRings):Boolean
         {
-            for (var i:int = 2; i < count; i++)
+            for (var i:int = 2; i < rings.vertex.length; i++)
             {
-                if (!(_rings.orient2d(0, i - 1, i) > 0))
+                if (!(rings.orient2d(0, i - 1, i) > 0))
                 {
                     return false;
                 }
@@ -180,12 +192,11 @@ package starlogo.models.polygons
             return true;
         }
 
-        private function addFan(count:int):void
+        private function addFan(corners:Vector.<uint>):void
         {
-            var vertex:Vector.<uint> = _rings.vertex;
-            for (var i:int = 2; i < count; i++)
+            for (var i:int = 2; i < corners.length; i++)
             {
-                _rings.addTriangle(vertex[0], vertex[int(i - 1)], vertex[i]);
+                addTriangle(corners[0], corners[int(i - 1)], corners[i]);
             }
         }
     }

@@ -34,7 +34,6 @@ package starlogo.models.text
         private var _line:int = 0;
         private var _start:int = 0;
         private var _end:int = 0;
-        private var _ends:NextOfTwo;
 
         /**
          * @param name the model's name, for errors
@@ -44,7 +43,6 @@ package starlogo.models.text
         {
             _name = name;
             _text = TextWords.withoutByteOrderMark(text);
-            _ends = new NextOfTwo(_text, "\n", "\r");
         }
 
         /** The place of a line, for errors. */
@@ -175,6 +173,18 @@ package starlogo.models.text
             return rest;
         }
 
+        // The first line end at or after a place; without one the end of the text, or of the largest piece.
+        private function lineEnd(place:int):int
+        {
+            var last:int = Math.min(_text.length, _start + MAX_PIECE);
+            var code:int = _text.charCodeAt(place);
+            while (place < last && code != LINE_FEED && code != RETURN)
+            {
+                code = _text.charCodeAt(++place);
+            }
+            return place;
+        }
+
         // Continued lines stay in one piece.
         private function readPiece():void
         {
@@ -182,7 +192,7 @@ package starlogo.models.text
             _end += CHARACTERS_PER_PIECE;
             do
             {
-                _end = _ends.after(_end);
+                _end = lineEnd(_end);
                 // the second of the two characters that end a line may be the first that is found
                 var isSecond:Boolean = _text.charCodeAt(_end) == LINE_FEED && _text.charCodeAt(_end - 1) == RETURN;
                 var isContinued:Boolean = _text.charAt(_end - (isSecond ? 2 : 1)) == "\\";

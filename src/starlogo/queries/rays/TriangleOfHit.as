@@ -44,9 +44,9 @@ package starlogo.queries.rays
             if (body.shape.model != null)
             {
                 var materials:TriangleLabels = body.shape.model.data.materials;
-                hit.mesh = TriangleLabels.numberOf(body.shape.model.data.meshes, hit.triangle);
-                hit.material = TriangleLabels.numberOf(materials, hit.triangle);
-                hit.materialName = TriangleLabels.nameOf(materials, hit.material);
+                hit.mesh = body.shape.model.data.meshes.numberOf(hit.triangle);
+                hit.material = materials.numberOf(hit.triangle);
+                hit.materialName = materials.nameOf(hit.material);
             }
             readCorners(body.shape.hierarchy.boxTree, 3 * hit.triangle, body.placement, hit.point);
             weigh(hit.weights);

@@ -2,12 +2,12 @@ package starlogo.blocks
 {
     import starlogo.agents.Agent;
 
-    /** Checks the subject of a block: an agent, or the name of a breed, which stands for all its agents. */
+    /** Checks what blocks are given: agents, names of breeds, and numbers. */
     internal final class BlockSubject
     {
         private static const HINT:String = ". Remember: \"collidee\" is an agent only while a collision block runs.";
 
-        /** Throws a BlockError if the subject is neither an agent nor a breed's name. */
+        /** Throws a BlockError if the subject is neither an agent nor the name of a breed, which stands for all its agents. */
         public static function check(block:String, subject:Object):void
         {
             if (subject is String)
@@ -26,6 +26,25 @@ package starlogo.blocks
             if (agent == null)
             {
                 throw new BlockError(block, "needs an agent, but got nothing" + HINT);
+            }
+        }
+
+        /** Throws a BlockError if one of two agents is missing, or if they are the same. */
+        public static function checkBoth(block:String, agent:Agent, other:Agent):void
+        {
+            checkAgent(block, agent);
+            if (other == null || other === agent)
+            {
+                throw new BlockError(block, "needs another agent, but got " + (other == null ? "nothing" + HINT : "the same."));
+            }
+        }
+
+        /** Throws a BlockError if a value is not a finite number. @param what the value is for */
+        public static function checkNumber(block:String, value:Number, what:String):void
+        {
+            if (!isFinite(value))
+            {
+                throw new BlockError(block, "needs a number for " + what + ", but got " + value + ".");
             }
         }
 

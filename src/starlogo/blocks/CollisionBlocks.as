@@ -3,15 +3,22 @@
 // file first, then DetectionBlocks.
 package starlogo.blocks
 {
+    import flash.geom.Vector3D;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.BinCollider;
+    import starlogo.collision.Collider;
     import starlogo.collision.Collision;
     import starlogo.collision.CollisionSystem;
     import starlogo.collision.CombinationCollider;
+    import starlogo.collision.Contact;
     import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
     import starlogo.data.requireGiven;
+    import starlogo.engine;
+    import starlogo.search.CollisionSearch;
+
+    use namespace engine;
 
     /**
      * The blocks that react to collisions and choose how they are found: "on collision with", "when touching starts", "when touching ends",
@@ -44,6 +51,11 @@ package starlogo.blocks
         private var _systems:Object = {};
         private var _systemName:String = TIGHTEST_FITS;
         private var _collision:Collision;
+
+        // The collider that was asked last about present places, and a search with its settings. That search never gets a list of agents, so it
+        // takes all agents where they are now.
+        private var _collider:Collider = null;
+        private var _search:CollisionSearch = null;
 
         /**
          * Creates blocks without scripts. The collision system is "tightest fits".
@@ -177,6 +189,40 @@ package starlogo.blocks
         {
             _collision.reset();
             resetCount++;
+        }
+
+        /** How two agents touch, or touched in the last frame. */
+        internal function contactOfFrame(agent:Agent, other:Agent):Contact
+        {
+            return colliderInUse.contactOf(agent, other);
+        }
+
+        /** How two agents touch where they are now; null if they do not. */
+        internal function contactNow(agent:Agent, other:Agent):Contact
+        {
+            if (colliderInUse !== _collider)
+            {
+                _collider = colliderInUse;
+                _search = new CollisionSearch(_collider.narrowPhase);
+            }
+            return _search.areColliding(agent, other) ? _collider.contactIn(_search, agent, other, new Contact()) : null;
+        }
+
+        /** Moves an agent out of another one by the shortest way, from where both are now. Returns their contact before; null if they did not touch. */
+        internal function pushOut(agent:Agent, other:Agent):Contact
+        {
+            var contact:Contact = contactNow(agent, other);
+            if (contact != null)
+            {
+                var normal:Vector3D = contact.normal;
+                agent.moveTo(agent.x + contact.depth * normal.x, agent.y + contact.depth * normal.y, agent.z + contact.depth * normal.z);
+            }
+            return contact;
+        }
+
+        private function get colliderInUse():Collider
+        {
+            return _systems[_systemName];
         }
 
         private static function check(block:String, breed:String, otherBreed:String, script:Function):void

@@ -32,7 +32,7 @@ package starlogo.blocks
 
         private static const SIDES:Array = [FRONT, BACK, LEFT, RIGHT, TOP, BOTTOM];
 
-        private var _contacts:BlockContacts;
+        private var _collisions:CollisionBlocks;
 
         /**
          * Creates blocks for the contacts of a game.
@@ -43,7 +43,7 @@ package starlogo.blocks
         public function ContactBlocks(collisions:CollisionBlocks)
         {
             requireGiven("collisions", collisions);
-            _contacts = new BlockContacts(collisions);
+            _collisions = collisions;
         }
 
         /** The sides of an agent. */
@@ -123,24 +123,14 @@ package starlogo.blocks
          */
         public function pushAway(agent:Agent, other:Agent):void
         {
-            check("push away from", agent, other);
-            _contacts.pushOut(agent, other);
+            BlockSubject.checkBoth("push away from", agent, other);
+            _collisions.pushOut(agent, other);
         }
 
         private function contactOf(block:String, agent:Agent, other:Agent):Contact
         {
-            check(block, agent, other);
-            return _contacts.ofFrame(agent, other);
-        }
-
-        private static function check(block:String, agent:Agent, other:Agent):void
-        {
-            BlockSubject.checkAgent(block, agent);
-            BlockSubject.checkAgent(block, other);
-            if (other === agent)
-            {
-                throw new BlockError(block, "needs another agent, but got the same.");
-            }
+            BlockSubject.checkBoth(block, agent, other);
+            return _collisions.contactOfFrame(agent, other);
         }
     }
 }

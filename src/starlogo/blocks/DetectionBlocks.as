@@ -156,7 +156,7 @@ package starlogo.blocks
          */
         public function canSee(agent:Agent, other:Agent):Boolean
         {
-            checkBoth("can see?", agent, other);
+            BlockSubject.checkBoth("can see?", agent, other);
             return queries.canSee(agent, other);
         }
 
@@ -171,7 +171,7 @@ package starlogo.blocks
          */
         public function distanceTo(agent:Agent, other:Agent):Number
         {
-            checkBoth("distance to", agent, other);
+            BlockSubject.checkBoth("distance to", agent, other);
             return queries.distance(agent, other);
         }
 
@@ -256,15 +256,6 @@ package starlogo.blocks
         {
             BlockSubject.checkAgent(block, agent);
             BlockSubject.checkBreed(block, breed);
-        }
-
-        private static function checkBoth(block:String, agent:Agent, other:Agent):void
-        {
-            check(block, agent, Collision.ANY_BREED);
-            if (other == null || other === agent)
-            {
-                throw new BlockError(block, "needs another agent, but got " + (other == null ? "nothing" : "the same") + ".");
-            }
         }
 
         private static function checkDistance(block:String, distance:Number):void

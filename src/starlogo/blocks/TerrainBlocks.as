@@ -38,7 +38,6 @@ package starlogo.blocks
 
         private var _collisions:CollisionBlocks;
         private var _detection:DetectionBlocks;
-        private var _contacts:BlockContacts;
 
         /**
          * Creates blocks for the ground and the edges of a game.
@@ -53,7 +52,6 @@ package starlogo.blocks
             requireGiven("detection", detection);
             _collisions = collisions;
             _detection = detection;
-            _contacts = new BlockContacts(collisions);
         }
 
         /** The names of the world's edges. */
@@ -185,7 +183,7 @@ package starlogo.blocks
         {
             BlockSubject.checkAgent("edge I touch", agent);
             var bounds:WorldBounds = _collisions.collision.bounds;
-            var contact:Contact = bounds == null ? null : _contacts.now(agent, bounds.agent);
+            var contact:Contact = bounds == null ? null : _collisions.contactNow(agent, bounds.agent);
             if (contact == null)
             {
                 return null;
@@ -267,17 +265,14 @@ package starlogo.blocks
         {
             BlockSubject.checkAgent(block, agent);
             var bounds:WorldBounds = _collisions.collision.bounds;
-            return bounds == null ? null : _contacts.pushOut(agent, bounds.agent);
+            return bounds == null ? null : _collisions.pushOut(agent, bounds.agent);
         }
 
         // Calls a function that raises the ground.
         private function raise(block:String, height:Number, change:Function):void
         {
             var ground:Terrain = groundOf(block);
-            if (!isFinite(height))
-            {
-                throw new BlockError(block, "needs a number for the height, but got " + height + ".");
-            }
+            BlockSubject.checkNumber(block, height, "the height");
             try
             {
                 change(ground);

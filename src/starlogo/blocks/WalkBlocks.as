@@ -198,10 +198,7 @@ package starlogo.blocks
         private static function check(block:String, agent:Agent, value:Number, what:String):void
         {
             BlockSubject.checkAgent(block, agent);
-            if (!isFinite(value))
-            {
-                throw new BlockError(block, "needs a number for " + what + ", but got " + value + ".");
-            }
+            BlockSubject.checkNumber(block, value, what);
         }
     }
 }

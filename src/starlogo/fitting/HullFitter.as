@@ -8,9 +8,9 @@ package starlogo.fitting
      * its convex hull, but that may have hundreds of corners, and each makes a test slower. This hull is a few percent larger as a mean
      * of many models. If rounding stops the search, it is a box.
      *
-     * <p>It begins with the convex hull of the vertices, and loses edges until few corners are left. An edge is lost by adding a
-     * corner outside of all faces at both of its ends, where the hull grows least (Sander and others, "Silhouette Clipping", SIGGRAPH
-     * 2000). The next edge to lose is always the one that makes the hull grow least.</p>
+     * <p>It begins with the convex hull of the vertices, and collapses edges until few corners are left. A corner outside of all faces
+     * at both ends takes the place of an edge, where the hull grows least (progressive hulls: Sander and others, "Silhouette Clipping",
+     * SIGGRAPH 2000). The next edge is always the one that makes the hull grow least.</p>
      *
      * <p>Vertices in a plane get a polygon. Vertices on a line get a segment, and vertices in one place get a point. All vertices are
      * inside, up to rounding in double precision. The cost is n log n for n vertices.</p>

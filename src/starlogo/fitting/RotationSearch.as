@@ -66,15 +66,6 @@ package starlogo.fitting
             return new Fit(session, search.smallestBox, search);
         }
 
-        /** Throws an ArgumentError if degrees between rotations are not a positive, finite number. */
-        public static function requireIncrement(degrees:Number):void
-        {
-            if (!(degrees > 0 && degrees < Infinity))
-            {
-                throw new ArgumentError("the increment must be a positive number of degrees: " + degrees);
-            }
-        }
-
         private function prepare():void
         {
             _hull = _session.hull;

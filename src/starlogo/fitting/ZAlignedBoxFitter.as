@@ -5,49 +5,31 @@ package starlogo.fitting
      * (thesis §3.4.2). It is for models that only rotate about z, as a heading does.
      *
      * <p>The box is never larger than the axis-aligned box. With the default increment, the sides are at most 9 % longer than the sides
-     * of the best box with an axis along z.</p>
+     * of the best box with an axis along z. With an increment of 90 degrees or more, only the axis-aligned box is tried.</p>
      */
-    public final class ZAlignedBoxFitter extends Fitter
+    public final class ZAlignedBoxFitter extends OrientedBoxFitter
     {
-        private var _degIncrement:Number;
-
         /**
-         * Creates a fitter that tries all rotations by multiples of an increment.
+         * Creates a fitter that tries all rotations about z by multiples of an increment.
          *
-         * @param degIncrement in degrees, above 0; with 90 or more, only the axis-aligned box is tried
+         * @param degIncrement in degrees, above 0
          * @throws ArgumentError if it is not a positive, finite number
          */
         public function ZAlignedBoxFitter(degIncrement:Number = 10)
         {
-            this.degIncrement = degIncrement;
-        }
-
-        /**
-         * The increment in degrees, above 0.
-         *
-         * @throws ArgumentError if it is set to a value that is not a positive, finite number
-         */
-        public function get degIncrement():Number
-        {
-            return _degIncrement;
-        }
-
-        public function set degIncrement(value:Number):void
-        {
-            RotationSearch.requireIncrement(value);
-            _degIncrement = value;
+            super(degIncrement);
         }
 
         /** @inheritDoc */
         override public function get signature():String
         {
-            return "z-aligned box " + _degIncrement;
+            return "z-aligned box " + degIncrement;
         }
 
         /** @inheritDoc */
         override public function fitting(session:FitSession):Fit
         {
-            return RotationSearch.fitting(session, 90, _degIncrement);
+            return RotationSearch.fitting(session, 90, degIncrement);
         }
     }
 }

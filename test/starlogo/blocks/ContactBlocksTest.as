@@ -120,10 +120,10 @@ package starlogo.blocks
         [Test]
         public function tellsStudentsWhatIsWrong():void
         {
-            assertThrows(BlockError, /"side that was hit" needs an agent, but got nothing\. Remember: "collidee"/, _blocks.sideHit, _bear, null);
+            assertThrows(BlockError, /"side that was hit" needs another agent, but got nothing\. Remember: "collidee"/, _blocks.sideHit, _bear, null);
             assertThrows(BlockError, /"touch point" needs an agent/, _blocks.touchPoint, null, _bear);
             assertThrows(BlockError, /"touch speed" needs another agent, but got the same/, _blocks.touchSpeed, _bear, _bear);
-            assertThrows(BlockError, /"push away from" needs an agent/, _blocks.pushAway, _bear, null);
+            assertThrows(BlockError, /"push away from" needs another agent/, _blocks.pushAway, _bear, null);
             assertThrows(ArgumentError, "collisions", create, ContactBlocks, null);
         }
     }

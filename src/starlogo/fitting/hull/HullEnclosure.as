@@ -36,11 +36,11 @@ package starlogo.fitting.hull
         public function HullEnclosure(session:FitSession, most:int)
         {
             _session = session;
-            addSteps(new HullReduction(session, most));
+            addSteps(new HullSimplification(session, most));
         }
 
         // Most hulls need to be scaled, so the first rounds are those with few vertices.
-        private function addSteps(reduction:HullReduction):void
+        private function addSteps(reduction:HullSimplification):void
         {
             add(reduction).call(function():void
                 {

@@ -29,7 +29,7 @@ package starlogo.fitting.hull
          * @param out its coordinates are set
          * @return whether there is a lowest point near the planes
          */
-        public static function find(planes:Vector.<Number>, faces:Vector.<int>, count:int, upX:Number, upY:Number, upZ:Number, out:OuterPoint):Boolean
+        public static function find(planes:Vector.<Number>, faces:Vector.<int>, count:int, upX:Number, upY:Number, upZ:Number, out:EdgeCollapse):Boolean
         {
             var three:Vector.<Number> = planesFarBelow(upX, upY, upZ);
             var crosses:Vector.<Number> = new Vector.<Number>(9, true);
@@ -66,7 +66,7 @@ package starlogo.fitting.hull
 
         // Finds the point where the three planes meet, and the cross products. Returns the determinant of the normals; the point is right only if
         // that is not 0.
-        private static function findMeetingPoint(three:Vector.<Number>, crosses:Vector.<Number>, out:OuterPoint):Number
+        private static function findMeetingPoint(three:Vector.<Number>, crosses:Vector.<Number>, out:EdgeCollapse):Number
         {
             writeCross(three, 4, 8, crosses, 0);
             writeCross(three, 8, 0, crosses, 3);
@@ -96,7 +96,7 @@ package starlogo.fitting.hull
         }
 
         // The first number of the plane that a point is farthest inside of; -1 if it is inside of none.
-        private static function farthestInside(planes:Vector.<Number>, faces:Vector.<int>, count:int, point:OuterPoint):int
+        private static function farthestInside(planes:Vector.<Number>, faces:Vector.<int>, count:int, point:EdgeCollapse):int
         {
             var x:Number = point.x;
             var y:Number = point.y;

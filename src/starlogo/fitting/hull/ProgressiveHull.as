@@ -4,9 +4,9 @@ package starlogo.fitting.hull
     import starlogo.geometry.hull.edgesAcross;
 
     /**
-     * A convex solid of triangles that loses corners by growing (Sander, Gu, Gortler, Hoppe and Snyder, "Silhouette Clipping", SIGGRAPH 2000:
-     * progressive hulls). To lose an edge, it takes a new corner that is outside of all faces at both ends of the edge. Then the
-     * faces and both ends are inside of the grown solid.
+     * A progressive hull (Sander, Gu, Gortler, Hoppe and Snyder, "Silhouette Clipping", SIGGRAPH 2000): a convex solid of triangles whose edges
+     * collapse, so that it has fewer corners and grows. A new corner outside of all faces at both ends takes the place of an edge. These faces and
+     * both ends are then inside of the solid.
      *
      * <p>The coordinates of corners are about 1. Faces and edges are numbered, and keep their numbers. Edge 4 f + k is an edge of face f,
      * with k from 0 to 2. It runs from one corner of the face to the next one, counter-clockwise seen from outside. The face across has
@@ -14,9 +14,9 @@ package starlogo.fitting.hull
      *
      * @private
      */
-    public final class GrowingHull
+    public final class ProgressiveHull
     {
-        // An edge with more faces than this at its ends is not lost. So a corner with an edge to all others costs no more than other corners.
+        // An edge with more faces than this at its ends does not collapse. So a corner with an edge to all others costs no more than other corners.
         private static const MOST_FACES:int = 40;
 
         private var _points:Vector.<Number>;
@@ -40,7 +40,7 @@ package starlogo.fitting.hull
          * @param points x, y, z of each corner; copied
          * @param triangles three corners each, counter-clockwise seen from outside
          */
-        public function GrowingHull(points:Vector.<Number>, triangles:Vector.<int>)
+        public function ProgressiveHull(points:Vector.<Number>, triangles:Vector.<int>)
         {
             _points = points.concat();
             var across:Vector.<int> = edgesAcross(triangles, points.length / 3);
@@ -129,7 +129,7 @@ package starlogo.fitting.hull
             return shortest(4 * face, 4 * face + 3, 1);
         }
 
-        /** The shortest edge at the corner that grow() made last. @param face the first new face */
+        /** The shortest edge at the corner that collapse() made last. @param face the first new face */
         public function shortestNewEdge(face:int):int
         {
             return shortest(4 * face + 1, 4 * faceCount, 4);
@@ -157,14 +157,14 @@ package starlogo.fitting.hull
         }
 
         /**
-         * Finds the point outside of all faces at an edge's ends for which the solid grows least.
+         * Finds the collapse of an edge for which the solid grows least.
          *
          * @param edge an edge of the present surface
-         * @return the point; null if there is none
+         * @return null if the edge cannot collapse
          */
-        public function findPoint(edge:int):OuterPoint
+        public function findCollapse(edge:int):EdgeCollapse
         {
-            var out:OuterPoint = new OuterPoint();
+            var out:EdgeCollapse = new EdgeCollapse();
             _search++;
             findFaces(edge, out);
             findFaces(_across[edge], out);
@@ -189,23 +189,23 @@ package starlogo.fitting.hull
         }
 
         /**
-         * Makes a point a corner. Faces from the point to the outline of the faces that it sees take their place.
+         * Collapses an edge. Faces from the new corner to the outline of the faces that it sees take their place.
          *
-         * @param point what findPoint() has found since the hull grew
+         * @param by what findCollapse() has found since the last collapse
          * @return the first new face; the others follow. -1 if rounding leaves the faces more than one outline; then the hull stays as it is
          */
-        public function grow(point:OuterPoint):int
+        public function collapse(by:EdgeCollapse):int
         {
-            setInside(point.faces, point.faceCount, 1);
-            var outline:Vector.<int> = outlineOf(point);
+            setInside(by.faces, by.faceCount, 1);
+            var outline:Vector.<int> = outlineOf(by);
             if (outline.length == 0)
             {
-                setInside(point.faces, point.faceCount, 0);
+                setInside(by.faces, by.faceCount, 0);
                 return -1;
             }
-            _presentCount -= point.faceCount;
+            _presentCount -= by.faceCount;
             var corner:int = _points.length / 3;
-            _points.push(point.x, point.y, point.z);
+            _points.push(by.x, by.y, by.z);
             var first:int = faceCount;
             var made:int = first;
             for each (var edge:int in outline)
@@ -221,8 +221,8 @@ package starlogo.fitting.hull
             return first;
         }
 
-        // Adds the faces around the start of an edge to a point's faces, unless this search has found them already.
-        private function findFaces(edge:int, out:OuterPoint):void
+        // Adds the faces around the start of an edge to the faces that go, unless this search has found them already.
+        private function findFaces(edge:int, out:EdgeCollapse):void
         {
             var foundBy:Vector.<int> = _foundBy;
             var count:int = out.faceCount;
@@ -242,17 +242,17 @@ package starlogo.fitting.hull
             out.faceCount = count;
         }
 
-        // Adds the faces that a point sees to the faces at its edge, and sums the volume between the point and all of them.
-        private function findSeen(point:OuterPoint):void
+        // Adds the faces that the new corner sees to the faces at the edge, and sums the volume between the corner and all of them.
+        private function findSeen(by:EdgeCollapse):void
         {
             var planes:Vector.<Number> = _planes;
             var foundBy:Vector.<int> = _foundBy;
             var search:int = _search;
-            var faces:Vector.<int> = point.faces;
-            var count:int = point.faceCount;
-            var x:Number = point.x;
-            var y:Number = point.y;
-            var z:Number = point.z;
+            var faces:Vector.<int> = by.faces;
+            var count:int = by.faceCount;
+            var x:Number = by.x;
+            var y:Number = by.y;
+            var z:Number = by.z;
             var sum:Number = 0;
             for (var i:int = 0; i < count; i++)
             {
@@ -277,8 +277,8 @@ package starlogo.fitting.hull
                     }
                 }
             }
-            point.faceCount = count;
-            point.growth = sum / 6;
+            by.faceCount = count;
+            by.growth = sum / 6;
         }
 
         private function setInside(faces:Vector.<int>, count:int, value:int):void
@@ -289,15 +289,15 @@ package starlogo.fitting.hull
             }
         }
 
-        // The edges around the faces that a point sees, which are inside by now, one after the other. None if rounding leaves more than one
+        // The edges around the faces that a new corner sees, which are inside by now, one after the other. None if rounding leaves more than one
         // outline.
-        private function outlineOf(point:OuterPoint):Vector.<int>
+        private function outlineOf(by:EdgeCollapse):Vector.<int>
         {
             var total:int = 0;
             var first:int = -1;
-            for (var i:int = 0; i < point.faceCount; i++)
+            for (var i:int = 0; i < by.faceCount; i++)
             {
-                var face:int = point.faces[i];
+                var face:int = by.faces[i];
                 for (var edge:int = 4 * face; edge < 4 * face + 3; edge++)
                 {
                     if (isBorder(edge))

@@ -9,7 +9,7 @@ package starlogo.fitting.hull
     /**
      * The steps that find few corners whose hull is around the convex hull of a session's vertices, up to rounding.
      *
-     * <p>A GrowingHull loses edges, each time the edge for which it grows least. As long as it has many corners, it queues only the shortest
+     * <p>Edges of a ProgressiveHull collapse, each time the one for which it grows least. As long as it has many corners, it queues only the shortest
      * edge of each face, and then the shortest edge at each new corner, because short edges cost least. Later it queues all edges. If
      * rounding stops the search, the corners of a box are the result.</p>
      *
@@ -18,7 +18,7 @@ package starlogo.fitting.hull
      *
      * @private
      */
-    public final class HullReduction extends StepSequence
+    public final class HullSimplification extends StepSequence
     {
         private static const FACES_PER_STEP:int = 200;
         private static const EDGES_PER_STEP:int = 200;
@@ -32,7 +32,7 @@ package starlogo.fitting.hull
         private var _session:FitSession;
         private var _most:int;
         private var _space:UnitSpace;
-        private var _solid:GrowingHull = null;
+        private var _solid:ProgressiveHull = null;
         private var _queue:EdgeQueue = new EdgeQueue();
 
         // the first tip, and the second one is the next corner; -2 without tips
@@ -42,7 +42,7 @@ package starlogo.fitting.hull
          * @param session the vertices; their hull may not exist before the first step
          * @param most the largest number of corners, at least 8
          */
-        public function HullReduction(session:FitSession, most:int)
+        public function HullSimplification(session:FitSession, most:int)
         {
             _session = session;
             _most = most;
@@ -77,7 +77,7 @@ package starlogo.fitting.hull
                 _tip = hull.indices.length;
                 triangles = pyramidsOn(outline);
             }
-            _solid = new GrowingHull(points, triangles);
+            _solid = new ProgressiveHull(points, triangles);
             slices(_solid.faceCount, FACES_PER_STEP, queueShortest).repeat(reduceToFew).begin(queueingAll).repeat(reduceToMost);
         }
 
@@ -110,7 +110,7 @@ package starlogo.fitting.hull
             return reduce(_most, queueAllNew);
         }
 
-        // Takes some edges from the queue. Each that is lost makes faces; queueNew queues edges of these: function(firstFace:int):void.
+        // Takes some edges from the queue. Each that collapses makes faces; queueNew queues edges of these: function(firstFace:int):void.
         // Returns whether there is more to do.
         private function reduce(most:int, queueNew:Function):Boolean
         {
@@ -130,22 +130,22 @@ package starlogo.fitting.hull
             return _solid.cornerCount - (_tip < 0 ? 0 : 2) > most;
         }
 
-        // Loses the first edge of the queue. Returns the first new face, or -1 if the edge cannot be lost. If its cost has increased since
+        // Collapses the first edge of the queue. Returns the first new face, or -1 if the edge cannot collapse. If its cost has increased since
         // it was queued, it is queued again.
         private function takeFirst():int
         {
             var edge:int = _solid.presentEdge(_queue.pop());
-            var point:OuterPoint = edge < 0 || isQueued(edge) ? null : _solid.findPoint(edge);
-            if (point == null)
+            var collapse:EdgeCollapse = edge < 0 || isQueued(edge) ? null : _solid.findCollapse(edge);
+            if (collapse == null)
             {
                 return -1;
             }
-            if (point.growth > _queue.leastCost)
+            if (collapse.growth > _queue.leastCost)
             {
-                _queue.push(edge, point.growth);
+                _queue.push(edge, collapse.growth);
                 return -1;
             }
-            return _solid.grow(point);
+            return _solid.collapse(collapse);
         }
 
         private function queueShortestNew(firstFace:int):void
@@ -162,17 +162,17 @@ package starlogo.fitting.hull
             }
         }
 
-        // Queues an edge if it can be lost, unless it is queued already.
+        // Queues an edge if it can collapse, unless it is queued already.
         private function queueEdge(edge:int):void
         {
             if (!_solid.isEdge(edge) || isQueued(edge) || isTip(_solid.startOf(edge)) || isTip(_solid.endOf(edge)))
             {
                 return;
             }
-            var point:OuterPoint = _solid.findPoint(edge);
-            if (point != null)
+            var collapse:EdgeCollapse = _solid.findCollapse(edge);
+            if (collapse != null)
             {
-                _queue.push(edge, point.growth);
+                _queue.push(edge, collapse.growth);
             }
         }
 

@@ -6,7 +6,7 @@ package starlogo
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.libraries.FitStore;
     import starlogo.libraries.HierarchiesLibrary;
-    import starlogo.libraries.ModelResults;
+    import starlogo.libraries.ModelPreparation;
     import starlogo.libraries.ModelTable;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
@@ -151,11 +151,11 @@ package starlogo
         public function receive(model:Model):Steps
         {
             requireGiven("model", model);
-            var results:ModelResults = newResults(model, fitStore);
-            return results.call(function():void
+            var preparation:ModelPreparation = preparing(model, fitStore);
+            return preparation.call(function():void
                 {
                     // a result that was not computed is set to null too, because the entry's old result belongs to another model
-                    _models.entryToWrite(model.name).replace(model, results.structures, results.modelTree, results.buildingTree);
+                    _models.entryToWrite(model.name).replace(model, preparation.structures, preparation.modelTree, preparation.buildingTree);
                 });
         }
 
@@ -173,9 +173,9 @@ package starlogo
         public function cook(model:Model, upAxis:Object = "z", usesTransforms:Boolean = false):ByteArray
         {
             requireGiven("model", model);
-            var results:ModelResults = newResults(model, null);
-            finish(results);
-            return results.toCooked(CookedFile.keyOfLoad(upAxis, model.data.scaling, usesTransforms));
+            var preparation:ModelPreparation = preparing(model, null);
+            finish(preparation);
+            return preparation.toCooked(CookedFile.keyOfLoad(upAxis, model.data.scaling, usesTransforms));
         }
 
         /** @inheritDoc */
@@ -257,9 +257,9 @@ package starlogo
         }
 
         /** @private The work that finds the results that the flags ask for. None of its steps is done yet. @param store null for none */
-        engine function newResults(model:Model, store:FitStore):ModelResults
+        engine function preparing(model:Model, store:FitStore):ModelPreparation
         {
-            return new ModelResults(model, wantedStructures, wantedHierarchies, store);
+            return new ModelPreparation(model, wantedStructures, wantedHierarchies, store);
         }
 
         private function get wantedStructures():BoundingStructuresLibrary

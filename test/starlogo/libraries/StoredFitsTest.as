@@ -446,13 +446,13 @@ package starlogo.libraries
         private function isTaken(model:Model, cooked:ByteArray, structures:Boolean):Boolean
         {
             var read:Model = CookedModel.fromBytes(model.name, cooked);
-            var results:ModelResults = _greatLand.newResults(read, null);
+            var preparation:ModelPreparation = _greatLand.preparing(read, null);
             if (structures)
             {
-                return results.structures != null;
+                return preparation.structures != null;
             }
-            finish(results.buildingTree);
-            return results.isTreeStored;
+            finish(preparation.buildingTree);
+            return preparation.isTreeStored;
         }
 
         private static function damage(cooked:Vector.<ByteArray>, index:int, random:SeededRandom):ByteArray

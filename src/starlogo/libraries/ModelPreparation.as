@@ -23,7 +23,7 @@ package starlogo.libraries
      *
      * @private
      */
-    public final class ModelResults extends StepSequence
+    public final class ModelPreparation extends StepSequence
     {
         /** The structures. Null if none are wanted, or if they are not there yet. */
         public var structures:ModelStructures = null;
@@ -41,10 +41,9 @@ package starlogo.libraries
         // Makes the tree again from a stored division; null for none.
         private var _cookedTree:CookedTree = null;
 
-        // Where results are kept; null for nowhere. The fingerprint of the model's vertices and triangles. Whether all results have come from there.
+        // Where the results will be kept; null for nowhere. The fingerprint of the model's vertices and triangles, if there is a store.
         private var _store:FitStore;
         private var _geometry:Fingerprint = null;
-        private var _cameFromStore:Boolean = false;
 
         /**
          * @param model the model
@@ -52,7 +51,7 @@ package starlogo.libraries
          * @param hierarchiesLibrary wants a hierarchy; null if none is wanted. Its settings count as they are now
          * @param store null for none
          */
-        public function ModelResults(model:Model, structuresLibrary:BoundingStructuresLibrary, hierarchiesLibrary:HierarchiesLibrary, store:FitStore)
+        public function ModelPreparation(model:Model, structuresLibrary:BoundingStructuresLibrary, hierarchiesLibrary:HierarchiesLibrary, store:FitStore)
         {
             _model = model;
             _settings = new FitSettings(structuresLibrary, hierarchiesLibrary);
@@ -75,11 +74,7 @@ package starlogo.libraries
                 _geometry = new Fingerprint();
                 add(_geometry.addingGeometry(model.vertices, model.triangles)).begin(readingStored);
             }
-            begin(findingStructures).begin(makingTree);
-            if (_store != null)
-            {
-                begin(makingTreeToStore).call(keepResults);
-            }
+            begin(findingStructures).begin(makingTree).call(keepResults);
         }
 
         /** Whether the hierarchy is made from a stored division. It becomes false if the division does not fit the model. */
@@ -119,7 +114,7 @@ package starlogo.libraries
                     {
                         takeFrom(stored);
                     }
-                    _cameFromStore = isComplete;
+                    _store = isComplete || !_store.hasRoomFor(_model, modelTree != null) ? null : _store;
                 });
         }
 
@@ -148,29 +143,18 @@ package starlogo.libraries
             return _cookedTree;
         }
 
+        // A tree that will be stored has to be built, even if its division came from a cooked model.
         private function makingTree():Steps
         {
-            return isTreeStored && !_settings.wantsSurface ? null : buildingTree;
-        }
-
-        // A tree that will be stored has to be built, even if its division came from a cooked model.
-        private function makingTreeToStore():Steps
-        {
-            return willStore ? buildingTree : null;
+            return isTreeStored && !_settings.wantsSurface && _store == null ? null : buildingTree;
         }
 
         private function keepResults():void
         {
-            if (willStore)
+            if (_store != null)
             {
                 _store.keep(_geometry, _settings, CookedResults.write(structures, modelTree, _settings, _geometry, null));
             }
-        }
-
-        // Whether the results will be stored. They are not if all have come from the store.
-        private function get willStore():Boolean
-        {
-            return !(_cameFromStore && (modelTree == null || isTreeStored)) && _store.hasRoomFor(_model, modelTree != null);
         }
     }
 }

@@ -10,7 +10,7 @@ package growth
     import starlogo.models.ModelError;
     import starlogo.models.ObjModel;
     import starlogo.models.StlModel;
-    import starlogo.models.text.ModelText;
+    import starlogo.models.text.FileText;
 
     /** Model files: they are read, and the default structures are computed of the models. The files are those of `./antw limits`. */
     public final class FileRows
@@ -77,7 +77,7 @@ package growth
                 case "OBJ":
                     return new ObjModel("a", text);
                 case "UTF-16":
-                    return new ObjModel("a", ModelText.decode("a", bytes));
+                    return new ObjModel("a", FileText.decode("a", bytes));
                 default:
                     return bytes == null ? new ColladaModel("a", text) : ColladaModel.fromBytes("a", bytes);
             }

@@ -2,7 +2,7 @@ package starlogo.models
 {
     import flash.utils.ByteArray;
     import starlogo.models.collada.ColladaReader;
-    import starlogo.models.text.ModelText;
+    import starlogo.models.text.FileText;
 
     /**
      * A model from a COLLADA document, version 1.4 or 1.5.
@@ -54,7 +54,7 @@ package starlogo.models
          */
         public static function fromBytes(name:String, bytes:ByteArray, upAxis:Object = null, scaling:String = Model.FOOTPRINT):ColladaModel
         {
-            return new ColladaModel(name, ModelText.decode(name, bytes), upAxis, scaling);
+            return new ColladaModel(name, FileText.decode(name, bytes), upAxis, scaling);
         }
     }
 }

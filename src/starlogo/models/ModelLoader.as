@@ -9,8 +9,8 @@ package starlogo.models
     import flash.utils.ByteArray;
     import flash.utils.getTimer;
     import starlogo.data.requireGiven;
+    import starlogo.models.loading.CookedManifest;
     import starlogo.models.loading.ModelLoad;
-    import starlogo.models.loading.ModelManifest;
 
     /** A model is loaded. From now on agents that have its shape collide. @eventType starlogo.models.ModelEvent.LOADED */
     [Event(name="modelLoaded", type="starlogo.models.ModelEvent")]
@@ -75,7 +75,7 @@ package starlogo.models
         // The loads that are not over, in the order in which they were added.
         private var _loads:Vector.<ModelLoad> = new Vector.<ModelLoad>();
         private var _doneCount:int = 0;
-        private var _manifest:ModelManifest = null;
+        private var _manifest:CookedManifest = null;
         private var _longestFrame:int = 0;
         private var _longestStep:int = 0;
 
@@ -136,7 +136,7 @@ package starlogo.models
 
         public function set manifest(value:String):void
         {
-            _manifest = value == null ? null : new ModelManifest(value);
+            _manifest = value == null ? null : new CookedManifest(value);
         }
 
         /** The number of models that are not loaded yet. */

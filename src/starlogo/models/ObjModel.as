@@ -2,7 +2,7 @@ package starlogo.models
 {
     import flash.utils.ByteArray;
     import starlogo.models.obj.ObjReader;
-    import starlogo.models.text.ModelText;
+    import starlogo.models.text.FileText;
 
     /**
      * A model from Wavefront OBJ text.
@@ -46,7 +46,7 @@ package starlogo.models
          */
         public static function fromBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):ObjModel
         {
-            return new ObjModel(name, ModelText.decode(name, bytes), upAxis, scaling);
+            return new ObjModel(name, FileText.decode(name, bytes), upAxis, scaling);
         }
     }
 }

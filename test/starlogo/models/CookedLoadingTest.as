@@ -10,7 +10,7 @@ package starlogo.models
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.async.Async;
     import starlogo.GreatLand;
-    import starlogo.models.loading.ModelManifest;
+    import starlogo.models.loading.CookedManifest;
     import support.CountingFitter;
     import support.LibraryContents;
     import support.OfferingURLLoader;
@@ -231,7 +231,7 @@ package starlogo.models
         {
             for each (var address:String in ["x", "../x", "//other.host/x", "ht\ntps://x", "%2e%2e/x", "/x", "bear.obj/../../x", "bear.obj"])
             {
-                var manifest:ModelManifest = new ModelManifest("a/m.json");
+                var manifest:CookedManifest = new CookedManifest("a/m.json");
                 manifest.fetch(function():URLLoader
                     {
                         return new OfferingURLLoader({"a/m.json": encoded(JSON.stringify({models: {"bear.obj": {cooked: address}}}))});
@@ -243,7 +243,7 @@ package starlogo.models
         [Test]
         public function aManifestThatHasNotComeNamesNothingYet():void
         {
-            var manifest:ModelManifest = new ModelManifest("a/m.json");
+            var manifest:CookedManifest = new CookedManifest("a/m.json");
             assertFalse(manifest.isUnderWay);
             assertEquals(null, manifest.addressFor("a/bear.obj"));
             manifest.fetch(function():URLLoader

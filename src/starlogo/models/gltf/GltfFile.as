@@ -5,8 +5,8 @@ package starlogo.models.gltf
     import starlogo.models.FileLimits;
     import starlogo.models.ModelError;
     import starlogo.models.refuseIf;
-    import starlogo.models.text.ModelAddress;
-    import starlogo.models.text.ModelText;
+    import starlogo.models.text.FileAddress;
+    import starlogo.models.text.FileText;
     import starlogo.models.text.TextWords;
     import starlogo.steps.StepSequence;
 
@@ -61,7 +61,7 @@ package starlogo.models.gltf
         {
             if (text == null)
             {
-                text = bytes != null && isBinary(bytes) ? openChunks(name, bytes) : ModelText.decode(name, bytes, "glTF");
+                text = bytes != null && isBinary(bytes) ? openChunks(name, bytes) : FileText.decode(name, bytes, "glTF");
             }
             text = TextWords.withoutByteOrderMark(text);
             limits = new FileLimits(name, text.length);
@@ -164,7 +164,7 @@ package starlogo.models.gltf
         {
             var text:String = null;
             var length:int = bytes.length;
-            ModelText.checkSize(name, bytes);
+            FileText.checkSize(name, bytes);
             refuseIf(length < HEADER_LENGTH + CHUNK_HEADER_LENGTH, name, "the file is cut off: it has " + length + " bytes");
             bytes.endian = Endian.LITTLE_ENDIAN;
             var version:uint = wordAt(bytes, 4);
@@ -273,7 +273,7 @@ package starlogo.models.gltf
                     });
                 return;
             }
-            buffer.refuseIf(!ModelAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found \"" +
+            buffer.refuseIf(!FileAddress.isWithin(uri), "expected data, or a path from the file's folder on, but found \"" +
                     TextWords.shorten(uri) + "\"", "uri");
             if (!_buffersAt.hasOwnProperty("#" + uri))
             {

@@ -3,17 +3,17 @@ package starlogo.models.loading
     import flash.utils.ByteArray;
     import starlogo.models.Model;
     import starlogo.models.ModelError;
+    import starlogo.models.ModelMaker;
     import starlogo.models.ModelReader;
     import starlogo.models.ModelReceiver;
-    import starlogo.models.ModelMaker;
     import starlogo.models.ModelTransform;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedReader;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfReader;
     import starlogo.models.refuseIf;
-    import starlogo.models.text.ModelAddress;
-    import starlogo.models.text.ModelText;
+    import starlogo.models.text.FileAddress;
+    import starlogo.models.text.FileText;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -50,11 +50,11 @@ package starlogo.models.loading
 
         // The file's address; null if it is not known. The list of cooked files while the load waits for it.
         private var _url:String = null;
-        private var _manifest:ModelManifest = null;
+        private var _manifest:CookedManifest = null;
 
         // The file, or its cooked file, and then the files that belong to it: its transform file, or the buffers of a glTF file. Empty before
         // they are fetched, and after they are read.
-        private var _downloads:Vector.<ModelDownload> = new Vector.<ModelDownload>();
+        private var _downloads:Vector.<FileDownload> = new Vector.<FileDownload>();
 
         // what reads the file, or makes the model instead
         private var _reader:ModelReader = null;
@@ -103,11 +103,11 @@ package starlogo.models.loading
          * @param usesTransforms whether the transform file beside it is fetched too
          * @param manifest lists the cooked files; null for no list
          */
-        public function fetch(url:String, usesTransforms:Boolean, manifest:ModelManifest):void
+        public function fetch(url:String, usesTransforms:Boolean, manifest:CookedManifest):void
         {
             _url = url || "";
             _usesTransforms = usesTransforms && !(_upAxis is ModelTransform);
-            if (manifest == null || !ModelAddress.hasFolder(_url))
+            if (manifest == null || !FileAddress.hasFolder(_url))
             {
                 fetchFile();
                 return;
@@ -124,7 +124,7 @@ package starlogo.models.loading
                 {
                     if (text == null && (bytes == null || ModelFormat.ofBytes(bytes) == null))
                     {
-                        text = ModelText.decode(name, bytes);
+                        text = FileText.decode(name, bytes);
                         bytes = null;
                     }
                 }).call(function():void
@@ -143,13 +143,13 @@ package starlogo.models.loading
         /** Stops fetching. */
         public function cancel():void
         {
-            for each (var each:ModelDownload in _downloads)
+            for each (var each:FileDownload in _downloads)
             {
                 each.cancel();
             }
         }
 
-        private static function isUnderWay(download:ModelDownload, index:int, all:Vector.<ModelDownload>):Boolean
+        private static function isUnderWay(download:FileDownload, index:int, all:Vector.<FileDownload>):Boolean
         {
             return download.isUnderWay;
         }
@@ -163,7 +163,7 @@ package starlogo.models.loading
                 fetchFile();
                 return;
             }
-            var file:ModelDownload = download(address);
+            var file:FileDownload = download(address);
             call(function():void
                 {
                     _reader = new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms));
@@ -199,9 +199,9 @@ package starlogo.models.loading
         private function fetchFile():void
         {
             _downloads.length = 0;
-            var file:ModelDownload = _url == "" ? null : download(_url);
-            var address:String = _usesTransforms && ModelAddress.hasFolder(_url) ? ModelAddress.besideOf(_url, ".slb") : null;
-            var transformFile:ModelDownload = address == null ? null : download(address);
+            var file:FileDownload = _url == "" ? null : download(_url);
+            var address:String = _usesTransforms && FileAddress.hasFolder(_url) ? FileAddress.besideOf(_url, ".slb") : null;
+            var transformFile:FileDownload = address == null ? null : download(address);
             call(function():void
                 {
                     readFetched(file, transformFile);
@@ -209,14 +209,14 @@ package starlogo.models.loading
         }
 
         // Starts to fetch a file. The next step is done when it has come.
-        private function download(address:String):ModelDownload
+        private function download(address:String):FileDownload
         {
-            var started:ModelDownload = new ModelDownload(address, _newLoader());
+            var started:FileDownload = new FileDownload(address, _newLoader());
             _downloads.push(started);
             return started;
         }
 
-        private function readFetched(file:ModelDownload, transformFile:ModelDownload):void
+        private function readFetched(file:FileDownload, transformFile:FileDownload):void
         {
             refuseIf(file == null, name, "there is no address to fetch its file from");
             refuseIf(file.problem != null, name, file.problem);
@@ -249,14 +249,14 @@ package starlogo.models.loading
 
         private function fetchBuffers(gltf:GltfFile):void
         {
-            var buffers:Vector.<ModelDownload> = new Vector.<ModelDownload>();
+            var buffers:Vector.<FileDownload> = new Vector.<FileDownload>();
             for each (var uri:String in gltf.otherFiles)
             {
-                if (!ModelAddress.hasFolder(_url))
+                if (!FileAddress.hasFolder(_url))
                 {
                     throw gltf.missingBuffer(uri, "it is in another file, and the address of this file is not known: load() fetches both");
                 }
-                buffers.push(download(ModelAddress.folderOf(_url) + uri));
+                buffers.push(download(FileAddress.folderOf(_url) + uri));
             }
             call(function():void
                 {
@@ -264,7 +264,7 @@ package starlogo.models.loading
                 });
         }
 
-        private function readGltf(gltf:GltfFile, buffers:Vector.<ModelDownload>):void
+        private function readGltf(gltf:GltfFile, buffers:Vector.<FileDownload>):void
         {
             for (var i:int = 0; i < buffers.length; i++)
             {

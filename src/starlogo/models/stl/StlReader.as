@@ -7,8 +7,8 @@ package starlogo.models.stl
     import starlogo.models.ModelError;
     import starlogo.models.ModelReader;
     import starlogo.models.refuseIf;
+    import starlogo.models.text.FileText;
     import starlogo.models.text.LineReader;
-    import starlogo.models.text.ModelText;
 
     /**
      * Reads an STL file, binary or text. StlModel says which parts.
@@ -59,7 +59,7 @@ package starlogo.models.stl
 
         private function addBinary(bytes:ByteArray):void
         {
-            ModelText.checkSize(name, bytes);
+            FileText.checkSize(name, bytes);
             bytes.endian = Endian.LITTLE_ENDIAN;
             var count:int = countIn(bytes);
             _limits.require(FileLimits.TRIANGLES, count);
@@ -76,7 +76,7 @@ package starlogo.models.stl
         public static function of(name:String, bytes:ByteArray, upAxis:Object, scaling:String):StlReader
         {
             return bytes != null && isBinary(bytes) ? new StlReader(name, bytes, null, upAxis, scaling)
-                : new StlReader(name, null, ModelText.decode(name, bytes, "STL"), upAxis, scaling);
+                : new StlReader(name, null, FileText.decode(name, bytes, "STL"), upAxis, scaling);
         }
 
         /**

@@ -6,7 +6,7 @@ package starlogo.models.text
      *
      * @private
      */
-    public final class ModelAddress
+    public final class FileAddress
     {
         private static const LONGEST:int = 2000;
         private static const FOLDER:RegExp = /^([a-z][a-z0-9+.\-]*:)?(\/\/[^\/?#]*)?([^?#]*\/)?/i;

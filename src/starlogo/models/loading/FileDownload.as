@@ -15,7 +15,7 @@ package starlogo.models.loading
      *
      * @private
      */
-    public final class ModelDownload
+    public final class FileDownload
     {
         private static const EVENTS:Array = [Event.COMPLETE, ProgressEvent.PROGRESS, IOErrorEvent.IO_ERROR, SecurityErrorEvent.SECURITY_ERROR];
 
@@ -40,7 +40,7 @@ package starlogo.models.loading
          * @param url the file's address
          * @param loader fetches it
          */
-        public function ModelDownload(url:String, loader:URLLoader)
+        public function FileDownload(url:String, loader:URLLoader)
         {
             _url = url;
             _loader = loader;

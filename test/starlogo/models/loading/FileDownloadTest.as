@@ -5,7 +5,7 @@ package starlogo.models.loading
     import org.flexunit.asserts.assertEquals;
     import support.OfferingURLLoader;
 
-    public class ModelDownloadTest
+    public class FileDownloadTest
     {
         [Test]
         public function aProblemHasTheAddress():void
@@ -19,7 +19,7 @@ package starlogo.models.loading
         public function theProgressIsAtMostAll():void
         {
             var loader:URLLoader = new WaitingURLLoader();
-            var download:ModelDownload = new ModelDownload("models/bear.obj", loader);
+            var download:FileDownload = new FileDownload("models/bear.obj", loader);
             loader.dispatchEvent(new ProgressEvent(ProgressEvent.PROGRESS, false, false, 20, 80));
             assertEquals(0.25, download.progress);
             // a server that compresses the file tells the compressed size
@@ -31,7 +31,7 @@ package starlogo.models.loading
 
         private static function problemWith(text:String):String
         {
-            return new ModelDownload("models/bear.obj", new OfferingURLLoader({}, text)).problem;
+            return new FileDownload("models/bear.obj", new OfferingURLLoader({}, text)).problem;
         }
     }
 }

@@ -1,23 +1,23 @@
 package starlogo.models.loading
 {
     import flash.utils.ByteArray;
-    import starlogo.models.text.ModelAddress;
+    import starlogo.models.text.FileAddress;
 
     /**
      * The list of the cooked files in a folder and below. It is fetched when it is first needed.
      *
      * @private
      */
-    public final class ModelManifest
+    public final class CookedManifest
     {
         /** The list's address. */
         public var url:String;
 
-        private var _download:ModelDownload = null;
+        private var _download:FileDownload = null;
         private var _models:Object = null;
 
         /** @param url the list's address */
-        public function ModelManifest(url:String)
+        public function CookedManifest(url:String)
         {
             this.url = url;
         }
@@ -25,7 +25,7 @@ package starlogo.models.loading
         /** Fetches the list, if it has not been requested before. @param newLoader <code>function():URLLoader</code> */
         public function fetch(newLoader:Function):void
         {
-            _download ||= new ModelDownload(url, newLoader());
+            _download ||= new FileDownload(url, newLoader());
         }
 
         /** Whether the download is running. */
@@ -38,7 +38,7 @@ package starlogo.models.loading
         public function addressFor(file:String):String
         {
             var parts:Array = file.match(/^([^?#]*)(.*)$/);
-            var folder:String = ModelAddress.folderOf(url);
+            var folder:String = FileAddress.folderOf(url);
             if (parts[1].substr(0, folder.length) != folder)
             {
                 return null;
@@ -55,7 +55,7 @@ package starlogo.models.loading
             // the model's own address may be anywhere, because the game chose it
             var own:String = cooked is String ? String(cooked) : "";
             own = own.indexOf(name) == 0 ? own.substr(name.length) : own;
-            return ModelAddress.isWithin(own) ? folder + cooked + parts[2] : null;
+            return FileAddress.isWithin(own) ? folder + cooked + parts[2] : null;
         }
 
         // A file that is no list counts as an empty list.

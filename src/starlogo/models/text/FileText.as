@@ -11,7 +11,7 @@ package starlogo.models.text
      *
      * @private
      */
-    public final class ModelText
+    public final class FileText
     {
         private static const HEAD_LENGTH:int = 1024;
         private static const DECLARATION_LENGTH:int = 100;

@@ -22,19 +22,17 @@ package starlogo.fitting
         /**
          * Creates a session without fits.
          *
-         * @param vertices x, y, z of each vertex; kept, not copied, and never changed
-         * @param atOnce false leaves all work, including the check of the vertices, to <code>step()</code>
-         * @throws ArgumentError if the vertices are null or empty, if the number of coordinates is not a multiple of 3, or if one of them
-         *     is not finite or beyond 1e60
+         * @param vertices x, y, z of each vertex; kept, not copied, and never changed. The steps check them
          */
-        public function FitSession(vertices:Vector.<Number>, atOnce:Boolean = true)
+        public function FitSession(vertices:Vector.<Number>)
         {
-            _hull = new ConvexHull(vertices, atOnce);
+            _hull = new ConvexHull(vertices, false);
         }
 
         /**
          * @inheritDoc
-         * @throws ArgumentError for the constructor's reasons, if it left the check to the steps
+         * @throws ArgumentError if the vertices are null or empty, if the number of coordinates is not a multiple of 3, or if one of them
+         *     is not finite or beyond 1e60
          */
         public function step():Boolean
         {
@@ -47,7 +45,7 @@ package starlogo.fitting
             return _hull.vertices;
         }
 
-        /** The vertices' convex hull. If steps of its computation remain, they are done now. */
+        /** The vertices' convex hull. If steps of its computation remain, they are done now. @throws ArgumentError as step() */
         public function get hull():ConvexHull
         {
             finish(_hull);

@@ -55,7 +55,7 @@ package starlogo.libraries
                 throw ModelTable.errorOf(name, "a fitter must not be null");
             }
             _fitters = fitters.concat();
-            var session:FitSession = new FitSession(vertices, false);
+            var session:FitSession = new FitSession(vertices);
             for each (var fitter:Fitter in _fitters)
             {
                 var fit:Fit = session.fitOf(fitter);

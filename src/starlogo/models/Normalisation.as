@@ -58,7 +58,7 @@ package starlogo.models
                 _data.frame = new SourceFrame();
                 addPlacing(factors);
             }
-            slices(_data.triangles.length, CORNERS_PER_STEP, checkCorners);
+            slices(_data.triangles.length, CORNERS_PER_STEP, checkCorners).call(trimLabels);
             if (factors.x * factors.y * factors.z < 0)
             {
                 call(reverseTriangles);
@@ -196,6 +196,12 @@ package starlogo.models
             refuseIf(problem != null, _data.name, problem);
         }
 
+        private function trimLabels():void
+        {
+            _data.materials.trim(_data.triangles.length / 3);
+            _data.meshes.trim(_data.triangles.length / 3);
+        }
+
         // A mirror image's triangles get the reverse corner order, so that they still face outwards. Their own order is reversed too.
         private function reverseTriangles():void
         {
@@ -206,11 +212,8 @@ package starlogo.models
 
         private function close():void
         {
-            var triangleCount:int = _data.triangles.length / 3;
-            _data.materials.trim(triangleCount);
-            _data.meshes.trim(triangleCount);
             _data.vertices.fixed = _data.triangles.fixed = true;
-            _data.triangles = triangleCount == 0 ? null : _data.triangles;
+            _data.triangles = _data.triangles.length == 0 ? null : _data.triangles;
         }
 
         // as in the client: an extent of 0 counts as 1

@@ -80,7 +80,7 @@ package starlogo.models
             return starts.length == 0;
         }
 
-        /** Reverses the order of the triangles. @param count the number of triangles */
+        /** Reverses the order of the triangles. Of trimmed labels. @param count the number of triangles */
         public function reverse(count:int):void
         {
             var oldStarts:Vector.<int> = starts;

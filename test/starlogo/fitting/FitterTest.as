@@ -224,7 +224,7 @@ package starlogo.fitting
             for each (var fitter:* in [new OrientedBoxFitter(10), new ZAlignedBoxFitter(10)])
             {
                 var expected:Number = fitter.fit(points).volume;
-                var session:FitSession = new FitSession(points, false);
+                var session:FitSession = new FitSession(points);
                 var work:Fit = fitter.fitting(session);
                 fitter.degIncrement = 90;
                 finish(work);
@@ -245,8 +245,8 @@ package starlogo.fitting
             }
             for each (var vertices:Vector.<Number> in [null, new Vector.<Number>(), new <Number>[1, 2], new <Number>[1, 2, NaN]])
             {
-                assertThrows(ArgumentError, /./, finish, new FitSession(vertices, false));
-                assertThrows(ArgumentError, /./, finish, new NaiveSphereFitter().fitting(new FitSession(vertices, false)));
+                assertThrows(ArgumentError, /./, finish, new FitSession(vertices));
+                assertThrows(ArgumentError, /./, finish, new NaiveSphereFitter().fitting(new FitSession(vertices)));
             }
             assertThrows(IllegalOperationError, /fitting/, new Fitter().fit, PointSets.box(1, 1, 1));
             assertThrows(IllegalOperationError, /findAlong/, new BoxAxisFitter(new AxisAlignedBoxFitter()).fit, PointSets.box(1, 1, 1));

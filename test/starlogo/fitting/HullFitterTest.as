@@ -205,7 +205,7 @@ package starlogo.fitting
         {
             for each (var model:Model in SteppedModels.odd())
             {
-                var session:FitSession = new FitSession(model.vertices, false);
+                var session:FitSession = new FitSession(model.vertices);
                 var fit:Fit = new HullFitter().fitting(session);
                 var steps:int = 1;
                 while (session.step())

@@ -22,7 +22,7 @@ package starlogo.fitting
         /**
          * Creates a session without fits.
          *
-         * @param vertices x, y, z of each vertex; kept, not copied, and never changed. The steps check them
+         * @param vertices x, y, z of each vertex; kept, not copied, and never changed. The steps check them, and refuse null
          */
         public function FitSession(vertices:Vector.<Number>)
         {

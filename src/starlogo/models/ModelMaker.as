@@ -3,8 +3,8 @@ package starlogo.models
     import starlogo.steps.Steps;
 
     /**
-     * Makes a model in steps from something other than a file, for example from a renderer's meshes. A ModelLoader does its steps. If a
-     * step throws, the load ends.
+     * Makes a model in steps: from a file, or in a class of the game's own from something else, for example a renderer's meshes. A
+     * ModelLoader does its steps. If a step throws, the load ends.
      */
     public interface ModelMaker extends Steps
     {

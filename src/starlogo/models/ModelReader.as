@@ -7,17 +7,17 @@ package starlogo.models
 
     /**
      * Reads a model's file into a ModelData. Each format has a subclass, which adds the parts of the work. The last part is
-     * <code>normalising()</code>. Only a pose of a glTF file is not normalised. A step takes about a millisecond, and throws a ModelError if the file is wrong.
+     * <code>normalising()</code>. Only a pose of a glTF file is not normalised, and makes no model. A step takes about a millisecond, and
+     * throws a ModelError if the file is wrong.
      *
      * @private
      */
-    public class ModelReader extends StepSequence
+    public class ModelReader extends StepSequence implements ModelMaker
     {
         /** The model's data. It is complete when no step is left. */
         public var data:ModelData;
 
-        /** The share that is read, from 0 to 1. */
-        public var progress:Number = 0;
+        private var _progress:Number = 0;
 
         // Points without a surface. They become the model's vertices if there are no others.
         private var _loosePoints:Vector.<Number> = new Vector.<Number>();
@@ -46,6 +46,23 @@ package starlogo.models
         {
             finish(this);
             return data;
+        }
+
+        /** The share that is read, from 0 to 1. Subclasses set it. */
+        public final function get progress():Number
+        {
+            return _progress;
+        }
+
+        public final function set progress(value:Number):void
+        {
+            _progress = value;
+        }
+
+        /** @inheritDoc */
+        public final function get model():Model
+        {
+            return new Model(null, null, null, null, data);
         }
 
         /** The model's name. */

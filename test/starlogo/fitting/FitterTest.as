@@ -189,7 +189,9 @@ package starlogo.fitting
         {
             var before:CountedSteps = new CountedSteps(3);
             var cube:Vector.<Number> = PointSets.box(1, 1, 1);
-            var fit:Fit = new Fit(new FitSession(cube), before.boxOfThem, before);
+            var session:FitSession = new FitSession(cube);
+            finish(session);
+            var fit:Fit = new Fit(session, before.boxOfThem, before);
             for (var i:int = 0; i < 4; i++)
             {
                 assertTrue(fit.step());

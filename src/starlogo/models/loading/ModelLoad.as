@@ -4,7 +4,6 @@ package starlogo.models.loading
     import starlogo.models.Model;
     import starlogo.models.ModelError;
     import starlogo.models.ModelMaker;
-    import starlogo.models.ModelReader;
     import starlogo.models.ModelReceiver;
     import starlogo.models.ModelTransform;
     import starlogo.models.cooked.CookedFile;
@@ -56,8 +55,7 @@ package starlogo.models.loading
         // they are fetched, and after they are read.
         private var _downloads:Vector.<FileDownload> = new Vector.<FileDownload>();
 
-        // what reads the file, or makes the model instead
-        private var _reader:ModelReader = null;
+        // what reads the file, or makes the model instead; null before the file has come, and after the model is made
         private var _maker:ModelMaker = null;
 
         /**
@@ -89,11 +87,11 @@ package starlogo.models.loading
             {
                 return READ;
             }
-            if (_reader != null)
+            if (_maker != null)
             {
-                return FETCHED + (READ - FETCHED) * _reader.progress;
+                return FETCHED + (READ - FETCHED) * _maker.progress;
             }
-            return _maker != null ? READ * _maker.progress : (_downloads.length == 0 ? 0 : FETCHED * _downloads[0].progress);
+            return _downloads.length == 0 ? 0 : FETCHED * _downloads[0].progress;
         }
 
         /**
@@ -133,9 +131,10 @@ package starlogo.models.loading
                 });
         }
 
-        /** Sets what makes the model instead of a file. */
+        /** Sets what makes the model: the reader of its file, or the game's own maker. */
         public function setMaker(maker:ModelMaker):void
         {
+            _downloads.length = 0;
             _maker = maker;
             add(maker).call(keepModel);
         }
@@ -166,7 +165,7 @@ package starlogo.models.loading
             var file:FileDownload = download(address);
             call(function():void
                 {
-                    _reader = new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms));
+                    _maker = new CookedReader(name, file.bytes, CookedFile.keyOfLoad(_upAxis, _scaling, _usesTransforms));
                 }).repeat(readCooked).call(takeCooked);
         }
 
@@ -175,18 +174,18 @@ package starlogo.models.loading
         {
             try
             {
-                return _reader.step();
+                return _maker.step();
             }
             catch (error:ModelError)
             {
-                _reader = null;
+                _maker = null;
             }
             return false;
         }
 
         private function takeCooked():void
         {
-            if (_reader == null)
+            if (_maker == null)
             {
                 fetchFile();
             }
@@ -237,7 +236,7 @@ package starlogo.models.loading
             var format:String = ModelFormat.of(bytes, text, _url);
             if (format != ModelFormat.GLTF)
             {
-                readWith(ModelFormat.newReader(format, name, bytes, text, _upAxis, _scaling));
+                setMaker(ModelFormat.newReader(format, name, bytes, text, _upAxis, _scaling));
                 return;
             }
             var gltf:GltfFile = new GltfFile(name, bytes, text);
@@ -274,20 +273,12 @@ package starlogo.models.loading
                 }
                 gltf.setBuffer(gltf.otherFiles[i], buffers[i].bytes);
             }
-            readWith(new GltfReader(name, gltf, _upAxis as ModelTransform, _scaling));
-        }
-
-        private function readWith(reader:ModelReader):void
-        {
-            _downloads.length = 0;
-            _reader = reader;
-            add(_reader).call(keepModel);
+            setMaker(new GltfReader(name, gltf, _upAxis as ModelTransform, _scaling));
         }
 
         private function keepModel():void
         {
-            model = _maker != null ? _maker.model : new Model(null, null, null, null, _reader.data);
-            _reader = null;
+            model = _maker.model;
             _maker = null;
             _downloads.length = 0;
             begin(receiving);

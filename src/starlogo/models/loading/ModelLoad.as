@@ -47,7 +47,7 @@ package starlogo.models.loading
         private var _newLoader:Function;
         private var _usesTransforms:Boolean = false;
 
-        // The file's address; null if it is not known. The list of cooked files while the load waits for it.
+        // The file's address; null if there is none to fetch. The list of cooked files while the load waits for it.
         private var _url:String = null;
         private var _manifest:CookedManifest = null;
 
@@ -89,7 +89,8 @@ package starlogo.models.loading
             }
             if (_maker != null)
             {
-                return FETCHED + (READ - FETCHED) * _maker.progress;
+                var before:Number = _url == null ? 0 : FETCHED;
+                return before + (READ - before) * _maker.progress;
             }
             return _downloads.length == 0 ? 0 : FETCHED * _downloads[0].progress;
         }

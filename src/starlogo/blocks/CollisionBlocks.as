@@ -191,14 +191,14 @@ package starlogo.blocks
             resetCount++;
         }
 
-        /** How two agents touch, or touched in the last frame. */
-        internal function contactOfFrame(agent:Agent, other:Agent):Contact
+        /** @private How two agents touch, or touched in the last frame. */
+        engine function contactOfFrame(agent:Agent, other:Agent):Contact
         {
             return colliderInUse.contactOf(agent, other);
         }
 
-        /** How two agents touch where they are now; null if they do not. */
-        internal function contactNow(agent:Agent, other:Agent):Contact
+        /** @private How two agents touch where they are now; null if they do not. */
+        engine function contactNow(agent:Agent, other:Agent):Contact
         {
             if (colliderInUse !== _collider)
             {
@@ -208,8 +208,8 @@ package starlogo.blocks
             return _search.areColliding(agent, other) ? _collider.contactIn(_search, agent, other, new Contact()) : null;
         }
 
-        /** Moves an agent out of another one by the shortest way, from where both are now. Returns their contact before; null if they did not touch. */
-        internal function pushOut(agent:Agent, other:Agent):Contact
+        /** @private Moves an agent out of another one by the shortest way, from where both are now. Returns their contact before; null if they did not touch. */
+        engine function pushOut(agent:Agent, other:Agent):Contact
         {
             var contact:Contact = contactNow(agent, other);
             if (contact != null)

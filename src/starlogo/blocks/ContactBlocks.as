@@ -4,7 +4,10 @@ package starlogo.blocks
     import starlogo.agents.Agent;
     import starlogo.collision.Contact;
     import starlogo.data.requireGiven;
+    import starlogo.engine;
     import starlogo.geometry.Trigonometry;
+
+    use namespace engine;
 
     /**
      * The blocks that tell how two agents touch: "side that was hit", "touch point", "touch speed", "push away from". In a collision block they

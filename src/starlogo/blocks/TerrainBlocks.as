@@ -4,9 +4,12 @@ package starlogo.blocks
     import starlogo.collision.Collision;
     import starlogo.collision.Contact;
     import starlogo.data.requireGiven;
+    import starlogo.engine;
     import starlogo.geometry.Trigonometry;
     import starlogo.terrain.Terrain;
     import starlogo.terrain.WorldBounds;
+
+    use namespace engine;
 
     /**
      * The blocks for the ground and the edges of the world: "build wall", "build mound", "raise the ground", "terrain height", "reset terrain",

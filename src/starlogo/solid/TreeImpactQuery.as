@@ -6,7 +6,6 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
     import starlogo.hierarchy.FirstTouch;
     import starlogo.hierarchy.NodePairSearch;
@@ -70,32 +69,34 @@ package starlogo.solid
         /** @inheritDoc */
         override public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            findTouch(motion);
+            findTouch(motion, 0);
             motion.time = _motion.time = _touch.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
-                findContactOfTouch(motion, out);
+                findContactOfTouch(out);
+                moveToWorld(out, _pair.placementA, motion);
             }
         }
 
         /**
-         * It is the contact of the first two triangles that touch, or of the first two nodes that decide. If one model is inside of the other, it is
-         * the contact of the boxes of their roots.
+         * It is the contact of two triangles that touch there, or of two nodes that decide. If one model is inside of the other, it is the contact of
+         * the boxes of their roots.
          *
          * @inheritDoc
          */
         override public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
-            findTouch(motion);
-            _motion.time = motion.time;
-            if (_touch.time <= motion.time + Tolerances.SAME_TIME)
+            findTouch(motion, motion.time);
+            _motion.time = 0;
+            if (_touch.time == 0)
             {
-                findContactOfTouch(motion, out);
+                findContactOfTouch(out);
             }
             else
             {
-                findContactOfNodes(0, 0, motion, out);
+                findContactOfNodes(0, 0, out);
             }
+            moveToWorld(out, _pair.placementA, motion);
         }
 
         /**
@@ -123,15 +124,16 @@ package starlogo.solid
             _placed.z += motion.startZ + time * motion.z;
         }
 
-        // Finds the triangles or nodes that touch first while the first model moves, and their time.
-        private function findTouch(motion:RelativeMotion):void
+        // Finds the triangles or nodes that touch first, and when, while the first model moves on from where it is at a time. That is time 0 of the
+        // search.
+        private function findTouch(motion:RelativeMotion, from:Number):void
         {
             var pair:TreePair = _pair;
             var a:ModelTree = pair.a;
             var b:ModelTree = pair.b;
-            placeFirst(motion, 0);
+            placeFirst(motion, from);
             _pose.relate(_placed, pair.placementB);
-            RelativePose.relateMotion(pair.placementA, motion, _motion);
+            RelativePose.relateMotion(_placed, motion, _motion);
             if (b == null)
             {
                 _overlaps.findStructureTouch(pair, _pose, _motion, _touch);
@@ -141,15 +143,14 @@ package starlogo.solid
             _traversal.findTouch(_pose, _motion, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider, _touch);
         }
 
-        // The contact of the two that findTouch has found, at the motion's time.
-        private function findContactOfTouch(motion:RelativeMotion, out:ContactPoint):void
+        // The contact of the two that findTouch() has found, at the time of the second model's motion, in the first model's space.
+        private function findContactOfTouch(out:ContactPoint):void
         {
             if (!_pair.isExact)
             {
-                findContactOfNodes(_touch.a, _touch.b, motion, out);
-                return;
+                findContactOfNodes(_touch.a, _touch.b, out);
             }
-            if (_pair.b == null)
+            else if (_pair.b == null)
             {
                 _overlaps.findTriangleContact(_touch.a, _motion, out);
             }
@@ -157,15 +158,13 @@ package starlogo.solid
             {
                 _trianglePairSweep.findContact(_touch, _motion, out);
             }
-            moveToWorld(out, _pair.placementA, motion);
         }
 
-        // The contact of two nodes, or of a node and the structure that stands for the second model, at the motion's time.
-        private function findContactOfNodes(a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        // The contact of two nodes, or of a node and the structure that stands for the second model.
+        private function findContactOfNodes(a:int, b:int, out:ContactPoint):void
         {
             var structureB:BoundingStructure = _pair.b == null ? _pair.structureB : _pair.b.boxTree.writeBox(b, _boxB);
             PairTable.findContact(_pose.place(structureB), _pair.a.boxTree.writeBox(a, _boxA), _motion, out);
-            moveToWorld(out, _pair.placementA, motion);
         }
 
         // Turns the contact of the second model with the first, in the first one's space, into the contact of the first with the second, in the world.

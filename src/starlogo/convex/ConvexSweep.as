@@ -31,8 +31,8 @@ package starlogo.convex
         {
             motion.time = 0;
             cores.setMotion(motion);
-            motion.findMargin();
-            cores.touchingDistance += motion.margin;
+            include "motionMargin.inc";
+            cores.touchingDistance += margin;
             _lastTouch = RelativeMotion.NEVER;
             skipToBalls(cores, motion);
             motion.time = motion.earliest > motion.time ? motion.earliest : motion.time;

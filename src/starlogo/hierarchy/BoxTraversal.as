@@ -176,42 +176,29 @@ package starlogo.hierarchy
                     {
                         var axis:int;
                         var side:Number;
-                        var near:int;
-                        var far:int;
+                        var child:int;
                         var dividesA:Boolean = !aEnds && (bEnds || isDeep || halfX * halfX + halfY * halfY + halfZ * halfZ >= squaredRadius);
                         if (dividesA)
                         {
                             axis = treeA.axisOf(a);
                             side = axis == 0 ? x : (axis == 1 ? y : z);
-                            near = treeA.left[a];
-                            far = near + 1;
-                            if (side > 0)
-                            {
-                                far = near;
-                                near = far + 1;
-                            }
-                            stack[top] = far;
+                            child = treeA.left[a];
+                            a = side > 0 ? child + 1 : child;
+                            stack[top] = 2 * child + 1 - a;
                             stack[top + 1] = b;
                             top += 2;
-                            x += boxesA[atA] - boxesA[int(6 * near)];
-                            y += boxesA[int(atA + 1)] - boxesA[int(6 * near + 1)];
-                            z += boxesA[int(atA + 2)] - boxesA[int(6 * near + 2)];
-                            a = near;
+                            x += boxesA[atA] - boxesA[int(6 * a)];
+                            y += boxesA[int(atA + 1)] - boxesA[int(6 * a + 1)];
+                            z += boxesA[int(atA + 2)] - boxesA[int(6 * a + 2)];
                         }
                         if (isDeep ? !bEnds : !dividesA)
                         {
                             axis = treeB.axisOf(b);
                             side = axis == 0 ? m00 * x + m10 * y + m20 * z : (axis == 1 ? m01 * x + m11 * y + m21 * z : m02 * x + m12 * y + m22 * z);
-                            near = treeB.left[b];
-                            far = near + 1;
-                            if (side < 0)
-                            {
-                                far = near;
-                                near = far + 1;
-                            }
-                            b = near;
+                            child = treeB.left[b];
+                            b = side < 0 ? child + 1 : child;
                             stack[top] = a;
-                            stack[top + 1] = far;
+                            stack[top + 1] = 2 * child + 1 - b;
                             top += 2;
                         }
                         continue;

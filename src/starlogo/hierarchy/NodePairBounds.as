@@ -13,9 +13,13 @@ package starlogo.hierarchy
         /** The best time or distance found, or Infinity. */
         public var least:Number = Infinity;
 
-        /** For times: what touches first in the best pair, the two nodes, or the slots of two items if items decide. Undefined if none is found. */
-        public var bestA:int = 0;
-        public var bestB:int = 0;
+        /** The best pair of nodes. Undefined if none is found. */
+        public var nodeA:int = 0;
+        public var nodeB:int = 0;
+
+        /** For times, if items decide: the slots of the two that touch first. */
+        public var slotA:int = 0;
+        public var slotB:int = 0;
 
         /** For distances: the closest points of the best pair, and their distance. */
         public var points:ClosestPoints = new ClosestPoints();

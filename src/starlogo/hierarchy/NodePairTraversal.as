@@ -105,6 +105,8 @@ package starlogo.hierarchy
                     if (out.current < out.least)
                     {
                         out.least = out.current;
+                        out.nodeA = a;
+                        out.nodeB = b;
                     }
                 }
                 if (top == 0 || !(out.least > 0))

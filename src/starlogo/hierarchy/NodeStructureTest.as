@@ -20,8 +20,12 @@ package starlogo.hierarchy
         private var _search:BoxSearch;
 
         private var _structure:BoundingStructure;
+
+        // The structure's motion, which receives the time of the first touch, and a copy that has the times of one node. The node that is touched first.
+        private var _motion:RelativeMotion;
         private var _sweep:RelativeMotion = new RelativeMotion();
-        private var _found:FirstTouch;
+        private var _found:int = -1;
+
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _box:Box = BoxTree.newBox();
 
@@ -37,21 +41,23 @@ package starlogo.hierarchy
          * @param depth how many of the tree's levels are visited
          * @param structure in the space of another model
          * @param pose the other model's pose in the tree's space
-         * @param motion of the structure, from the pose on. If it is still, it touches at time 0 or never
-         * @param out receives the time and the node
+         * @param motion of the structure, from the pose on; receives the time. If it is still, the structure touches at time 0 or never
+         * @return the node, or -1
          */
-        public function findTouch(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion, out:FirstTouch):void
+        public function findTouch(tree:BoxTree, depth:int, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
         {
             _structure = pose.placeWidened(structure);
             _sweep.copyVector(motion);
             _sweep.earliest = motion.earliest;
-            _found = out;
-            out.time = RelativeMotion.NEVER;
+            _motion = motion;
+            _found = -1;
+            motion.time = RelativeMotion.NEVER;
             limit = motion.isStill ? 0 : motion.latest;
             _structure.extentsInto(_extents);
             _search.setExtents(_extents, 0);
             _search.setMotion(motion);
             _search.find(tree, depth, this);
+            return _found;
         }
 
         /** @inheritDoc */
@@ -68,7 +74,10 @@ package starlogo.hierarchy
                 sweep.latest = limit;
                 PairTable.findTime(_structure, _box, sweep);
             }
-            keepEarlier(node, sweep, _found);
+            if (keepEarlier(sweep, _motion))
+            {
+                _found = node;
+            }
         }
     }
 }

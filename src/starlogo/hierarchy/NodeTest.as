@@ -25,24 +25,25 @@ package starlogo.hierarchy
         }
 
         /**
-         * Keeps a node or an item that something touches, if it does so within the limit and earlier than it touches all before. Then the limit is that
-         * time. The search ends if it is 0, because nothing is touched earlier than at the beginning.
+         * Keeps the time of a touch if it is within the limit and earlier than those of all touches before. Then the limit is that time. The search ends
+         * if it is 0, because nothing is touched earlier than at the beginning.
          *
-         * @param part the node, or the item's slot
          * @param motion has the time
-         * @param out has the earliest touch so far; receives this one if it is earlier
+         * @param earliest has the time of the earliest touch so far; receives this one if it is earlier
+         * @return whether it is
          */
-        protected final function keepEarlier(part:int, motion:RelativeMotion, out:FirstTouch):void
+        protected final function keepEarlier(motion:RelativeMotion, earliest:RelativeMotion):Boolean
         {
-            if (motion.time <= limit && motion.time < out.time)
+            if (!(motion.time <= limit && motion.time < earliest.time))
             {
-                limit = out.time = motion.time;
-                out.a = part;
-                if (!(limit > 0))
-                {
-                    endSearch();
-                }
+                return false;
             }
+            limit = earliest.time = motion.time;
+            if (!(limit > 0))
+            {
+                endSearch();
+            }
+            return true;
         }
 
         /**

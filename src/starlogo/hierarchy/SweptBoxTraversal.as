@@ -30,10 +30,9 @@ package starlogo.hierarchy
          * Finds when two trees first touch. The other parameters are those of <code>NodePairTraversal.find()</code>.
          *
          * @param motion of the second tree, from the pose on
-         * @param out receives the time, and the nodes or their items
+         * @return the nodes that touch first, and the time as <code>least</code>; the next search overwrites it
          */
-        public function findTouch(pose:RelativePose, motion:RelativeMotion, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairSearch,
-                out:FirstTouch):void
+        public function findTouch(pose:RelativePose, motion:RelativeMotion, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairSearch):NodePairBounds
         {
             var relative:Placement = pose.placement;
             _pair.axes.readAxes(relative, 1);
@@ -42,10 +41,7 @@ package starlogo.hierarchy
             _pair.motionZ = motion.z;
             _pair.tolerance = pose.tolerance + Touching.marginOfMotion(relative.x, relative.y, relative.z)
                 + Touching.marginOfMotion(motion.x, motion.y, motion.z);
-            var bounds:NodePairBounds = find(pose, treeA, depthA, treeB, depthB, decider);
-            out.time = bounds.least;
-            out.a = bounds.bestA;
-            out.b = bounds.bestB;
+            return find(pose, treeA, depthA, treeB, depthB, decider);
         }
 
         /** @inheritDoc */
@@ -63,11 +59,6 @@ package starlogo.hierarchy
                 return;
             }
             sweep(pose.placement, treeA.boxes, a, treeB.boxes, b, true, out);
-            if (out.current < out.least)
-            {
-                out.bestA = a;
-                out.bestB = b;
-            }
         }
 
         // Sets the bound to the first time at which no face separates two boxes. If withEdges is true, no edge separates them then either.

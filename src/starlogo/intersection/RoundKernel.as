@@ -51,11 +51,11 @@ package starlogo.intersection
         {
             motion.time = 0;
             findGap(a, b, motion);
-            motion.findMargin();
+            include "../convex/motionMargin.inc";
             var gap:CoreGap = _gap;
             var core:CoreMotion = _coreMotion;
             var radii:Number = gap.radiusA + gap.radiusB;
-            var touchingDistance:Number = radii * Tolerances.TOUCHING + motion.margin;
+            var touchingDistance:Number = radii * Tolerances.TOUCHING + margin;
             var squared:Number = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
             if (squared <= touchingDistance * touchingDistance)
             {
@@ -128,12 +128,13 @@ package starlogo.intersection
         {
             var gap:CoreGap = _gap;
             var core:CoreMotion = _coreMotion;
+            include "../convex/motionMargin.inc";
             var radii:Number = gap.radiusA + gap.radiusB;
             // A gap that is no longer than this has no certain direction.
             var uncertain:Number = Tolerances.DIRECTION * gap.extent;
             // Radii allow for the rounding of the gap at each step. Where there are hardly any, the extent does.
             var rounding:Number = radii < uncertain ? Tolerances.ROUNDING * gap.extent : 0;
-            var touchingDistance:Number = radii * Tolerances.TOUCHING + motion.margin + rounding;
+            var touchingDistance:Number = radii * Tolerances.TOUCHING + margin + rounding;
             var lastTime:Number = 0;
             var lastDistance:Number = Math.sqrt(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z);
             var hasOvershot:Boolean = false;

@@ -126,7 +126,7 @@ package starlogo.libraries
             if (stored.division != null && (_cookedTree == null || stored.surface != null && modelTree.surface == null))
             {
                 _cookedTree = new CookedTree(stored.division, modelTree.boxTree, _settings.maxDepth);
-                modelTree.surface = stored.surface;
+                modelTree.takeSurface(stored.surface);
             }
         }
 

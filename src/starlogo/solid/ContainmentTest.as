@@ -8,7 +8,6 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.RelativePose;
 
     use namespace engine;
 
@@ -31,13 +30,12 @@ package starlogo.solid
          * Finds a point of a part of one model that is inside of the other. There is none if a tree has no triangles. The surfaces must not touch, and
          * the boxes of two roots must overlap: otherwise the insides would be prepared in vain.
          *
-         * @param pose the second model's pose in the first model's space
          * @param out receives the point twice, in the world, if there is one; null if only the answer is needed
          * @return whether there is one
          */
-        public function findInside(pair:TreePair, pose:RelativePose, out:ClosestPoints):Boolean
+        public function findInside(pair:TreePair, out:ClosestPoints):Boolean
         {
-            var outer:Placement = pair.b == null ? (isStructureInside(pair, pose) ? pair.placementA : null) : findOuter(pair, pose);
+            var outer:Placement = pair.b == null ? (isStructureInside(pair) ? pair.placementA : null) : findOuter(pair);
             if (outer != null && out != null)
             {
                 out.setPoint(_point);
@@ -47,9 +45,9 @@ package starlogo.solid
         }
 
         // Whether the structure that stands for the second model is inside of the first one. It does not touch the surface, so one point of it decides.
-        private function isStructureInside(pair:TreePair, pose:RelativePose):Boolean
+        private function isStructureInside(pair:TreePair):Boolean
         {
-            var structure:BoundingStructure = pose.place(pair.structureB);
+            var structure:BoundingStructure = pair.pose.place(pair.structureB);
             // The origin of its points is inside of it, and so is a ball around it.
             _shape.setStructure(structure);
             _point.setTo(_shape.x, _shape.y, _shape.z);
@@ -58,7 +56,7 @@ package starlogo.solid
         }
 
         // Returns the placement of the tree that has a part of the other one inside; null if none has.
-        private function findOuter(pair:TreePair, pose:RelativePose):Placement
+        private function findOuter(pair:TreePair):Placement
         {
             if (!pair.a.hasTriangles || !pair.b.hasTriangles)
             {
@@ -68,8 +66,9 @@ package starlogo.solid
             var insideB:Interior = pair.b.prepareInterior();
             var treeA:BoxTree = pair.a.boxTree;
             var treeB:BoxTree = pair.b.boxTree;
-            var size:Number = pose.placement.size;
-            if (insideA.hasClosedShell && insideB.leastPartExtent * size <= 2 * treeA.radius && findPartInside(treeA, insideA, insideB, pose.placement))
+            var pose:Placement = pair.pose.placement;
+            var size:Number = pose.size;
+            if (insideA.hasClosedShell && insideB.leastPartExtent * size <= 2 * treeA.radius && findPartInside(treeA, insideA, insideB, pose))
             {
                 return pair.placementA;
             }
@@ -77,7 +76,7 @@ package starlogo.solid
             {
                 return null;
             }
-            _inverse.setInverse(pose.placement);
+            _inverse.setInverse(pose);
             return findPartInside(treeB, insideB, insideA, _inverse) ? pair.placementB : null;
         }
 

@@ -29,9 +29,6 @@ package starlogo.solid
 
         private static const ESCAPE:AxisEscapeTest = new AxisEscapeTest();
 
-        /** @private The surface, or null if nothing is known of it. */
-        engine var surface:SurfaceTopology = null;
-
         /** @private The root, as clients see it. */
         engine var root:HierarchyNode;
 
@@ -40,6 +37,8 @@ package starlogo.solid
 
         /** The triangles; null before they are prepared. */
         internal var mesh:TriangleMesh = null;
+
+        private var _surface:SurfaceTopology = null;
 
         /** @param tree the tree of the model's triangles or vertices. <code>building()</code> makes its nodes if it has none */
         public function ModelTree(tree:BoxTree)
@@ -74,13 +73,25 @@ package starlogo.solid
 
         private function newInterior():Steps
         {
-            var builder:InteriorBuilder = new InteriorBuilder(boxTree, mesh, surface);
+            var builder:InteriorBuilder = new InteriorBuilder(boxTree, mesh, _surface);
             return new StepSequence().add(builder).call(function():void
                 {
                     mesh = builder.mesh;
-                    surface = builder.surface;
+                    _surface = builder.surface;
                     interior = builder.interior;
                 });
+        }
+
+        /** @private The surface that the triangles make; null before it is known. */
+        engine function get surface():SurfaceTopology
+        {
+            return _surface;
+        }
+
+        /** @private Takes a surface of these triangles that was stored, or null, so that it need not be found. */
+        engine function takeSurface(stored:SurfaceTopology):void
+        {
+            _surface = stored;
         }
 
         /** @private Whether the tree is one of triangles; otherwise it is one of vertices. */
@@ -147,7 +158,7 @@ package starlogo.solid
          */
         engine function refit():void
         {
-            surface = null;
+            _surface = null;
             interior = null;
             root = HierarchyNode.of(boxTree, 0);
             if (boxTree.isMade)

@@ -5,7 +5,10 @@ package starlogo.solid
     import starlogo.convex.Interval;
     import starlogo.convex.RelativeMotion;
 
-    /** Axes along which a moving shape and a triangle may stay apart. They rule out most triangles before a time of impact is sought. */
+    /**
+     * Axes along which a moving shape and a triangle may stay apart. They depend on the shape alone, and rule out most triangles before a time of
+     * impact is sought.
+     */
     internal final class SweptAxes
     {
         // The shape, the radius around its core, and its motion.
@@ -16,12 +19,12 @@ package starlogo.solid
         // The count of the numbers of a segment's points.
         private static const SEGMENT:int = 6;
 
-        // Six numbers for each axis that does not depend on the triangle: the axis, the least place along it that the shape comes to, the
-        // greatest place at time 0, and the speed along it, which is not negative. Then the end of these numbers.
+        // Six numbers for each axis: the axis, the least place along it that the shape comes to, the greatest place at time 0, and the speed along it,
+        // which is not negative. Then the end of these numbers.
         private var _axes:Vector.<Number> = new Vector.<Number>(36, true);
         private var _end:int = 0;
 
-        // An axis that is tried, and how far the core extends along it.
+        // The axis that is added, and how far the core extends along it.
         private var _axis:Vector3D = new Vector3D();
         private var _ofShape:Interval = new Interval();
 
@@ -116,41 +119,7 @@ package starlogo.solid
                     return true;
                 }
             }
-            return stayApartAcross(corners, at, at + 3, at + 6, until) || stayApartAcross(corners, at + 3, at + 6, at, until)
-                || stayApartAcross(corners, at + 6, at, at + 3, until);
-        }
-
-        // Whether the axis perpendicular to the motion and to the edge from p to q separates the two. It is tested like any other axis, so
-        // its rounding does not count.
-        private function stayApartAcross(corners:Vector.<Number>, p:int, q:int, r:int, until:RelativeMotion):Boolean
-        {
-            var px:Number = corners[p];
-            var py:Number = corners[int(p + 1)];
-            var pz:Number = corners[int(p + 2)];
-            var ux:Number = corners[q] - px;
-            var uy:Number = corners[int(q + 1)] - py;
-            var uz:Number = corners[int(q + 2)] - pz;
-            var x:Number = _motion.y * uz - _motion.z * uy;
-            var y:Number = _motion.z * ux - _motion.x * uz;
-            var z:Number = _motion.x * uy - _motion.y * ux;
-            _axis.x = x;
-            _axis.y = y;
-            _axis.z = z;
-            _shape.project(_axis, _ofShape);
-            var radius:Number = _radius * Math.sqrt(x * x + y * y + z * z);
-            var edge:Number = x * ux + y * uy + z * uz;
-            var apex:Number = x * (corners[r] - px) + y * (corners[int(r + 1)] - py) + z * (corners[int(r + 2)] - pz);
-            var low:Number = edge < 0 ? edge : 0;
-            low = apex < low ? apex : low;
-            low -= _ofShape.greatest + radius;
-            var high:Number = edge > 0 ? edge : 0;
-            high = apex > high ? apex : high;
-            high += radius - _ofShape.least;
-            var place:Number = x * (_shape.x - px) + y * (_shape.y - py) + z * (_shape.z - pz);
-            var speed:Number = x * _motion.x + y * _motion.y + z * _motion.z;
-            var from:Number = place + _motion.earliest * speed;
-            var to:Number = place + until.latest * speed;
-            return from > high && to > high || from < low && to < low;
+            return false;
         }
     }
 }

@@ -5,7 +5,6 @@ package starlogo.solid
     import starlogo.hierarchy.BoxDistanceTraversal;
     import starlogo.hierarchy.NodeDistanceTest;
     import starlogo.hierarchy.NodePairSearch;
-    import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
 
     use namespace engine;
@@ -19,7 +18,6 @@ package starlogo.solid
     public final class TreeDistanceQuery
     {
         private var _overlaps:TreeOverlapQuery;
-        private var _pose:RelativePose = new RelativePose();
         private var _traversal:BoxDistanceTraversal;
 
         // What decides about nodes.
@@ -49,7 +47,6 @@ package starlogo.solid
          */
         public function findClosest(pair:TreePair, areTouching:Boolean, out:ClosestPoints):void
         {
-            _pose.relate(pair.placementA, pair.placementB);
             findInSpaceOfFirst(pair, out);
             out.distance *= pair.placementA.size;
             // a point of both is known already if the measured distance is 0
@@ -64,8 +61,7 @@ package starlogo.solid
         /** The number of the triangle that is nearest to a structure, as the model counts them. The pair must have triangles. */
         public function nearestTriangle(pair:TreePair):int
         {
-            _pose.relate(pair.placementA, pair.placementB);
-            var slot:int = _triangleTest.find(pair.a, pair.structureB, _pose, _measured);
+            var slot:int = _triangleTest.find(pair.a, pair.structureB, pair.pose, _measured);
             return slot < 0 ? -1 : pair.a.boxTree.order[slot];
         }
 
@@ -76,16 +72,16 @@ package starlogo.solid
             var b:ModelTree = pair.b;
             if (b != null)
             {
-                var decider:NodePairSearch = pair.isExact ? _trianglePairDistance.begin(a, b, _pose) : null;
-                _traversal.findClosest(_pose, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider, out);
+                var decider:NodePairSearch = pair.isExact ? _trianglePairDistance.begin(a, b, pair.pose) : null;
+                _traversal.findClosest(pair.pose, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider, out);
             }
             else if (pair.isExact)
             {
-                _triangleTest.find(a, pair.structureB, _pose, out);
+                _triangleTest.find(a, pair.structureB, pair.pose, out);
             }
             else
             {
-                _nodeTest.find(a.boxTree, pair.depthA, pair.structureB, _pose, out);
+                _nodeTest.find(a.boxTree, pair.depthA, pair.structureB, pair.pose, out);
             }
         }
     }

@@ -6,10 +6,10 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.FirstTouch;
+    import starlogo.hierarchy.NodePairBounds;
     import starlogo.hierarchy.NodePairSearch;
+    import starlogo.hierarchy.NodeStructureTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.SweptBoxTraversal;
     import starlogo.hierarchy.TreeCounts;
@@ -25,23 +25,18 @@ package starlogo.solid
      */
     public final class TreeImpactQuery extends ImpactQuery
     {
-        private var _overlaps:TreeOverlapQuery;
         private var _pair:TreePair;
+        private var _overlaps:TreeOverlapQuery;
 
-        // Where the first model's motion has brought it at a time, and the second model's pose as seen from there. Every question begins with them.
-        private var _placed:Placement = new Placement();
-        private var _pose:RelativePose = new RelativePose();
-
-        // The second model's motion in the first model's space, from its pose on.
+        // The second model's motion in the first model's space, from the pair's pose on.
         private var _motion:RelativeMotion = new RelativeMotion();
-
-        // The nodes or triangles that touch first.
-        private var _touch:FirstTouch = new FirstTouch();
 
         private var _traversal:SweptBoxTraversal;
 
-        // What decides about nodes if triangles do.
+        // What decides about nodes.
         private var _trianglePairSweep:TrianglePairSweep;
+        private var _nodeTest:NodeStructureTest;
+        private var _triangleTest:TriangleStructureTest;
 
         // For contacts: nodes.
         private var _boxA:Box = BoxTree.newBox();
@@ -49,7 +44,7 @@ package starlogo.solid
 
         /**
          * @param pair the two models; whoever made it sets it before each question
-         * @param overlaps tests the two where they stand, and finds when a structure first touches a tree
+         * @param overlaps tests the two where they are
          * @param counts counts what the query does
          */
         public function TreeImpactQuery(pair:TreePair, overlaps:TreeOverlapQuery, counts:TreeCounts)
@@ -58,44 +53,43 @@ package starlogo.solid
             _overlaps = overlaps;
             _traversal = new SweptBoxTraversal(counts);
             _trianglePairSweep = new TrianglePairSweep(counts);
+            _nodeTest = new NodeStructureTest(counts);
+            _triangleTest = new TriangleStructureTest(counts);
         }
 
         /** @inheritDoc */
         override public function overlapsAt(motion:RelativeMotion, time:Number):Boolean
         {
-            placeFirst(motion, time);
-            return _overlaps.areOverlappingAt(_pair, _placed);
+            _pair.moveFirst(motion, time);
+            return _overlaps.areOverlapping(_pair);
         }
 
         /** @inheritDoc */
         override public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            findTouch(motion);
-            motion.time = _motion.time = _touch.time;
+            sweep(motion, 0, out);
+            motion.time = _motion.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
-                findContactOfTouch(motion, out);
+                moveToWorld(out, _pair.placementA, motion);
             }
         }
 
         /**
-         * It is the contact of the first two triangles that touch, or of the first two nodes that decide. If one model is inside of the other, it is
-         * the contact of the boxes of their roots.
+         * It is the contact of two triangles that touch there, or of two nodes that decide. If one model is inside of the other, it is the contact of
+         * the boxes of their roots.
          *
          * @inheritDoc
          */
         override public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
-            findTouch(motion);
-            _motion.time = motion.time;
-            if (_touch.time <= motion.time + Tolerances.SAME_TIME)
+            sweep(motion, motion.time, out);
+            if (_motion.time > 0)
             {
-                findContactOfTouch(motion, out);
+                _motion.time = 0;
+                findContactOfNodes(0, 0, out);
             }
-            else
-            {
-                findContactOfNodes(0, 0, motion, out);
-            }
+            moveToWorld(out, _pair.placementA, motion);
         }
 
         /**
@@ -110,62 +104,65 @@ package starlogo.solid
         public function findOuterContact(a:BoundingStructure, placementA:Placement, b:BoundingStructure, placementB:Placement,
                 out:ContactPoint):void
         {
-            _pose.relate(placementA, placementB);
-            PairTable.findContact(_pose.place(b), a, RelativeMotion.NONE, out);
+            _pair.pose.relate(placementA, placementB);
+            PairTable.findContact(_pair.pose.place(b), a, RelativeMotion.NONE, out);
             moveToWorld(out, placementA, RelativeMotion.NONE);
         }
 
-        private function placeFirst(motion:RelativeMotion, time:Number):void
-        {
-            _placed.copyFrom(_pair.placementA);
-            _placed.x += motion.startX + time * motion.x;
-            _placed.y += motion.startY + time * motion.y;
-            _placed.z += motion.startZ + time * motion.z;
-        }
-
-        // Finds the triangles or nodes that touch first while the first model moves, and their time.
-        private function findTouch(motion:RelativeMotion):void
+        // Sweeps the first model on from where its motion has brought it at a time, which is time 0 of the sweep. Sets the time of the second model's
+        // motion to that of the first touch, and finds the contact then, in the first model's space.
+        private function sweep(motion:RelativeMotion, from:Number, out:ContactPoint):void
         {
             var pair:TreePair = _pair;
             var a:ModelTree = pair.a;
             var b:ModelTree = pair.b;
-            placeFirst(motion, 0);
-            _pose.relate(_placed, pair.placementB);
+            pair.moveFirst(motion, from);
             RelativePose.relateMotion(pair.placementA, motion, _motion);
-            if (b == null)
+            if (b != null)
             {
-                _overlaps.findStructureTouch(pair, _pose, _motion, _touch);
-                return;
+                var decider:NodePairSearch = pair.isExact ? _trianglePairSweep.begin(a, b, pair.pose, _motion) : null;
+                var best:NodePairBounds = _traversal.findTouch(pair.pose, _motion, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider);
+                _motion.time = best.least;
+                if (out != null && best.least <= 1)
+                {
+                    findContactOfBest(best, out);
+                }
             }
-            var decider:NodePairSearch = pair.isExact ? _trianglePairSweep.begin(a, b, _pose, _motion) : null;
-            _traversal.findTouch(_pose, _motion, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider, _touch);
-        }
-
-        // The contact of the two that findTouch has found, at the motion's time.
-        private function findContactOfTouch(motion:RelativeMotion, out:ContactPoint):void
-        {
-            if (!_pair.isExact)
+            else if (pair.isExact)
             {
-                findContactOfNodes(_touch.a, _touch.b, motion, out);
-                return;
-            }
-            if (_pair.b == null)
-            {
-                _overlaps.findTriangleContact(_touch.a, _motion, out);
+                var slot:int = _triangleTest.findTouch(a, pair.structureB, pair.pose, _motion);
+                if (slot >= 0 && out != null)
+                {
+                    _triangleTest.findContact(slot, _motion, out);
+                }
             }
             else
             {
-                _trianglePairSweep.findContact(_touch, _motion, out);
+                var node:int = _nodeTest.findTouch(a.boxTree, pair.depthA, pair.structureB, pair.pose, _motion);
+                if (node >= 0 && out != null)
+                {
+                    findContactOfNodes(node, 0, out);
+                }
             }
-            moveToWorld(out, _pair.placementA, motion);
         }
 
-        // The contact of two nodes, or of a node and the structure that stands for the second model, at the motion's time.
-        private function findContactOfNodes(a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        private function findContactOfBest(best:NodePairBounds, out:ContactPoint):void
+        {
+            if (_pair.isExact)
+            {
+                _trianglePairSweep.findContact(best, _motion, out);
+            }
+            else
+            {
+                findContactOfNodes(best.nodeA, best.nodeB, out);
+            }
+        }
+
+        // The contact of two nodes, or of a node and the structure that stands for the second model.
+        private function findContactOfNodes(a:int, b:int, out:ContactPoint):void
         {
             var structureB:BoundingStructure = _pair.b == null ? _pair.structureB : _pair.b.boxTree.writeBox(b, _boxB);
-            PairTable.findContact(_pose.place(structureB), _pair.a.boxTree.writeBox(a, _boxA), _motion, out);
-            moveToWorld(out, _pair.placementA, motion);
+            PairTable.findContact(_pair.pose.place(structureB), _pair.a.boxTree.writeBox(a, _boxA), _motion, out);
         }
 
         // Turns the contact of the second model with the first, in the first one's space, into the contact of the first with the second, in the world.

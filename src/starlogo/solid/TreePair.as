@@ -1,14 +1,17 @@
 package starlogo.solid
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.RelativePose;
 
     use namespace engine;
 
     /**
-     * Two placed models: two trees, or a tree and a structure. The queries of trees read it.
+     * Two placed models: two trees, or a tree and a structure. The queries of trees read it. Set it before each question, because a question
+     * may leave the first model where its motion has brought it.
      *
      * @private
      */
@@ -32,8 +35,14 @@ package starlogo.solid
         /** Whether triangles decide in place of depths. */
         public var isExact:Boolean = false;
 
+        /** The second model's pose in the space of the first one, which transforms the second model there. */
+        public var pose:RelativePose = new RelativePose();
+
+        // Where a motion has brought the first model.
+        private var _movedA:Placement = new Placement();
+
         /**
-         * Sets both models. The structure, in its own space, stands for the second one if <code>b</code> is null.
+         * Sets both models, where they stand. The structure, in its own space, stands for the second one if <code>b</code> is null.
          *
          * @param exact whether triangles decide in place of depths, if the trees have triangles. Then a tree and a structure collide if a triangle
          *     touches the solid structure, or if the structure is inside of the tree's closed surface
@@ -49,6 +58,18 @@ package starlogo.solid
             isExact = exact && a.hasTriangles && (b == null || b.hasTriangles);
             this.depthA = isExact ? BoxTree.NO_LIMIT : depthA;
             this.depthB = isExact ? BoxTree.NO_LIMIT : depthB;
+            pose.relate(placementA, placementB);
+        }
+
+        /** Sets the pose to that where a motion has brought the first model at a time. */
+        public function moveFirst(motion:RelativeMotion, time:Number):void
+        {
+            var moved:Placement = _movedA;
+            moved.copyFrom(placementA);
+            moved.x += motion.startX + time * motion.x;
+            moved.y += motion.startY + time * motion.y;
+            moved.z += motion.startZ + time * motion.z;
+            pose.relate(moved, placementB);
         }
     }
 }

@@ -4,7 +4,6 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.FirstTouch;
     import starlogo.hierarchy.NodePairBounds;
     import starlogo.hierarchy.NodePairSearch;
     import starlogo.hierarchy.RelativePose;
@@ -50,8 +49,8 @@ package starlogo.solid
                     if (_triangles.findTime(i, motion) && motion.time < bounds.current)
                     {
                         bounds.current = motion.latest = motion.time;
-                        bounds.bestA = i;
-                        bounds.bestB = treeB.first[b] + k;
+                        bounds.slotA = i;
+                        bounds.slotB = treeB.first[b] + k;
                     }
                 }
             }
@@ -60,13 +59,13 @@ package starlogo.solid
         /**
          * Finds the contact of two triangles that touch, in the first model's space. The models are those of the last <code>begin()</code>.
          *
-         * @param touch has the triangles
+         * @param best has the triangles
          * @param motion of the second model, which is where it is at the motion's time
          * @param out receives the contact, with a normal from the first model to the second
          */
-        public function findContact(touch:FirstTouch, motion:RelativeMotion, out:ContactPoint):void
+        public function findContact(best:NodePairBounds, motion:RelativeMotion, out:ContactPoint):void
         {
-            _triangles.findContact(touch.a, touch.b, motion, out);
+            _triangles.findContact(best.slotA, best.slotB, motion, out);
         }
     }
 }

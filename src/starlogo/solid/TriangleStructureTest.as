@@ -11,7 +11,6 @@ package starlogo.solid
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.FirstTouch;
     import starlogo.hierarchy.NodeTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
@@ -30,7 +29,7 @@ package starlogo.solid
         private var _counts:TreeCounts;
 
         private var _mesh:TriangleMesh;
-        // The structure's motion, and a copy that has the times of one triangle.
+        // The structure's motion, which receives the time of the first touch, and a copy that has the times of one triangle.
         private var _motion:RelativeMotion;
         private var _sweep:RelativeMotion = new RelativeMotion();
         private var _pair:ConvexTrianglePair = new ConvexTrianglePair();
@@ -49,7 +48,8 @@ package starlogo.solid
         private var _normal:Vector3D = new Vector3D();
         private var _ofShape:Interval = new Interval();
 
-        private var _found:FirstTouch;
+        // The slot of the triangle that is touched first.
+        private var _found:int = -1;
 
         /** @param counts counts the nodes that are visited and the triangles that are tested */
         public function TriangleStructureTest(counts:TreeCounts)
@@ -64,16 +64,17 @@ package starlogo.solid
          * @param model the model; has triangles
          * @param structure in the space of another model
          * @param pose the other model's pose in the first one's space
-         * @param motion of the structure, from the pose on. If it is still, it touches at time 0 or never
-         * @param out receives the time and the triangle
+         * @param motion of the structure, from the pose on; receives the time. If it is still, the structure touches at time 0 or never
+         * @return the triangle's slot, or -1
          */
-        public function findTouch(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion, out:FirstTouch):void
+        public function findTouch(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):int
         {
             begin(model, structure, pose, motion);
             limit = motion.isStill ? 0 : motion.latest;
-            out.time = RelativeMotion.NEVER;
-            _found = out;
+            motion.time = RelativeMotion.NEVER;
+            _found = -1;
             _search.find(_mesh.tree, BoxTree.NO_LIMIT, this);
+            return _found;
         }
 
         private function begin(model:ModelTree, structure:BoundingStructure, pose:RelativePose, motion:RelativeMotion):void
@@ -142,7 +143,10 @@ package starlogo.solid
                 {
                     _pair.findTime(_sweep);
                 }
-                keepEarlier(i, _sweep, _found);
+                if (keepEarlier(_sweep, _motion))
+                {
+                    _found = i;
+                }
             }
         }
 

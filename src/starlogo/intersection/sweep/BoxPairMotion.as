@@ -3,6 +3,7 @@ package starlogo.intersection.sweep
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.convex.RelativeMotion;
+    import starlogo.geometry.Tolerances;
 
     /**
      * A sweep of two boxes, as a record: where box b is at time 0, how it moves until time 1, and the time of impact that BoxSweep writes. All
@@ -82,8 +83,8 @@ package starlogo.intersection.sweep
             bX = b.halfX;
             bY = b.halfY;
             bZ = b.halfZ;
-            motion.findMargin();
-            tolerance = motion.margin;
+            include "../../convex/motionMargin.inc";
+            tolerance = margin;
         }
     }
 }

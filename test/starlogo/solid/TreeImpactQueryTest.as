@@ -1,0 +1,102 @@
+package starlogo.solid
+{
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Sphere;
+    import starlogo.convex.ContactPoint;
+    import starlogo.convex.RelativeMotion;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.hierarchy.BoxTree;
+    import starlogo.hierarchy.TreeCounts;
+    import starlogo.libraries.HierarchiesLibrary;
+    import support.assertClose;
+
+    use namespace engine;
+
+    /** A touch that only the test at the end of the motion sees has the contact of what touches there. */
+    public class TreeImpactQueryTest
+    {
+        // The gap between the walls is 1.2 wide. What stands in its middle is 0.4 wide.
+        private static const TRAVEL:Number = 0.4;
+
+        private var _counts:TreeCounts = new TreeCounts();
+        private var _pair:TreePair = new TreePair();
+        private var _query:TreeImpactQuery = new TreeImpactQuery(_pair, new TreeOverlapQuery(_counts), _counts);
+
+        [Test]
+        public function trianglesOfTwoTrees():void
+        {
+            checkEnds(treeOf("block", block(-0.2, 0.2, 0.2, [])), null, true);
+        }
+
+        [Test]
+        public function trianglesAndAStructure():void
+        {
+            checkEnds(null, new Sphere(new Vector3D(), 0.2), true);
+        }
+
+        [Test]
+        public function nodesAndAStructure():void
+        {
+            checkEnds(null, new Sphere(new Vector3D(), 0.2), false);
+        }
+
+        // Two walls move to the left, until the right one almost touches what stands between them.
+        private function checkEnds(b:ModelTree, structure:BoundingStructure, exact:Boolean):void
+        {
+            var walls:ModelTree = treeOf("walls", block(0.6, 1, 0.3, block(-1, -0.6, 0.3, [])));
+            var stands:Placement = new Placement();
+            var motion:RelativeMotion = new RelativeMotion();
+            var contact:ContactPoint = new ContactPoint();
+            var late:int = 0;
+            for (var step:int = -100; step < 1500; step++)
+            {
+                var travel:Number = TRAVEL - step * Math.pow(2, -51);
+                var ends:Placement = new Placement();
+                ends.x = -travel;
+                _pair.setTo(walls, ends, BoxTree.NO_LIMIT, b, structure, stands, BoxTree.NO_LIMIT, exact);
+                motion.endAfter(-travel, 0, 0);
+                _query.findImpact(motion, null);
+                var isMissed:Boolean = motion.time == RelativeMotion.NEVER;
+                _query.findFirst(motion, contact);
+                if (motion.time == RelativeMotion.NEVER)
+                {
+                    continue;
+                }
+                late += isMissed ? 1 : 0;
+                assertClose(1, motion.time, 1e-9, "time " + step);
+                assertClose(1, contact.normalX, 1e-9, "normal " + step);
+                assertClose(0, contact.depth, 1e-9, "depth " + step);
+                assertClose(0.2, contact.x, 1e-9, "place " + step);
+            }
+            assertTrue("only at the end: " + late, late > 3);
+        }
+
+        // Adds the corners of a block to a list.
+        private static function block(left:Number, right:Number, half:Number, corners:Array):Array
+        {
+            for each (var x:Number in [left, right])
+            {
+                corners.push(x, -half, -half, x, half, -half, x, half, half, x, -half, half);
+            }
+            return corners;
+        }
+
+        private static function treeOf(name:String, corners:Array):ModelTree
+        {
+            var library:HierarchiesLibrary = new HierarchiesLibrary();
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            for (var first:int = 0; first < corners.length / 3; first += 8)
+            {
+                for each (var face:Array in [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
+                {
+                    triangles.push(first + face[0], first + face[1], first + face[2], first + face[0], first + face[2], first + face[3]);
+                }
+            }
+            library.add(name, Vector.<Number>(corners), triangles);
+            return library.treeOf(name);
+        }
+    }
+}

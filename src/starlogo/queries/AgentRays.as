@@ -176,8 +176,9 @@ package starlogo.queries
             var ray:Ray = _ray;
             for (var row:int = _found.nextOf(_search); row >= 0; row = _found.nextOf(_search))
             {
-                if (_rowRays.findHit(row, ray, _entry) && _found.add(row, _entry.distance))
+                if (_rowRays.findHit(row, ray, _entry))
                 {
+                    _found.add(row, _entry.distance);
                     _hits.addEntry(row, ray, _entry);
                     ray.to = _found.limit;
                 }

@@ -233,10 +233,12 @@ package starlogo.queries
                 _one.add(row);
                 _mover.findTouch(_body, _one, _from, _motion, _lift, _result);
                 mayLift ||= _result.isLifted || (_result.fraction == 0 && !_result.isDeep);
-                if (_result.row >= 0 && _found.add(row, _result.fraction))
+                if (_result.row >= 0)
                 {
+                    var isFirst:Boolean = _result.fraction < _found.limit;
+                    _found.add(row, _result.fraction);
                     _hits.add(row, _result.fraction, -1).copyFrom(_result.contact);
-                    if (end != null)
+                    if (end != null && isFirst)
                     {
                         _mover.goIntoTouch(_body, _result);
                         end.copyFrom(_result.place);

@@ -60,11 +60,13 @@ package starlogo.queries.motion
             {
                 return false;
             }
-            out.isNormalFallback = !(out.contact.along(motion) < -SlidePlanes.PARALLEL_SINE * _length);
+            out.along = out.contact.along(motion);
+            out.isNormalFallback = !(out.along < -SlidePlanes.PARALLEL_SINE * _length);
             if (out.isNormalFallback)
             {
                 out.contact.setNormal(-motion.x, -motion.y, -motion.z);
                 out.contact.normalise();
+                out.along = -_length;
             }
             return true;
         }
@@ -94,7 +96,7 @@ package starlogo.queries.motion
             var recess:Number = body.shrink * (contact.normalX * (whole.x - left * motion.x - contact.x)
                     + contact.normalY * (whole.y - left * motion.y - contact.y)
                     + contact.normalZ * (whole.z - left * motion.z - contact.z));
-            var early:Number = Math.max(0, Math.min(1, impact.time + recess / contact.along(motion)));
+            var early:Number = Math.max(0, Math.min(1, impact.time + recess / impact.along));
             if (isNaN(impact.touchTime))
             {
                 _seen.narrowPhase.testsOf(whole, other).findImpact(whole, other, _motion, null);

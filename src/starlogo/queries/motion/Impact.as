@@ -21,6 +21,9 @@ package starlogo.queries.motion
         /** The contact of the core at <code>time</code>. Its normal always points against the motion. */
         public var contact:ContactPoint = new ContactPoint();
 
+        /** How far the motion goes along the contact's normal, less than 0. */
+        public var along:Number = 0;
+
         /** Whether no contact showed what is met, so that the normal is just the opposite of the motion. */
         public var isNormalFallback:Boolean = false;
 

@@ -145,7 +145,7 @@ package starlogo.queries.motion
             findTouch(body, rows, from, motion, null, out);
             if (out.row >= 0 && out.fraction > 0)
             {
-                goAlong(from, motion, Math.max(0, out.fraction + body.clearance / out.contact.along(motion)), out.place);
+                goAlong(from, motion, Math.max(0, out.fraction + body.clearance / _impact.along), out.place);
             }
         }
 
@@ -187,7 +187,7 @@ package starlogo.queries.motion
                     _rest.beginCorner();
                 }
                 _sweep.findTouchTime(body, place, _rest.motion, _impact);
-                _rest.advance(place, Math.max(_impact.touchTime + body.clearance / _impact.contact.along(_rest.motion), 0));
+                _rest.advance(place, Math.max(_impact.touchTime + body.clearance / _impact.along, 0));
                 if (!_impact.isNormalFallback && (out.floorRow < 0 || _impact.contact.normalZ > out.floor.normalZ))
                 {
                     out.floor.copyFrom(_impact.contact);
@@ -297,10 +297,9 @@ package starlogo.queries.motion
             out.contact.depth = 0;
             out.corePlace.setTo(_liftedPlace.x + impact.time * motion.x, _liftedPlace.y + impact.time * motion.y, _liftedPlace.z + impact.time * motion.z);
             // without the lift the body would have touched earlier
-            var along:Number = out.contact.along(motion);
-            var time:Number = impact.touchTime + out.contact.along(_lift.displacement) / along;
+            var time:Number = impact.touchTime + out.contact.along(_lift.displacement) / impact.along;
             out.fraction = time > 0 ? (time < 1 ? time : 1) : 0;
-            if (-out.fraction * along < body.slop && body.touches(out.row, from))
+            if (-out.fraction * impact.along < body.slop && body.touches(out.row, from))
             {
                 out.fraction = 0;
             }

@@ -1,8 +1,13 @@
 package starlogo.queries.trees
 {
+    import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
+    import starlogo.engine;
     import starlogo.geometry.Tolerances;
+
+    use namespace engine;
 
     /**
      * A balanced tree of boxes around rows of a table. NearSearch and SweptBoxSearch find rows in it without a test of
@@ -11,6 +16,10 @@ package starlogo.queries.trees
      * <p>The nodes are numbered as in a heap: the root is node 1, and the children of node i are nodes 2 i and 2 i + 1. All leaves are on one
      * level, and the nodes of each level have equal parts of the rows. So the tree has to store nothing but the boxes. The rows stand in slots,
      * in the order of the leaves.</p>
+     *
+     * <p>So that a search for a rare breed can skip nodes without it, the nodes learn which breeds they have: when searches have passed over as
+     * many rows that do not count as the tree has, and again when an agent gets another breed. A set of breeds has a bit for each breed, see
+     * <code>breedBit()</code>.</p>
      *
      * @private
      */
@@ -21,6 +30,10 @@ package starlogo.queries.trees
 
         /** The most rows that a leaf can have. */
         private static const LEAF_SIZE:int = 24;
+
+        /** A set of breeds: all; and how many breeds have bits of their own. */
+        public static const ALL_BREEDS:int = -1;
+        public static const BREED_BITS:int = 32;
 
         // After this many moves per row the tree has to be built again, because its boxes have grown too much.
         private static const MOVES:Number = 0.5;
@@ -40,14 +53,18 @@ package starlogo.queries.trees
         /** By slot: the middle of the row's box. */
         public var middles:Points = new Points();
 
-        /** By slot: the row's box, widened by a slack that is larger than its rounding errors. A tree of places reads them only when a row moves. */
+        /** By slot: the row's box, widened by a slack that is larger than its rounding errors. */
         public var rowBoxes:Vector.<Number> = new Vector.<Number>();
 
         /** By node: a box around the boxes of the node's rows. */
         public var nodeBoxes:Vector.<Number> = new Vector.<Number>();
 
-        /** Which breeds the nodes have. */
-        public var breeds:NodeBreeds = new NodeBreeds();
+        // How many rows that do not count searches have tested since the nodes learned their breeds. A test reads it.
+        engine var passedOver:int = 0;
+
+        // By node: the set of its rows' breeds; and what Breeds.changes was when the nodes learned them, or -1.
+        private var _breedSets:Vector.<int> = new Vector.<int>();
+        private var _breedsAsOf:int = -1;
 
         // How many rows may still move. If it is less than 0, the tree is stale.
         private var _movesLeft:int = -1;
@@ -69,7 +86,8 @@ package starlogo.queries.trees
         public function build(rows:Vector.<int>, count:int, points:Points):void
         {
             _movesLeft = MOVES * count;
-            breeds.forget();
+            passedOver = 0;
+            _breedsAsOf = -1;
             this.count = count;
             _points = points;
             _sizes = points as Extents;
@@ -103,6 +121,53 @@ package starlogo.queries.trees
         public function makeStale():void
         {
             _movesLeft = -1;
+        }
+
+        /** The bit of a breed in a set of breeds. Breeds with the same remainder share one. */
+        public static function breedBit(breed:int):int
+        {
+            return 1 << breed % BREED_BITS;
+        }
+
+        /** Counts rows that a filter does not let through, by their breeds or otherwise. */
+        public function passOver(rows:int):void
+        {
+            passedOver += rows;
+        }
+
+        /** Lets the nodes learn their breeds, if searches have passed over so many rows that this takes no longer. */
+        public function learnBreeds(agents:Vector.<Agent>):void
+        {
+            if (passedOver < count || _breedsAsOf == Breeds.changes)
+            {
+                return;
+            }
+            passedOver = 0;
+            _breedsAsOf = Breeds.changes;
+            if (_breedSets.length < 2 * firstLeaf)
+            {
+                _breedSets.length = 2 * firstLeaf;
+            }
+            for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
+            {
+                _breedSets[node] = node < firstLeaf ? _breedSets[int(2 * node)] | _breedSets[int(2 * node + 1)] : breedsIn(node - firstLeaf, agents);
+            }
+        }
+
+        private function breedsIn(leaf:int, agents:Vector.<Agent>):int
+        {
+            var found:int = 0;
+            for (var slot:int = starts[leaf]; slot < starts[int(leaf + 1)]; slot++)
+            {
+                found |= breedBit(agents[rows[slot]].breedNumber);
+            }
+            return found;
+        }
+
+        /** Whether a node may have rows of some breeds. */
+        public function mayHave(node:int, breeds:int):Boolean
+        {
+            return breeds == ALL_BREEDS || _breedsAsOf != Breeds.changes || (_breedSets[node] & breeds) != 0;
         }
 
         /** The node number of the leaf that has a row. */
@@ -177,7 +242,7 @@ package starlogo.queries.trees
         // the node's box will be written.
         private function divideAll():void
         {
-            boundMiddles(PER_BOX, 0, count);
+            boundMiddles();
             var boxes:Vector.<Number> = nodeBoxes;
             var width:int = 1;
             for (var node:int = 1; node < firstLeaf; node++)
@@ -201,28 +266,22 @@ package starlogo.queries.trees
             }
         }
 
-        // Makes a node's box enclose the middles in some slots.
-        private function boundMiddles(box:int, first:int, end:int):void
+        // Makes the root's box enclose all middles.
+        private function boundMiddles():void
         {
             for (var axis:int = 0; axis < 3; axis++)
             {
                 var keys:Vector.<Number> = axis == 0 ? middles.x : (axis == 1 ? middles.y : middles.z);
                 var least:Number = Infinity;
                 var greatest:Number = -Infinity;
-                for (var slot:int = first; slot < end; slot++)
+                for (var slot:int = 0; slot < count; slot++)
                 {
                     var key:Number = keys[slot];
-                    if (key < least)
-                    {
-                        least = key;
-                    }
-                    if (key > greatest)
-                    {
-                        greatest = key;
-                    }
+                    least = key < least ? key : least;
+                    greatest = key > greatest ? key : greatest;
                 }
-                nodeBoxes[box + axis] = least;
-                nodeBoxes[box + 3 + axis] = greatest;
+                nodeBoxes[PER_BOX + axis] = least;
+                nodeBoxes[PER_BOX + 3 + axis] = greatest;
             }
         }
 
@@ -244,7 +303,10 @@ package starlogo.queries.trees
         {
             while (first < last)
             {
-                var pivot:Number = medianOf(keys[first], keys[(first + last) >> 1], keys[last]);
+                // the median of three
+                var one:Number = keys[first];
+                var other:Number = keys[last];
+                var pivot:Number = Math.max(Math.min(one, other), Math.min(Math.max(one, other), keys[(first + last) >> 1]));
                 var low:int = first;
                 var high:int = last;
                 while (low <= high)
@@ -279,17 +341,6 @@ package starlogo.queries.trees
             }
         }
 
-        private static function medianOf(a:Number, b:Number, c:Number):Number
-        {
-            var least:Number = a < b ? a : b;
-            var greatest:Number = a < b ? b : a;
-            if (c < least)
-            {
-                return least;
-            }
-            return c < greatest ? c : greatest;
-        }
-
         private function swap(a:int, b:int):void
         {
             var row:int = rows[a];
@@ -314,16 +365,12 @@ package starlogo.queries.trees
             for (var slot:int = 0; slot < count; slot++)
             {
                 _slots[rows[slot]] = slot;
+                boundRow(slot);
             }
             for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
             {
                 var box:int = PER_BOX * node;
                 var leaf:int = node - firstLeaf;
-                if (leaf >= 0 && _sizes == null)
-                {
-                    boundMiddles(box, starts[leaf], starts[leaf + 1]);
-                    continue;
-                }
                 for (var side:int = 0; side < 3; side++)
                 {
                     nodeBoxes[box + side] = Infinity;
@@ -337,7 +384,6 @@ package starlogo.queries.trees
                 }
                 for (slot = starts[leaf]; slot < starts[leaf + 1]; slot++)
                 {
-                    boundRow(slot);
                     widen(box, rowBoxes, PER_BOX * slot);
                 }
             }

@@ -63,24 +63,29 @@ package starlogo.ground
             return grid.cellWidth * (1 << level * HeightPyramid.SHIFT);
         }
 
-        /** Narrows a range of squares to those that the box may pass over in a passage. */
-        public function narrowRange(level:int, passage:GroundPassage, range:SquareRange):void
+        /**
+         * The first of some columns or rows of a level that the box may pass over in a passage, or the number after the last one if it passes over
+         * none.
+         *
+         * @param isX whether these are columns, along x; otherwise they are rows
+         */
+        public function firstUnder(passage:GroundPassage, level:int, isX:Boolean, first:int, last:int):int
         {
-            var box:GroundBox = search.box;
-            var width:Number = widthAt(level);
-            var motion:RelativeMotion = search.motion;
-            var halfX:Number = _half.x + search.maxDistance;
-            var start:Number = box.x - corner.x + passage.from * motion.x;
-            var end:Number = box.x - corner.x + passage.to * motion.x;
-            var last:int = range.lastColumn;
-            range.lastColumn = Math.max(range.firstColumn - 1, Math.min(last, Math.floor((Math.max(start, end) + halfX) / width)));
-            range.firstColumn = Math.max(range.firstColumn, Math.min(last + 1, Math.floor((Math.min(start, end) - halfX) / width)));
-            var halfY:Number = _half.y + search.maxDistance;
-            start = box.y - corner.y + passage.from * motion.y;
-            end = box.y - corner.y + passage.to * motion.y;
-            last = range.lastRow;
-            range.lastRow = Math.max(range.firstRow - 1, Math.min(last, Math.floor((Math.max(start, end) + halfY) / width)));
-            range.firstRow = Math.max(range.firstRow, Math.min(last + 1, Math.floor((Math.min(start, end) - halfY) / width)));
+            var speed:Number = isX ? search.motion.x : search.motion.y;
+            var at:Number = isX ? search.box.x - corner.x : search.box.y - corner.y;
+            var half:Number = (isX ? _half.x : _half.y) + search.maxDistance;
+            var least:Number = Math.min(at + passage.from * speed, at + passage.to * speed) - half;
+            return Math.max(first, Math.min(last + 1, Math.floor(least / widthAt(level))));
+        }
+
+        /** The last one, or the number before the first one. See <code>firstUnder()</code>. */
+        public function lastUnder(passage:GroundPassage, level:int, isX:Boolean, first:int, last:int):int
+        {
+            var speed:Number = isX ? search.motion.x : search.motion.y;
+            var at:Number = isX ? search.box.x - corner.x : search.box.y - corner.y;
+            var half:Number = (isX ? _half.x : _half.y) + search.maxDistance;
+            var greatest:Number = Math.max(at + passage.from * speed, at + passage.to * speed) + half;
+            return Math.max(first - 1, Math.min(last, Math.floor(greatest / widthAt(level))));
         }
 
         /**

@@ -17,9 +17,8 @@ package starlogo.queries.trees
      * level, and the nodes of each level have equal parts of the rows. So the tree has to store nothing but the boxes. The rows stand in slots,
      * in the order of the leaves.</p>
      *
-     * <p>So that a search for a rare breed can skip nodes without it, the nodes learn which breeds they have: when searches have passed over as
-     * many rows that do not count as the tree has, and again when an agent gets another breed. A set of breeds has a bit for each breed, see
-     * <code>breedBit()</code>.</p>
+     * <p>A search for a rare breed can skip nodes without it. The nodes learn which breeds they have when searches have passed over as many rows
+     * that do not count as the tree has, and again when an agent has got another breed.</p>
      *
      * @private
      */
@@ -28,12 +27,12 @@ package starlogo.queries.trees
         /** How many numbers a box takes: its least x, y, z, then its greatest x, y, z. */
         public static const PER_BOX:int = 6;
 
-        /** The most rows that a leaf can have. */
+        // The most rows that a leaf can have.
         private static const LEAF_SIZE:int = 24;
 
-        /** A set of breeds: all; and how many breeds have bits of their own. */
-        public static const ALL_BREEDS:int = -1;
+        /** How many breeds have bits of their own in a set of breeds; and the set of all. */
         public static const BREED_BITS:int = 32;
+        public static const ALL_BREEDS:int = -1;
 
         // After this many moves per row the tree has to be built again, because its boxes have grown too much.
         private static const MOVES:Number = 0.5;
@@ -53,7 +52,7 @@ package starlogo.queries.trees
         /** By slot: the middle of the row's box. */
         public var middles:Points = new Points();
 
-        /** By slot: the row's box, widened by a slack that is larger than its rounding errors. */
+        /** By slot: the row's box, widened by a slack that is larger than its rounding errors. A tree of places reads them only when a row moves. */
         public var rowBoxes:Vector.<Number> = new Vector.<Number>();
 
         /** By node: a box around the boxes of the node's rows. */
@@ -144,10 +143,6 @@ package starlogo.queries.trees
             }
             passedOver = 0;
             _breedsAsOf = Breeds.changes;
-            if (_breedSets.length < 2 * firstLeaf)
-            {
-                _breedSets.length = 2 * firstLeaf;
-            }
             for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
             {
                 _breedSets[node] = node < firstLeaf ? _breedSets[int(2 * node)] | _breedSets[int(2 * node + 1)] : breedsIn(node - firstLeaf, agents);
@@ -190,10 +185,7 @@ package starlogo.queries.trees
             return except >= 0 && _slots[except] >= start && _slots[except] < end ? end - start - 1 : end - start;
         }
 
-        /**
-         * Reads the box of one row again, unless the tree must be built again. The boxes around the row grow. So searches stay correct, but take more time
-         * than in a tree that was built again.
-         */
+        /** Reads the box of one row again, unless the tree is stale. The boxes around the row grow, so searches stay correct, but take more time. */
         public function move(row:int):void
         {
             _movesLeft--;
@@ -202,9 +194,9 @@ package starlogo.queries.trees
                 return;
             }
             var slot:int = _slots[row];
+            var node:int = leafOf(row);
             takeMiddle(slot, row);
             boundRow(slot);
-            var node:int = leafOf(row);
             // if a box does not grow, the boxes around it do not grow either
             while (node > 0 && widen(PER_BOX * node, rowBoxes, PER_BOX * slot))
             {
@@ -235,6 +227,7 @@ package starlogo.queries.trees
             {
                 starts.length = firstLeaf + 1;
                 nodeBoxes.length = 2 * firstLeaf * PER_BOX;
+                _breedSets.length = 2 * firstLeaf;
             }
         }
 
@@ -242,7 +235,7 @@ package starlogo.queries.trees
         // the node's box will be written.
         private function divideAll():void
         {
-            boundMiddles();
+            boundMiddles(PER_BOX, 0, count);
             var boxes:Vector.<Number> = nodeBoxes;
             var width:int = 1;
             for (var node:int = 1; node < firstLeaf; node++)
@@ -266,22 +259,22 @@ package starlogo.queries.trees
             }
         }
 
-        // Makes the root's box enclose all middles.
-        private function boundMiddles():void
+        // Makes a node's box enclose the middles in some slots.
+        private function boundMiddles(box:int, first:int, end:int):void
         {
             for (var axis:int = 0; axis < 3; axis++)
             {
                 var keys:Vector.<Number> = axis == 0 ? middles.x : (axis == 1 ? middles.y : middles.z);
                 var least:Number = Infinity;
                 var greatest:Number = -Infinity;
-                for (var slot:int = 0; slot < count; slot++)
+                for (var slot:int = first; slot < end; slot++)
                 {
                     var key:Number = keys[slot];
                     least = key < least ? key : least;
                     greatest = key > greatest ? key : greatest;
                 }
-                nodeBoxes[PER_BOX + axis] = least;
-                nodeBoxes[PER_BOX + 3 + axis] = greatest;
+                nodeBoxes[box + axis] = least;
+                nodeBoxes[box + 3 + axis] = greatest;
             }
         }
 
@@ -365,12 +358,16 @@ package starlogo.queries.trees
             for (var slot:int = 0; slot < count; slot++)
             {
                 _slots[rows[slot]] = slot;
-                boundRow(slot);
             }
             for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
             {
                 var box:int = PER_BOX * node;
                 var leaf:int = node - firstLeaf;
+                if (leaf >= 0 && _sizes == null)
+                {
+                    boundMiddles(box, starts[leaf], starts[leaf + 1]);
+                    continue;
+                }
                 for (var side:int = 0; side < 3; side++)
                 {
                     nodeBoxes[box + side] = Infinity;
@@ -384,6 +381,7 @@ package starlogo.queries.trees
                 }
                 for (slot = starts[leaf]; slot < starts[leaf + 1]; slot++)
                 {
+                    boundRow(slot);
                     widen(box, rowBoxes, PER_BOX * slot);
                 }
             }
@@ -391,6 +389,7 @@ package starlogo.queries.trees
 
         private function boundRow(slot:int):void
         {
+            var box:int = PER_BOX * slot;
             var x:Number = middles.x[slot];
             var y:Number = middles.y[slot];
             var z:Number = middles.z[slot];
@@ -408,7 +407,6 @@ package starlogo.queries.trees
                 halfY += slack;
                 halfZ += slack;
             }
-            var box:int = PER_BOX * slot;
             rowBoxes[box] = x - halfX;
             rowBoxes[int(box + 1)] = y - halfY;
             rowBoxes[int(box + 2)] = z - halfZ;

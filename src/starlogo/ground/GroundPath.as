@@ -69,8 +69,8 @@ package starlogo.ground
         {
             var speed:Number = isX ? search.motion.x : search.motion.y;
             var at:Number = isX ? search.box.x - corner.x : search.box.y - corner.y;
-            var half:Number = (isX ? _half.x : _half.y) + search.maxDistance;
-            var least:Number = Math.min(at + passage.from * speed, at + passage.to * speed) - half;
+            var half:Number = isX ? _half.x : _half.y;
+            var least:Number = Math.min(at + passage.from * speed, at + passage.to * speed) - (half + search.maxDistance);
             return Math.max(first, Math.min(last + 1, Math.floor(least / widthAt(level))));
         }
 
@@ -79,8 +79,8 @@ package starlogo.ground
         {
             var speed:Number = isX ? search.motion.x : search.motion.y;
             var at:Number = isX ? search.box.x - corner.x : search.box.y - corner.y;
-            var half:Number = (isX ? _half.x : _half.y) + search.maxDistance;
-            var greatest:Number = Math.max(at + passage.from * speed, at + passage.to * speed) + half;
+            var half:Number = isX ? _half.x : _half.y;
+            var greatest:Number = Math.max(at + passage.from * speed, at + passage.to * speed) + (half + search.maxDistance);
             return Math.max(first - 1, Math.min(last, Math.floor(greatest / widthAt(level))));
         }
 

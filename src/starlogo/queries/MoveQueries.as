@@ -25,7 +25,7 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Answers how far an agent or a structure can go. Some questions move the agent there. The casts move nothing. AgentQueries says what each
+     * Answers how far an agent or a structure can go. Some questions move the agent there. The casts move nothing. AgentWalks says what each
      * question means.
      *
      * @private
@@ -69,39 +69,39 @@ package starlogo.queries
             _hits = new Hits(seen, _found, ShapeHit);
         }
 
-        /** See AgentQueries.castShape. */
+        /** See AgentWalks.castShape. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
             return idle.readStructure(structure).cast(null, dx, dy, dz, filter, hit);
         }
 
-        /** See AgentQueries.castShapeAll. */
+        /** See AgentWalks.castShapeAll. */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             return idle.readStructure(structure).castAll(null, dx, dy, dz, filter, out);
         }
 
-        /** See AgentQueries.castAgent. */
+        /** See AgentWalks.castAgent. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
             return idle.readAgent(agent).cast(agent, dx, dy, dz, filter, hit);
         }
 
-        /** See AgentQueries.castAgentAll. */
+        /** See AgentWalks.castAgentAll. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             return idle.readAgent(agent).castAll(agent, dx, dy, dz, filter, out);
         }
 
-        /** See AgentQueries.moveUntilTouch. */
+        /** See AgentWalks.moveUntilTouch. */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
             return idle.move(agent, dx, dy, dz, filter, contact);
         }
 
-        /** See AgentQueries.slide. */
+        /** See AgentWalks.slide. */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
             _seen.requireMovable(agent, "slide");

@@ -46,7 +46,7 @@ package starlogo.queries
             _walk = new Walk(seen);
         }
 
-        /** See AgentQueries.walk. */
+        /** See AgentWalks.walk. */
         public function walk(agent:Agent, dx:Number, dy:Number, options:WalkOptions, out:Footing):Footing
         {
             _seen.requireMovable(agent, "walk");

@@ -136,7 +136,7 @@ package starlogo.queries
         {
             begin(1, requireOrigin(origin), direction, maxDistance, filter);
             collect();
-            return _hits.endWithFirsts() == 0 ? null : write(0, hit || new RayHit());
+            return _hits.end() == 0 ? null : write(0, hit || new RayHit());
         }
 
         private function castThrough(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, out:Vector.<RayHit>,
@@ -146,13 +146,12 @@ package starlogo.queries
             if (allSurfaces)
             {
                 collectSurfaces();
-                _hits.resize(out, _hits.endWithAll());
             }
             else
             {
                 collect();
-                _hits.resize(out, _hits.endWithFirsts());
             }
+            _hits.resize(out, _hits.end());
             for (var i:int = 0; i < out.length; i++)
             {
                 write(i, out[i]);

@@ -120,7 +120,7 @@ package starlogo.queries
             setMotion(dx, dy, dz);
             _planner.planMotion(_body, _motion, agent, filter);
             collect(1, _end);
-            var isMet:Boolean = _hits.endWithFirsts() > 0;
+            var isMet:Boolean = _hits.end() > 0;
             var fraction:Number = isMet ? _hits.keyOf(0) : 1;
             // before the contact is written, because an agent that would leave the world throws an error
             if (dx != 0 || dy != 0 || dz != 0)
@@ -159,7 +159,7 @@ package starlogo.queries
             setMotion(dx, dy, dz);
             _planner.planMotion(_body, _motion, asker, filter);
             collect(1, null);
-            return _hits.endWithFirsts() == 0 ? null : write(0, hit || new ShapeHit());
+            return _hits.end() == 0 ? null : write(0, hit || new ShapeHit());
         }
 
         private function castAll(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
@@ -168,7 +168,7 @@ package starlogo.queries
             setMotion(dx, dy, dz);
             _planner.planMotion(_body, _motion, asker, filter);
             collect(Collector.ALL, null);
-            _hits.resize(hits, _hits.endWithFirsts());
+            _hits.resize(hits, _hits.end());
             for (var i:int = 0; i < hits.length; i++)
             {
                 write(i, hits[i]);

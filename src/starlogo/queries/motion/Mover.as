@@ -73,18 +73,14 @@ package starlogo.queries.motion
          * Computes a motion that ends when it first touches a row.
          *
          * @param rows the rows that may be in its way
-         * @param from where it begins
+         * @param from where it begins: not <code>out.place</code>, which is written before the end
          * @param motion the whole motion
-         * @param lift the lift of <code>findLift()</code> with which it begins; null for none
+         * @param lift the lift of <code>findLift()</code> with which it begins, or <code>StartLift.NONE</code>
          * @param out receives the answer. Rounding may hide the touch at its place: see <code>goIntoTouch()</code>
          */
         public function findTouch(body:MovingBody, rows:NumberList, from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
         {
-            _lift.clear();
-            if (lift != null)
-            {
-                _lift.copyFrom(lift);
-            }
+            _lift.copyFrom(lift);
             var isMotion:Boolean = begin(body, rows, from, motion, SlideLimits.NONE, _lift, _liftedPlace);
             var crossed:int = isMotion ? _rest.findCrossed() : -1;
             out.row = -1;
@@ -142,7 +138,7 @@ package starlogo.queries.motion
          */
         public function goBeforeTouch(body:MovingBody, rows:NumberList, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
-            findTouch(body, rows, from, motion, null, out);
+            findTouch(body, rows, from, motion, StartLift.NONE, out);
             if (out.row >= 0 && out.fraction > 0)
             {
                 goAlong(from, motion, Math.max(0, out.fraction + body.clearance / _impact.along), out.place);
@@ -212,7 +208,7 @@ package starlogo.queries.motion
             return _sweep.meets(body, row, from, motion);
         }
 
-        // Begins a motion, displaced by a lift. The lift receives what else it is lifted out of, and the place where it then begins. Returns
+        // Begins a motion, displaced by a lift. The lift receives what else the body is lifted out of; the last argument, where it then is. Returns
         // whether there is any motion.
         private function begin(body:MovingBody, rows:NumberList, from:Vector3D, motion:Vector3D, limits:SlideLimits, lift:StartLift, place:Vector3D):Boolean
         {

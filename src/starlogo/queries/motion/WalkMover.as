@@ -45,7 +45,7 @@ package starlogo.queries.motion
         // without the platform, an overlap, and the ray at an edge.
         private var _slid:SlideResult = new SlideResult();
         private var _tried:SlideResult = new SlideResult();
-        private var _gone:MotionResult = new MotionResult();
+        private var _straight:MotionResult = new MotionResult();
         private var _vector:Vector3D = new Vector3D();
         private var _limits:SlideLimits = new SlideLimits();
         private var _fallen:Vector3D = new Vector3D();
@@ -86,10 +86,10 @@ package starlogo.queries.motion
             _mover.slide(walk.body, _others, walk.start, walk.carry, SlideLimits.NONE, _slid);
             if (_slid.fraction < 1 && leadsIntoPlatform(walk, platform, _slid.place))
             {
-                _mover.goBeforeTouch(walk.body, _others, walk.start, walk.carry, _gone);
-                if (!leadsIntoPlatform(walk, platform, _gone.place))
+                _mover.goBeforeTouch(walk.body, _others, walk.start, walk.carry, _straight);
+                if (!leadsIntoPlatform(walk, platform, _straight.place))
                 {
-                    _slid.place.copyFrom(_gone.place);
+                    _slid.place.copyFrom(_straight.place);
                 }
             }
             walk.start.copyFrom(_slid.place);
@@ -115,11 +115,11 @@ package starlogo.queries.motion
         {
             walk.place.copyFrom(walk.start);
             walk.pushed = 0;
-            var stands:Boolean = goDown(walk, walk.closeDepth, _gone);
-            if (_gone.isDeep)
+            var stands:Boolean = goDown(walk, walk.closeDepth, _straight);
+            if (_straight.isDeep)
             {
                 walk.pushed = pushOut(walk);
-                stands = goDown(walk, walk.closeDepth, _gone);
+                stands = goDown(walk, walk.closeDepth, _straight);
             }
             // a walk that begins in the air stays there
             var isInAir:Boolean = !stands;
@@ -130,7 +130,7 @@ package starlogo.queries.motion
                 if (i > 0)
                 {
                     walk.start.copyFrom(walk.place);
-                    stands = !isInAir && goDown(walk, walk.closeDepth, _gone);
+                    stands = !isInAir && goDown(walk, walk.closeDepth, _straight);
                 }
                 stands = stands ? goPiece(walk) : goInAir(walk);
             }
@@ -191,22 +191,22 @@ package starlogo.queries.motion
                 return true;
             }
             walk.place.copyFrom(_slid.place);
-            return goDown(walk, walk.options.snap + walk.closeDepth, _gone);
+            return goDown(walk, walk.options.snap + walk.closeDepth, _straight);
         }
 
         // Tries a piece again a step higher, and goes down again. Returns whether the agent comes farther than to a place without the step, and stands.
         private function climb(walk:Walk, plain:Vector3D):Boolean
         {
-            goUpright(walk, walk.start, walk.options.stepHeight, _gone);
-            var height:Number = _gone.place.z - walk.start.z;
+            goUpright(walk, walk.start, walk.options.stepHeight, _straight);
+            var height:Number = _straight.place.z - walk.start.z;
             if (height <= walk.closeDepth)
             {
                 return false;
             }
-            slide(walk, _gone.place, 0, walk.cosine, _tried);
+            slide(walk, _straight.place, 0, walk.cosine, _tried);
             var farther:Number = (_tried.place.x - plain.x) * walk.piece.x + (_tried.place.y - plain.y) * walk.piece.y;
             walk.place.copyFrom(_tried.place);
-            return farther > walk.closeDepth * walk.pieceLength && goDown(walk, height + walk.options.snap + walk.closeDepth, _gone);
+            return farther > walk.closeDepth * walk.pieceLength && goDown(walk, height + walk.options.snap + walk.closeDepth, _straight);
         }
 
         // Slides along the way of a piece, and up or down.
@@ -251,24 +251,24 @@ package starlogo.queries.motion
         {
             var left:Number = walk.options.fall;
             _fallen.copyFrom(walk.place);
-            _gone.row = -1;
-            for (var piece:Number = 1; left > 0 && _gone.row < 0; piece *= 2)
+            _straight.row = -1;
+            for (var piece:Number = 1; left > 0 && _straight.row < 0; piece *= 2)
             {
                 if (_fallen.z - Math.min(left, piece) < -Agent.LARGEST_COORDINATE)
                 {
                     return false;
                 }
-                goUpright(walk, _fallen, -Math.min(left, piece), _gone);
-                _fallen.copyFrom(_gone.place);
-                left -= _gone.fraction * Math.min(left, piece);
+                goUpright(walk, _fallen, -Math.min(left, piece), _straight);
+                _fallen.copyFrom(_straight.place);
+                left -= _straight.fraction * Math.min(left, piece);
             }
-            if (_gone.row < 0)
+            if (_straight.row < 0)
             {
                 // a fall can also end where the ground begins, without being stopped
                 walk.place.copyFrom(_fallen);
-                return goDown(walk, walk.closeDepth, _gone);
+                return goDown(walk, walk.closeDepth, _straight);
             }
-            if (standOn(walk, _gone.contact, _gone.row, _fallen))
+            if (standOn(walk, _straight.contact, _straight.row, _fallen))
             {
                 walk.place.copyFrom(_fallen);
                 return true;
@@ -279,7 +279,7 @@ package starlogo.queries.motion
             {
                 walk.place.copyFrom(_tried.place);
             }
-            return goDown(walk, walk.closeDepth, _gone);
+            return goDown(walk, walk.closeDepth, _straight);
         }
 
         // Lets the agent stand on what else it touches at a place, besides something too steep.

@@ -224,7 +224,7 @@ package starlogo.queries.motion
             _mover.goBeforeTouch(walk.body, walk.body.rows, from, _vector, out);
         }
 
-        // Slides down like a fall, as far as what it slides on is too steep to stand on.
+        // Slides down like a fall, as long as what it slides on is too steep to stand on.
         private function slideDown(walk:Walk, from:Vector3D, depth:Number, maxHorizontal:Number, out:SlideResult):void
         {
             _limits.setTo(-2, maxHorizontal, Math.sqrt(1 - walk.cosine * walk.cosine) / walk.cosine);

@@ -52,6 +52,9 @@ package starlogo.queries
         private var _one:NumberList = new NumberList();
         private var _lift:StartLift = new StartLift();
 
+        // Where the row that is met first stops the body.
+        private var _end:Vector3D = new Vector3D();
+
         // Answers what an accepts asks while these questions call it.
         private var _nested:MoveQueries = null;
 
@@ -116,15 +119,13 @@ package starlogo.queries
             _body.readAgent(agent);
             setMotion(dx, dy, dz);
             _planner.planMotion(_body, _motion, agent, filter);
-            collect(1);
+            collect(1, _end);
             var isMet:Boolean = _hits.end() > 0;
             var fraction:Number = isMet ? _hits.keyOf(0) : 1;
-            findTouch(isMet ? _hits.rowOf(0) : -1, _result);
-            _mover.goIntoTouch(_body, _result);
             // before the contact is written, because an agent that would leave the world throws an error
             if (dx != 0 || dy != 0 || dz != 0)
             {
-                _planner.moveAgent(agent, _result.place);
+                _planner.moveAgent(agent, _end);
             }
             if (contact != null)
             {
@@ -157,7 +158,7 @@ package starlogo.queries
         {
             setMotion(dx, dy, dz);
             _planner.planMotion(_body, _motion, asker, filter);
-            collect(1);
+            collect(1, null);
             return _hits.end() == 0 ? null : write(0, hit || new ShapeHit());
         }
 
@@ -166,7 +167,7 @@ package starlogo.queries
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
             setMotion(dx, dy, dz);
             _planner.planMotion(_body, _motion, asker, filter);
-            collect(Collector.ALL);
+            collect(Collector.ALL, null);
             _hits.resize(hits, _hits.end());
             for (var i:int = 0; i < hits.length; i++)
             {
@@ -197,47 +198,54 @@ package starlogo.queries
             _from.setTo(at.x, at.y, at.z);
         }
 
-        // Finds the rows that stop the body, each as if the others were not there.
-        private function collect(wanted:int):void
+        // Finds the rows that stop the body, each as if the others were not there. If an end is given, it receives the place where the first of
+        // them stops it.
+        private function collect(wanted:int, end:Vector3D):void
         {
             _lift.clear();
-            // a floor may be many rows: what is lifted out of one of them does not run into the next
-            if (collectLifted(wanted) && _mover.findLift(_body, _body.rows, _from, _motion, _lift))
+            if (collectLifted(wanted, end))
             {
-                collectLifted(wanted);
+                // a floor may be many rows: what is lifted out of one of them does not run into the next
+                if (_mover.findLift(_body, _body.rows, _from, _motion, _lift))
+                {
+                    collectLifted(wanted, end);
+                }
             }
         }
 
         // Finds the rows that stop the body if it begins with the lift. Returns whether a common lift of all rows could change the answer.
-        private function collectLifted(wanted:int):Boolean
+        private function collectLifted(wanted:int, end:Vector3D):Boolean
         {
             var rows:NumberList = _body.rows;
             var mayLift:Boolean = false;
             _found.begin(wanted, Infinity, null, null);
             _hits.begin();
+            if (end != null)
+            {
+                end.copyFrom(_from);
+                end.incrementBy(_motion);
+                _lift.keepDepth(end, _from);
+            }
             for (var i:int = 0; i < rows.count && _found.limit > 0; i++)
             {
                 var row:int = rows.numbers[i];
-                findTouch(row, _result);
+                _one.count = 0;
+                _one.add(row);
+                _mover.findTouch(_body, _one, _from, _motion, _lift, _result);
                 mayLift ||= _result.isLifted || (_result.fraction == 0 && !_result.isDeep);
                 if (_result.row >= 0)
                 {
+                    var isFirst:Boolean = _result.fraction < _found.limit;
                     _found.add(row, _result.fraction);
                     _hits.add(row, _result.fraction, -1).copyFrom(_result.contact);
+                    if (end != null && isFirst)
+                    {
+                        _mover.goIntoTouch(_body, _result);
+                        end.copyFrom(_result.place);
+                    }
                 }
             }
             return mayLift;
-        }
-
-        // Finds where a row stops the lifted body; -1 for no row.
-        private function findTouch(row:int, out:MotionResult):void
-        {
-            _one.count = 0;
-            if (row >= 0)
-            {
-                _one.add(row);
-            }
-            _mover.findTouch(_body, _one, _from, _motion, _lift, out);
         }
 
         // Writes how the body touches a row of the answer.

@@ -124,9 +124,9 @@ export class Checks {
 		}
 	}
 
-	// An override without documentation has its base's. A member with the arguments of another class's has that one's.
+	// An override without documentation has its base's. A member whose documentation is a copy has that of the other one.
 	#docOf(type, member) {
-		const [, owner, same] = /See (\w+)\.(\w+)\. It has the same arguments/.exec(member.doc) ?? [];
+		const [, owner, same] = /@copy (\w+)#(\w+)/.exec(member.doc) ?? [];
 		if (owner) return this.#byName.get(owner).members.find((each) => each.name === same).doc;
 		if (!/@inheritDoc/.test(member.doc)) return member.doc;
 		const owners = [...type.bases, ...type.interfaces].map((name) => this.#byName.get(name)).filter((owner) => owner);

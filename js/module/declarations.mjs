@@ -220,8 +220,8 @@ class Writer {
 
 	#docOf(type, member) {
 		if (!/@inheritDoc|@copy/.test(member.doc)) return member.doc;
-		const copied = /@copy #(\w+)/.exec(member.doc)?.[1];
-		if (copied) return type.members.find((other) => other.name === copied)?.doc ?? "";
+		const [, owner, copied] = /@copy (\w*)#(\w+)/.exec(member.doc) ?? [];
+		if (copied) return (owner ? this.#exported.get(owner) : type)?.members.find((other) => other.name === copied)?.doc ?? "";
 		for (const name of [...type.bases, ...type.interfaces]) {
 			const base = this.#exported.get(name);
 			const found = base?.members.find((other) => other.name === member.name && other.kind === member.kind);
@@ -230,7 +230,7 @@ class Writer {
 		return member.doc.replace("@inheritDoc", "").trim();
 	}
 
-	/** The documentation of the member that "See AgentQueries.cast." at the beginning of a text names, otherwise the text itself. */
+	/** The documentation of the member that "See AgentRays.cast." at the beginning of a text names, otherwise the text itself. */
 	#referredDoc(text) {
 		const [, typeName, memberName] = /^See (\w+)\.(\w+)\./.exec(text) ?? [];
 		const type = this.#exported.get(typeName);

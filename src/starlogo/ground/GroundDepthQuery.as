@@ -71,13 +71,12 @@ package starlogo.ground
         /** Finds the contact that lifts the model from its lowest place above all ground under it. */
         public function findOuterContact(out:ContactPoint):void
         {
-            var search:GroundSearch = _pieces.search;
-            var box:GroundBox = search.box;
-            _pieces.fitBox();
+            var origin:Placement = _pieces.origin;
+            var box:GroundBox = _pieces.wholeBox();
             var low:Number = box.z - box.halfZ;
-            search.grid.findAround(box.x + search.origin.x, box.y + search.origin.y, box.halfX, box.halfY, _around);
+            _pieces.grid.findAround(box.x + origin.x, box.y + origin.y, box.halfX, box.halfY, _around);
             out.setNormal(0, 0, 1);
-            out.depth = Math.max(0, _around.greatest - search.origin.z - low);
+            out.depth = Math.max(0, _around.greatest - origin.z - low);
             out.x = box.x;
             out.y = box.y;
             out.z = low + out.depth / 2;
@@ -152,7 +151,8 @@ package starlogo.ground
                 var isFootInside:Boolean = _pieces.pair.findBehind(RelativeMotion.NONE, _tried);
                 if (isFootInside && !isNoDeeper(deepest) && isDepthProven(_tried) && isDeepest(deepest, out))
                 {
-                    deepest = _pieces.search.above = _tried.depth;
+                    deepest = _tried.depth;
+                    _pieces.limitDepth(deepest);
                     keep(out);
                 }
             }
@@ -202,7 +202,7 @@ package starlogo.ground
         // Writes the last contact, with its triangle.
         private function keep(out:ContactPoint):void
         {
-            var origin:Placement = _pieces.search.origin;
+            var origin:Placement = _pieces.origin;
             var ground:GroundDepth = out.ground;
             out.copyFrom(_tried);
             ground.setTriangle(_pieces.triangle.corners, origin.x, origin.y, origin.z);
@@ -216,17 +216,17 @@ package starlogo.ground
             {
                 return false;
             }
-            var origin:Placement = _pieces.search.origin;
+            var origin:Placement = _pieces.origin;
             var x:Number = origin.x + contact.x - depth / 2 * contact.normalX;
             var y:Number = origin.y + contact.y - depth / 2 * contact.normalY;
             var z:Number = origin.z + contact.z - depth / 2 * contact.normalZ;
-            return depth == 0 || _pieces.search.grid.leastExit(x, y, z, depth) >= LEAST_SHARE_PROVEN * depth;
+            return depth == 0 || _pieces.grid.leastExit(x, y, z, depth) >= LEAST_SHARE_PROVEN * depth;
         }
 
         // Whether the triangle of a contact is not in front of the plane of the exit that was tried.
         private function isBehind(ground:GroundDepth):Boolean
         {
-            var origin:Placement = _pieces.search.origin;
+            var origin:Placement = _pieces.origin;
             var x:Number = origin.x - ground.x;
             var y:Number = origin.y - ground.y;
             var z:Number = origin.z - ground.z;

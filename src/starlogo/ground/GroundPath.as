@@ -14,8 +14,8 @@ package starlogo.ground
      */
     internal final class GroundPath
     {
-        // How much farther than rounding errors a structure is from squares that are left out.
-        private static const FARTHER:Number = 4;
+        // A height is clearly above another one if it is by this many rounding errors.
+        private static const CLEARLY:Number = 8;
 
         /** Where the first cell begins, and the height 0, relative to the search's origin. Read only. */
         public var corner:Vector3D = new Vector3D();
@@ -34,10 +34,6 @@ package starlogo.ground
         private var _half:Vector3D = new Vector3D();
         private var _slack:Number = 0;
 
-        private var _separation:SquareSeparation = new SquareSeparation();
-        private var _least:Vector3D = new Vector3D();
-        private var _greatest:Vector3D = new Vector3D();
-
         /** Begins with a search, which is kept. */
         public function begin(search:GroundSearch):void
         {
@@ -52,7 +48,7 @@ package starlogo.ground
             var pathY:Number = _latest * Math.abs(motion.y);
             var rounding:Number = Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(corner.x) + Math.abs(box.y) + Math.abs(corner.y) + Math.abs(box.z)
                     + Math.abs(corner.z) + grid.cellWidth + pathX + pathY + _latest * Math.abs(motion.z));
-            _slack = FARTHER * rounding;
+            _slack = CLEARLY * rounding;
             _half.setTo(box.halfX + rounding, box.halfY + rounding, box.halfZ + rounding);
             length = Math.max(2 * _half.x + pathX, 2 * _half.y + pathY) + 2 * search.maxDistance;
         }
@@ -63,24 +59,29 @@ package starlogo.ground
             return grid.cellWidth * (1 << level * HeightPyramid.SHIFT);
         }
 
-        /** Narrows a range of squares to those that the box may pass over in a passage. */
-        public function narrowRange(level:int, passage:GroundPassage, range:SquareRange):void
+        /**
+         * The first of some columns or rows of a level that the box may pass over in a passage, or the number after the last one if it passes over
+         * none.
+         *
+         * @param isX whether these are columns, along x; otherwise they are rows
+         */
+        public function firstUnder(passage:GroundPassage, level:int, isX:Boolean, first:int, last:int):int
         {
-            var box:GroundBox = search.box;
-            var width:Number = widthAt(level);
-            var motion:RelativeMotion = search.motion;
-            var halfX:Number = _half.x + search.maxDistance;
-            var start:Number = box.x - corner.x + passage.from * motion.x;
-            var end:Number = box.x - corner.x + passage.to * motion.x;
-            var last:int = range.lastColumn;
-            range.lastColumn = Math.max(range.firstColumn - 1, Math.min(last, Math.floor((Math.max(start, end) + halfX) / width)));
-            range.firstColumn = Math.max(range.firstColumn, Math.min(last + 1, Math.floor((Math.min(start, end) - halfX) / width)));
-            var halfY:Number = _half.y + search.maxDistance;
-            start = box.y - corner.y + passage.from * motion.y;
-            end = box.y - corner.y + passage.to * motion.y;
-            last = range.lastRow;
-            range.lastRow = Math.max(range.firstRow - 1, Math.min(last, Math.floor((Math.max(start, end) + halfY) / width)));
-            range.firstRow = Math.max(range.firstRow, Math.min(last + 1, Math.floor((Math.min(start, end) - halfY) / width)));
+            var speed:Number = isX ? search.motion.x : search.motion.y;
+            var at:Number = isX ? search.box.x - corner.x : search.box.y - corner.y;
+            var half:Number = isX ? _half.x : _half.y;
+            var least:Number = Math.min(at + passage.from * speed, at + passage.to * speed) - (half + search.maxDistance);
+            return Math.max(first, Math.min(last + 1, Math.floor(least / widthAt(level))));
+        }
+
+        /** The last one, or the number before the first one. See <code>firstUnder()</code>. */
+        public function lastUnder(passage:GroundPassage, level:int, isX:Boolean, first:int, last:int):int
+        {
+            var speed:Number = isX ? search.motion.x : search.motion.y;
+            var at:Number = isX ? search.box.x - corner.x : search.box.y - corner.y;
+            var half:Number = isX ? _half.x : _half.y;
+            var greatest:Number = Math.max(at + passage.from * speed, at + passage.to * speed) + (half + search.maxDistance);
+            return Math.max(first - 1, Math.min(last, Math.floor(greatest / widthAt(level))));
         }
 
         /**
@@ -127,7 +128,7 @@ package starlogo.ground
             // a triangle beside the box must be nearer in height to be near enough
             var up:Number = Math.sqrt(Math.max(0, squared));
             var bottom:Number = Math.min(start, end) - _half.z;
-            out.low = Math.max(bottom - up, bottom + search.above + 2 * _slack);
+            out.low = Math.max(bottom - up, bottom + search.above + _slack);
             out.high = Math.max(start, end) + _half.z + up;
         }
 
@@ -143,21 +144,6 @@ package starlogo.ground
                 passage.from = Math.max(passage.from, Math.min(low, high));
                 passage.to = Math.min(passage.to, Math.max(low, high));
             }
-        }
-
-        /** Whether the shape in the box stays farther away from a square than a triangle may be. The square is between two heights. */
-        public function stayApart(level:int, column:int, row:int, heights:HeightRange):Boolean
-        {
-            if (search.shape == null)
-            {
-                return false;
-            }
-            var width:Number = widthAt(level);
-            var x:Number = corner.x + column * width;
-            var y:Number = corner.y + row * width;
-            _least.setTo(x - _slack, y - _slack, heights.least - _slack);
-            _greatest.setTo(x + width + _slack, y + width + _slack, heights.greatest + _slack);
-            return _separation.stayApart(search, _least, _greatest);
         }
     }
 }

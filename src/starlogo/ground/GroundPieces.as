@@ -28,15 +28,11 @@ package starlogo.ground
         // In the list of nodes: the structure around the whole model.
         private static const WHOLE:int = -1;
 
-        /** The current piece and the current triangle. Both are relative to the search's origin. */
+        /** The current piece and the current triangle. Both are relative to the origin. */
         public var pair:ConvexTrianglePair = new ConvexTrianglePair();
 
-        /**
-         * The search for triangles near the current piece. Its origin is the place that the model was set to. Its box is around the piece or, for a
-         * triangle, around its node. Others may narrow its limits.
-         */
-        public var search:GroundSearch = new GroundSearch();
-
+        // The search for triangles near the current piece. Its box is around the piece or, for a triangle, around its node.
+        private var _search:GroundSearch = new GroundSearch();
         private var _triangles:GroundTriangles = new GroundTriangles();
 
         private var _tree:ModelTree;
@@ -44,7 +40,7 @@ package starlogo.ground
         private var _depth:int;
         private var _isExact:Boolean;
 
-        // The model's placement where it is tested, relative to the search's origin.
+        // The model's placement where it is tested, relative to the origin.
         private var _relative:Placement = new Placement();
 
         // What is still to be visited: nodes, and their number; and a range of the tree's triangles.
@@ -67,10 +63,10 @@ package starlogo.ground
         /** Sets the model and the ground, as <code>GroundQuery.setTo()</code> takes them. */
         public function setTo(grid:HeightGrid, tree:ModelTree, structure:BoundingStructure, placement:Placement, depth:int, exact:Boolean):void
         {
-            search.grid = grid;
-            search.origin.x = placement.x;
-            search.origin.y = placement.y;
-            search.origin.z = placement.z;
+            _search.grid = grid;
+            origin.x = placement.x;
+            origin.y = placement.y;
+            origin.z = placement.z;
             _tree = tree;
             _structure = structure;
             _isExact = hasTree && exact && tree.hasTriangles;
@@ -89,6 +85,18 @@ package starlogo.ground
         public function get hasTree():Boolean
         {
             return _tree != null;
+        }
+
+        /** The place that the model was set to, in the world: the origin of the pairs. Read only. */
+        public function get origin():Placement
+        {
+            return _search.origin;
+        }
+
+        /** The ground. */
+        public function get grid():HeightGrid
+        {
+            return _search.grid;
         }
 
         /** The current triangle of the ground. Read only. */
@@ -125,16 +133,15 @@ package starlogo.ground
         /** Begins with the structure around the whole model, and with the triangles at a point of the ground alone. */
         public function beginAtPoint(at:GroundPoint):void
         {
-            var box:GroundBox = search.box;
+            var box:GroundBox = _search.box;
             beginWhole(0);
             nextPiece();
             // the piece stays, and its search begins again, at the point
-            box.x = at.x - search.origin.x;
-            box.y = at.y - search.origin.y;
-            box.z = at.height - search.origin.z;
+            box.x = at.x - origin.x;
+            box.y = at.y - origin.y;
+            box.z = at.height - origin.z;
             box.halfX = box.halfY = box.halfZ = 0;
-            search.shape = null;
-            _triangles.begin(search);
+            _triangles.begin(_search);
         }
 
         // Begins with a node as all that is to be visited.
@@ -143,10 +150,10 @@ package starlogo.ground
             _triangles.stop();
             _first = _end = _nodeCount = 0;
             addNode(node);
-            search.motion = motion;
-            search.latest = motion.latest;
-            search.maxDistance = maxDistance;
-            search.above = -Infinity;
+            _search.motion = motion;
+            _search.latest = motion.latest;
+            _search.maxDistance = maxDistance;
+            _search.above = -Infinity;
         }
 
         private function addNode(node:int):void
@@ -201,27 +208,47 @@ package starlogo.ground
             return true;
         }
 
+        /** Narrows the search: only a touch before this time counts from now on. */
+        public function limitTime(latest:Number):void
+        {
+            _search.latest = latest;
+        }
+
+        /** Narrows the search: only triangles count that are at most this far away. */
+        public function limitDistance(most:Number):void
+        {
+            _search.maxDistance = most;
+        }
+
+        /** Narrows the search: only triangles count that are clearly higher than this above the bottom of the piece. */
+        public function limitDepth(above:Number):void
+        {
+            _search.above = above;
+        }
+
         /** Whether a point of the piece is at least this deep under the ground. */
         public function isUnder(depth:Number):Boolean
         {
-            _ground.x = _point.x + search.origin.x;
-            _ground.y = _point.y + search.origin.y;
-            search.grid.findHeight(_ground);
-            return _ground.height - depth >= _point.z + search.origin.z;
+            var at:Placement = origin;
+            _ground.x = _point.x + at.x;
+            _ground.y = _point.y + at.y;
+            grid.findHeight(_ground);
+            return _ground.height - depth >= _point.z + at.z;
         }
 
-        /** Puts the search's box around the whole model. */
-        public function fitBox():void
+        /** The box around the whole model. It is valid until one of the methods that begin. */
+        public function wholeBox():GroundBox
         {
             fitBoxTo(_structure);
+            return _search.box;
         }
 
         /** Moves a contact of the piece and the triangle into the world. */
         public function moveToWorld(contact:ContactPoint):void
         {
-            contact.x += search.origin.x;
-            contact.y += search.origin.y;
-            contact.z += search.origin.z;
+            contact.x += origin.x;
+            contact.y += origin.y;
+            contact.z += origin.z;
         }
 
         // Visits a node: it becomes the piece, or its triangles or its children are visited next. Returns whether it is the piece.
@@ -240,7 +267,6 @@ package starlogo.ground
                 takeStructure(_node);
                 return true;
             }
-            search.shape = null;
             fitBoxTo(_node);
             if (!isDivided)
             {
@@ -248,14 +274,14 @@ package starlogo.ground
                 _end = tree.end[node];
                 return false;
             }
-            _triangles.begin(search);
+            _triangles.begin(_search);
             if (_triangles.next())
             {
                 addNode(tree.left[node] + 1);
                 addNode(tree.left[node]);
                 return false;
             }
-            _point.setTo(search.box.x, search.box.y, search.box.z);
+            _point.setTo(_search.box.x, _search.box.y, _search.box.z);
             return true;
         }
 
@@ -264,7 +290,6 @@ package starlogo.ground
         {
             pair.setStructure(structure, _relative);
             fitBoxTo(structure);
-            search.shape = pair.shape;
             takeShape();
         }
 
@@ -275,13 +300,13 @@ package starlogo.ground
             _point.x = pair.shape.x;
             _point.y = pair.shape.y;
             _point.z = pair.shape.z;
-            _triangles.begin(search);
+            _triangles.begin(_search);
         }
 
         // Puts the search's box around a structure of the model.
         private function fitBoxTo(structure:BoundingStructure):void
         {
-            var box:GroundBox = search.box;
+            var box:GroundBox = _search.box;
             structure.rotatedBoxInto(_relative, _extents);
             box.x = _extents[0] + _relative.x;
             box.y = _extents[1] + _relative.y;

@@ -80,14 +80,20 @@ package starlogo.ground
             var first:Number = RelativeMotion.NEVER;
             _sweep.copyVector(motion);
             _sweep.earliest = motion.earliest;
+            _sweep.latest = motion.latest;
             _pieces.moveModelTo(motion, 0);
             _pieces.begin(motion, 0);
             while (first > 0 && _pieces.next())
             {
-                findTime();
+                _sweep.time = RelativeMotion.NEVER;
+                if (!_pieces.pair.stayApart(_sweep))
+                {
+                    _pieces.pair.findTime(_sweep);
+                }
                 if (_sweep.time < first)
                 {
-                    first = _pieces.search.latest = _sweep.time;
+                    first = _sweep.latest = _sweep.time;
+                    _pieces.limitTime(first);
                     if (out != null)
                     {
                         _pieces.pair.findContact(_sweep, out);
@@ -134,7 +140,7 @@ package starlogo.ground
          */
         public function findClosest(areTouching:Boolean, out:ClosestPoints):void
         {
-            var origin:Placement = _pieces.search.origin;
+            var origin:Placement = _pieces.origin;
             findNearest(out);
             if (!_pieces.hasTree)
             {
@@ -146,7 +152,7 @@ package starlogo.ground
             if (areTouching)
             {
                 // either the model's point is in the ground, or the surface's point is in the model
-                var isUnder:Boolean = _pieces.search.grid.heightAt(out.aX + origin.x, out.aY + origin.y) - origin.z >= out.aZ;
+                var isUnder:Boolean = _pieces.grid.heightAt(out.aX + origin.x, out.aY + origin.y) - origin.z >= out.aZ;
                 out.aX = out.bX = isUnder ? out.aX : out.bX;
                 out.aY = out.bY = isUnder ? out.aY : out.bY;
                 out.aZ = out.bZ = isUnder ? out.aZ : out.bZ;
@@ -159,16 +165,15 @@ package starlogo.ground
         // from there, so the distance begins with that.
         private function findNearest(out:ClosestPoints):void
         {
-            var search:GroundSearch = _pieces.search;
-            var box:GroundBox = search.box;
-            _pieces.fitBox();
-            _nearest.x = box.x + search.origin.x;
-            _nearest.y = box.y + search.origin.y;
-            search.grid.findNearest(_nearest);
-            var x:Number = Math.abs(_nearest.x - search.origin.x - box.x) + box.halfX;
-            var y:Number = Math.abs(_nearest.y - search.origin.y - box.y) + box.halfY;
-            var z:Number = Math.abs(_nearest.height - search.origin.z - box.z) + box.halfZ;
-            out.distance = Math.sqrt(x * x + y * y + z * z) * Tolerances.OUTER + Tolerances.SURFACES * search.grid.cellWidth;
+            var origin:Placement = _pieces.origin;
+            var box:GroundBox = _pieces.wholeBox();
+            _nearest.x = box.x + origin.x;
+            _nearest.y = box.y + origin.y;
+            _pieces.grid.findNearest(_nearest);
+            var x:Number = Math.abs(_nearest.x - origin.x - box.x) + box.halfX;
+            var y:Number = Math.abs(_nearest.y - origin.y - box.y) + box.halfY;
+            var z:Number = Math.abs(_nearest.height - origin.z - box.z) + box.halfZ;
+            out.distance = Math.sqrt(x * x + y * y + z * z) * Tolerances.OUTER + Tolerances.SURFACES * _pieces.grid.cellWidth;
         }
 
         // Finds the closest points of all pairs.
@@ -178,19 +183,8 @@ package starlogo.ground
             {
                 if (_pieces.pair.findCloser(out))
                 {
-                    _pieces.search.maxDistance = out.distance;
+                    _pieces.limitDistance(out.distance);
                 }
-            }
-        }
-
-        // Finds when the moving piece touches the triangle, until the latest time.
-        private function findTime():void
-        {
-            _sweep.latest = _pieces.search.latest;
-            _sweep.time = RelativeMotion.NEVER;
-            if (!_pieces.pair.stayApart(_sweep))
-            {
-                _pieces.pair.findTime(_sweep);
             }
         }
     }

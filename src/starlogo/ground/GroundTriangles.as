@@ -32,10 +32,9 @@ package starlogo.ground
         private var _squares:Vector.<int> = new Vector.<int>();
         private var _top:int = 0;
 
-        // Of the current square: how the box passes over it, its heights, and its smaller squares.
+        // Of the current square: how the box passes over it, and its heights.
         private var _passage:GroundPassage = new GroundPassage();
         private var _heights:HeightRange = new HeightRange();
-        private var _range:SquareRange = new SquareRange();
 
         /** Begins a search, which is kept until it ends. */
         public function begin(search:GroundSearch):void
@@ -77,20 +76,20 @@ package starlogo.ground
         // is put last, and visited first.
         private function addSquares(level:int, firstColumn:int, firstRow:int, most:int):void
         {
-            var range:SquareRange = _range;
             var motion:RelativeMotion = _path.search.motion;
-            range.firstColumn = firstColumn;
-            range.firstRow = firstRow;
-            range.lastColumn = Math.min(firstColumn + most - 1, _path.grid.lastColumnAt(level));
-            range.lastRow = Math.min(firstRow + most - 1, _path.grid.lastRowAt(level));
-            _path.narrowRange(level, _passage, range);
-            for (var row:int = range.firstRow; row <= range.lastRow; row++)
+            var lastColumn:int = Math.min(firstColumn + most - 1, _path.grid.lastColumnAt(level));
+            var lastRow:int = Math.min(firstRow + most - 1, _path.grid.lastRowAt(level));
+            var left:int = _path.firstUnder(_passage, level, true, firstColumn, lastColumn);
+            var right:int = _path.lastUnder(_passage, level, true, firstColumn, lastColumn);
+            var bottom:int = _path.firstUnder(_passage, level, false, firstRow, lastRow);
+            var top:int = _path.lastUnder(_passage, level, false, firstRow, lastRow);
+            for (var row:int = bottom; row <= top; row++)
             {
-                for (var column:int = range.firstColumn; column <= range.lastColumn; column++)
+                for (var column:int = left; column <= right; column++)
                 {
                     _squares[_top] = level;
-                    _squares[int(_top + 1)] = motion.x < 0 ? column : range.firstColumn + range.lastColumn - column;
-                    _squares[int(_top + 2)] = motion.y < 0 ? row : range.firstRow + range.lastRow - row;
+                    _squares[int(_top + 1)] = motion.x < 0 ? column : left + right - column;
+                    _squares[int(_top + 2)] = motion.y < 0 ? row : bottom + top - row;
                     _top += 3;
                 }
             }
@@ -116,7 +115,7 @@ package starlogo.ground
                 return;
             }
             readHeights(level, column, row, isAtBorder);
-            if (_passage.low <= _heights.greatest && _passage.high >= _heights.least && !_path.stayApart(level, column, row, _heights))
+            if (_passage.low <= _heights.greatest && _passage.high >= _heights.least)
             {
                 _path.narrowPassage(_heights, _passage);
                 addSquares(level - 1, column << HeightPyramid.SHIFT, row << HeightPyramid.SHIFT, 1 << HeightPyramid.SHIFT);

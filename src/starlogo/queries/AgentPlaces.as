@@ -12,7 +12,7 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Answers which agents are near: the questions of AgentQueries about places, for games that load no others. Their rules stand there.
+     * Answers which agents are near, for games that load no other questions. AgentQueries, which has them all, says what holds for each.
      */
     public final class AgentPlaces
     {
@@ -37,52 +37,122 @@ package starlogo.queries
             _found = new Collector(seen);
         }
 
-        /** See AgentQueries.near. It has the same arguments, answers and errors. */
+        /**
+         * Lists the agents near an agent.
+         *
+         * @param agent the agent in the middle
+         * @param radius the largest distance in patches, not negative; may be Infinity
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
+         * @throws ArgumentError if the agent is null
+         * @throws RangeError if the radius is negative or not a number
+         */
         public function near(agent:Agent, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             return idle.findNear(agent, radius, Collector.ALL, filter).endWithList(out);
         }
 
-        /** See AgentQueries.countNear. It has the same arguments, answers and errors. */
+        /**
+         * Counts the agents near an agent. It throws the errors of <code>near()</code>.
+         *
+         * @param agent the agent in the middle
+         * @param radius the largest distance in patches
+         * @param filter the agents that count; null for all
+         */
         public function countNear(agent:Agent, radius:Number, filter:AgentFilter = null):int
         {
             var at:Placement = _seen.placeOf(agent);
             return idle.count(agent, at.x, at.y, at.z, radius, filter);
         }
 
-        /** See AgentQueries.nearest. It has the same arguments, answers and errors. */
+        /**
+         * The agent nearest to an agent: the first one in the list of <code>near()</code>. This question takes less time, because it does not
+         * make the list.
+         *
+         * @param agent the agent that asks
+         * @param radius the largest distance in patches
+         * @param filter the agents that count; null for all
+         * @return null if there is none
+         */
         public function nearest(agent:Agent, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
             return idle.findNear(agent, radius, 1, filter).endWithFirst();
         }
 
-        /** See AgentQueries.nearestFew. It has the same arguments, answers and errors. */
+        /**
+         * Lists the agents nearest to an agent: the first ones in the list of <code>near()</code>. This question takes less time, because it
+         * does not make the whole list.
+         *
+         * @param agent the agent that asks
+         * @param count the largest number of agents in the list
+         * @param radius the largest distance in patches
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
+         * @throws ArgumentError if the agent is null
+         * @throws RangeError if count or radius is negative or not a number
+         */
         public function nearestFew(agent:Agent, count:int, radius:Number = Infinity, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             requireNotNegative("count", count);
             return idle.findNear(agent, radius, count, filter).endWithList(out);
         }
 
-        /** See AgentQueries.nearPoint. It has the same arguments, answers and errors. */
+        /**
+         * Lists the agents near a point. It works like <code>near()</code>, but measures distances from the point.
+         *
+         * @param point in the world
+         * @param radius the largest distance in patches
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
+         */
         public function nearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             return idle.findNearPoint(point, radius, Collector.ALL, filter).endWithList(out);
         }
 
-        /** See AgentQueries.countNearPoint. It has the same arguments, answers and errors. */
+        /**
+         * Counts the agents near a point. It works like <code>countNear()</code>, but measures distances from the point.
+         *
+         * @param point in the world
+         * @param radius the largest distance in patches
+         * @param filter the agents that count; null for all
+         */
         public function countNearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null):int
         {
             requirePoint(point);
             return idle.count(null, point.x, point.y, point.z, radius, filter);
         }
 
-        /** See AgentQueries.nearestToPoint. It has the same arguments, answers and errors. */
+        /**
+         * The agent nearest to a point. It works like <code>nearest()</code>, but measures distances from the point.
+         *
+         * @param point in the world
+         * @param radius the largest distance in patches
+         * @param filter the agents that count; null for all
+         * @return null if there is none
+         */
         public function nearestToPoint(point:Vector3D, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
             return idle.findNearPoint(point, radius, 1, filter).endWithFirst();
         }
 
-        /** See AgentQueries.inCone. It has the same arguments, answers and errors. */
+        /**
+         * Lists the agents in a cone in front of an agent. The cone's axis is the x axis of the agent's rotation, including its pitch. Agents at
+         * the same place as the agent are in every cone.
+         *
+         * @param agent the agent at the cone's tip
+         * @param radius the largest distance in patches
+         * @param degrees the full angle of the cone, not negative: half of it lies on either side of the axis. From 360 on, the answer is the
+         *     same as that of near()
+         * @param filter the agents that count; null for all
+         * @param out receives the list; null for a new list
+         * @return out, or the new list
+         * @throws ArgumentError if the agent is null
+         * @throws RangeError if the radius or the angle is negative or not a number
+         */
         public function inCone(agent:Agent, radius:Number, degrees:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             requireNotNegative("degrees", degrees);

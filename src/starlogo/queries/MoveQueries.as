@@ -7,11 +7,13 @@ package starlogo.queries
     import starlogo.convex.ContactPoint;
     import starlogo.data.NumberList;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.requireInWorld;
     import starlogo.queries.motion.MotionPlanner;
     import starlogo.queries.motion.MotionResult;
-    import starlogo.queries.motion.MotionSetup;
     import starlogo.queries.motion.Mover;
-    import starlogo.queries.motion.PlannedMotion;
+    import starlogo.queries.motion.MovingBody;
+    import starlogo.queries.motion.OverlapRecovery;
     import starlogo.queries.motion.SlideLimits;
     import starlogo.queries.motion.SlideResult;
     import starlogo.queries.motion.StartLift;
@@ -23,7 +25,7 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Answers how far an agent or a structure can go. Some questions move the agent there. The casts move nothing. AgentQueries says what each
+     * Answers how far an agent or a structure can go. Some questions move the agent there. The casts move nothing. AgentWalks says what each
      * question means.
      *
      * @private
@@ -33,21 +35,25 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _planner:MotionPlanner;
         private var _mover:Mover;
+        private var _recovery:OverlapRecovery = new OverlapRecovery();
         private var _found:Collector;
         private var _hits:Hits;
 
-        // The motion of the question, the setup of the last motion, how motions end, and where the row that is met first stops the body.
-        private var _planned:PlannedMotion = new PlannedMotion();
-        private var _setup:MotionSetup = new MotionSetup();
+        // The body of the question, where it begins, and its motion.
+        private var _body:MovingBody;
+        private var _from:Vector3D = new Vector3D();
+        private var _motion:Vector3D = new Vector3D();
+
+        // How motions end.
         private var _result:MotionResult = new MotionResult();
-        private var _slide:SlideResult = new SlideResult();
-        private var _end:Vector3D = new Vector3D();
+        private var _slid:SlideResult = new SlideResult();
 
-        // One of the rows near the way.
+        // One of the rows near the way, and the lift out of all of them, with which the body begins.
         private var _one:NumberList = new NumberList();
-
-        // The lift out of all rows near the way, with which the body begins.
         private var _lift:StartLift = new StartLift();
+
+        // Where the row that is met first stops the body.
+        private var _end:Vector3D = new Vector3D();
 
         // Answers what an accepts asks while these questions call it.
         private var _nested:MoveQueries = null;
@@ -58,43 +64,44 @@ package starlogo.queries
             _seen = seen;
             _planner = new MotionPlanner(seen);
             _mover = new Mover(seen);
+            _body = new MovingBody(seen);
             _found = new Collector(seen);
             _hits = new Hits(seen, _found, ShapeHit);
         }
 
-        /** See AgentQueries.castShape. */
+        /** See AgentWalks.castShape. */
         public function castShape(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
             return idle.readStructure(structure).cast(null, dx, dy, dz, filter, hit);
         }
 
-        /** See AgentQueries.castShapeAll. */
+        /** See AgentWalks.castShapeAll. */
         public function castShapeAll(structure:BoundingStructure, dx:Number, dy:Number, dz:Number, filter:AgentFilter,
                 out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             return idle.readStructure(structure).castAll(null, dx, dy, dz, filter, out);
         }
 
-        /** See AgentQueries.castAgent. */
+        /** See AgentWalks.castAgent. */
         public function castAgent(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
             return idle.readAgent(agent).cast(agent, dx, dy, dz, filter, hit);
         }
 
-        /** See AgentQueries.castAgentAll. */
+        /** See AgentWalks.castAgentAll. */
         public function castAgentAll(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             return idle.readAgent(agent).castAll(agent, dx, dy, dz, filter, out);
         }
 
-        /** See AgentQueries.moveUntilTouch. */
+        /** See AgentWalks.moveUntilTouch. */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
             return idle.move(agent, dx, dy, dz, filter, contact);
         }
 
-        /** See AgentQueries.slide. */
+        /** See AgentWalks.slide. */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
             _seen.requireMovable(agent, "slide");
@@ -109,10 +116,11 @@ package starlogo.queries
 
         private function move(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
         {
-            _planner.readBody(agent, 0, _planned.body);
-            _planner.plan(agent, dx, dy, dz, filter, _planned);
+            _body.readAgent(agent);
+            setMotion(dx, dy, dz);
+            _planner.planMotion(_body, _motion, agent, filter);
             collect(1, _end);
-            var isMet:Boolean = _hits.endWithFirsts() > 0;
+            var isMet:Boolean = _hits.end() > 0;
             var fraction:Number = isMet ? _hits.keyOf(0) : 1;
             // before the contact is written, because an agent that would leave the world throws an error
             if (dx != 0 || dy != 0 || dz != 0)
@@ -126,7 +134,7 @@ package starlogo.queries
                 {
                     var from:ContactPoint = _hits.contactOf(0);
                     contact.read(from);
-                    contact.approachSpeed = Math.max(0, -from.along(_planned.motion));
+                    contact.approachSpeed = Math.max(0, -from.along(_motion));
                 }
             }
             return fraction;
@@ -134,31 +142,33 @@ package starlogo.queries
 
         private function moveSliding(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
         {
-            _planner.readBody(agent, 0, _planned.body);
-            _planner.planSlide(agent, dx, dy, dz, filter, _planned);
-            _mover.setBody(_planned.body, _planned.rows);
-            _mover.slide(_planned.from, _planned.motion, SlideLimits.NONE, _setup, _slide);
-            _mover.restoreClearance(_slide.place, _setup, _slide.clearRow);
+            _body.readAgent(agent);
+            setMotion(dx, dy, dz);
+            _planner.planWithin(_body, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
+            _mover.slide(_body, _body.rows, _from, _motion, SlideLimits.NONE, _slid);
+            _recovery.restoreClearance(_body, _slid.place, _slid.clearRow);
             if (dx != 0 || dy != 0 || dz != 0)
             {
-                _planner.moveAgent(agent, _slide.place);
+                _planner.moveAgent(agent, _slid.place);
             }
-            return _slide.fraction;
+            return _slid.fraction;
         }
 
         private function cast(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, hit:ShapeHit):ShapeHit
         {
-            _planner.plan(asker, dx, dy, dz, filter, _planned);
+            setMotion(dx, dy, dz);
+            _planner.planMotion(_body, _motion, asker, filter);
             collect(1, null);
-            return _hits.endWithFirsts() == 0 ? null : write(0, hit || new ShapeHit());
+            return _hits.end() == 0 ? null : write(0, hit || new ShapeHit());
         }
 
         private function castAll(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:Vector.<ShapeHit>):Vector.<ShapeHit>
         {
             var hits:Vector.<ShapeHit> = out || new Vector.<ShapeHit>();
-            _planner.plan(asker, dx, dy, dz, filter, _planned);
+            setMotion(dx, dy, dz);
+            _planner.planMotion(_body, _motion, asker, filter);
             collect(Collector.ALL, null);
-            _hits.resize(hits, _hits.endWithFirsts());
+            _hits.resize(hits, _hits.end());
             for (var i:int = 0; i < hits.length; i++)
             {
                 write(i, hits[i]);
@@ -169,25 +179,23 @@ package starlogo.queries
         // Makes a structure the body that moves. Returns these questions.
         private function readStructure(structure:BoundingStructure):MoveQueries
         {
-            _planned.body.readStructure(structure);
+            _body.readStructure(structure);
             return this;
         }
 
-        // Makes an agent that is cast the body that moves. A sphere, box, capsule or hull becomes the body of a structure, so that an agent and the
-        // same structure meet the same, to the last bit. Returns these questions.
+        // Makes an agent that is cast the body that moves. Returns these questions.
         private function readAgent(agent:Agent):MoveQueries
         {
-            _seen.requirePlaced(agent);
-            var body:Body = _seen.bodyOf(agent);
-            if (body.shape == null || body.form >= ModelShape.TREE)
-            {
-                _planned.body.copyFrom(body);
-            }
-            else
-            {
-                _planned.body.readPlaced(body);
-            }
+            _body.readCastAgent(agent);
             return this;
+        }
+
+        private function setMotion(dx:Number, dy:Number, dz:Number):void
+        {
+            var at:Placement = _body.source.placement;
+            requireInWorld("a motion", dx, dy, dz);
+            _motion.setTo(dx, dy, dz);
+            _from.setTo(at.x, at.y, at.z);
         }
 
         // Finds the rows that stop the body, each as if the others were not there. If an end is given, it receives the place where the first of
@@ -198,8 +206,7 @@ package starlogo.queries
             if (collectLifted(wanted, end))
             {
                 // a floor may be many rows: what is lifted out of one of them does not run into the next
-                _mover.setBody(_planned.body, _planned.rows);
-                if (_mover.findLift(_planned.from, _planned.motion, _setup, _lift))
+                if (_mover.findLift(_body, _body.rows, _from, _motion, _lift))
                 {
                     collectLifted(wanted, end);
                 }
@@ -209,30 +216,31 @@ package starlogo.queries
         // Finds the rows that stop the body if it begins with the lift. Returns whether a common lift of all rows could change the answer.
         private function collectLifted(wanted:int, end:Vector3D):Boolean
         {
-            var rows:NumberList = _planned.rows;
+            var rows:NumberList = _body.rows;
             var mayLift:Boolean = false;
             _found.begin(wanted, Infinity, null, null);
             _hits.begin();
             if (end != null)
             {
-                end.copyFrom(_planned.from);
-                end.incrementBy(_planned.motion);
-                _lift.keepDepth(end, _planned.from);
+                end.copyFrom(_from);
+                end.incrementBy(_motion);
+                _lift.keepDepth(end, _from);
             }
             for (var i:int = 0; i < rows.count && _found.limit > 0; i++)
             {
                 var row:int = rows.numbers[i];
                 _one.count = 0;
                 _one.add(row);
-                _mover.setBody(_planned.body, _one);
-                _mover.findTouch(_planned.from, _planned.motion, _lift, _setup, _result);
+                _mover.findTouch(_body, _one, _from, _motion, _lift, _result);
                 mayLift ||= _result.isLifted || (_result.fraction == 0 && !_result.isDeep);
-                if (_result.row >= 0 && _found.add(row, _result.fraction))
+                if (_result.row >= 0)
                 {
+                    var isFirst:Boolean = _result.fraction < _found.limit;
+                    _found.add(row, _result.fraction);
                     _hits.add(row, _result.fraction, -1).copyFrom(_result.contact);
-                    if (end != null)
+                    if (end != null && isFirst)
                     {
-                        _mover.goIntoTouch(_setup, _result);
+                        _mover.goIntoTouch(_body, _result);
                         end.copyFrom(_result.place);
                     }
                 }

@@ -3,7 +3,6 @@ package starlogo.queries.motion
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.queries.SeenAgents;
     import starlogo.search.Body;
@@ -27,7 +26,6 @@ package starlogo.queries.motion
         private static const SOON:Number = 16;
 
         private var _seen:SeenAgents;
-        private var _body:MovingBody;
 
         // The motion, the body's place at its end, the motion's length, and the contact that was found last.
         private var _motion:RelativeMotion = new RelativeMotion();
@@ -35,32 +33,28 @@ package starlogo.queries.motion
         private var _length:Number = 0;
         private var _contact:ContactPoint = new ContactPoint();
 
-        /**
-         * @param seen has the rows
-         * @param body the body that moves
-         */
-        public function CoreSweep(seen:SeenAgents, body:MovingBody)
+        /** @param seen has the rows */
+        public function CoreSweep(seen:SeenAgents)
         {
             _seen = seen;
-            _body = body;
         }
 
         /**
          * Finds what the core meets first.
          *
-         * @param rows what may be in the way. Of rows that are met at the same time, the first one counts
+         * @param body the body that moves. What it meets are its obstacles. Of rows that are met at the same time, the first one counts
          * @param from where the motion begins
          * @param out receives the answer; the time of the touch only if it is found on the way, and else NaN
          * @return whether anything is met
          */
-        public function findFirst(rows:NumberList, from:Vector3D, motion:Vector3D, out:Impact):Boolean
+        public function findFirst(body:MovingBody, from:Vector3D, motion:Vector3D, out:Impact):Boolean
         {
             aim(from, motion);
             out.row = out.clearRow = -1;
             out.time = RelativeMotion.NEVER;
-            for (var i:int = 0; i < rows.count; i++)
+            for (var i:int = 0; i < body.obstacles.count; i++)
             {
-                keepEarlier(rows.numbers[i], from, out);
+                keepEarlier(body, body.obstacles.numbers[i], from, out);
             }
             if (out.row < 0)
             {
@@ -78,10 +72,10 @@ package starlogo.queries.motion
         }
 
         /** Whether the core meets a row. */
-        public function meets(row:int, from:Vector3D, motion:Vector3D):Boolean
+        public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
             aim(from, motion);
-            sweepCore(_seen.table.bodyOf(row), from);
+            sweepCore(body, _seen.table.bodyOf(row), from);
             return _motion.time != RelativeMotion.NEVER;
         }
 
@@ -92,19 +86,20 @@ package starlogo.queries.motion
          *
          * @param impact what <code>findFirst()</code> has found on this motion. It receives the time
          */
-        public function findTouchTime(from:Vector3D, motion:Vector3D, impact:Impact):void
+        public function findTouchTime(body:MovingBody, from:Vector3D, motion:Vector3D, impact:Impact):void
         {
             aim(from, motion);
-            var whole:Body = _body.wholeAt(_end);
+            var whole:Body = body.wholeAt(_end);
+            var other:Body = _seen.table.bodyOf(impact.row);
             var contact:ContactPoint = impact.contact;
             var left:Number = 1 - impact.time;
-            var recess:Number = _body.setup.shrink * (contact.normalX * (whole.x - left * motion.x - contact.x)
+            var recess:Number = body.shrink * (contact.normalX * (whole.x - left * motion.x - contact.x)
                     + contact.normalY * (whole.y - left * motion.y - contact.y)
                     + contact.normalZ * (whole.z - left * motion.z - contact.z));
             var early:Number = Math.max(0, Math.min(1, impact.time + recess / impact.along));
             if (isNaN(impact.touchTime))
             {
-                _seen.narrowPhase.testsOf(whole, _seen.table.bodyOf(impact.row)).findImpact(whole, _seen.table.bodyOf(impact.row), _motion, null);
+                _seen.narrowPhase.testsOf(whole, other).findImpact(whole, other, _motion, null);
                 impact.touchTime = _motion.time;
             }
             if (!(Math.abs(impact.touchTime - early) <= Math.abs(impact.time - early)))
@@ -124,24 +119,24 @@ package starlogo.queries.motion
         // Sweeps against a row. If the core meets it earlier than what was found before, it is the answer. The whole body is swept first against
         // a tree that is much larger, because then mostly the core needs no sweep, and the end of the motion no test of its own. Such a tree
         // can be a whole building, in which everything happens.
-        private function keepEarlier(row:int, from:Vector3D, out:Impact):void
+        private function keepEarlier(body:MovingBody, row:int, from:Vector3D, out:Impact):void
         {
             var other:Body = _seen.table.bodyOf(row);
             var touchTime:Number = NaN;
-            if (other.form == ModelShape.TREE && other.largestHalf >= LARGE * _body.largestHalf)
+            if (other.form == ModelShape.TREE && 2 * other.largestHalf >= LARGE * body.extent)
             {
-                sweep(_body.wholeAt(_end), other, null);
+                sweep(body.wholeAt(_end), other, body.slop, null);
                 touchTime = _motion.time;
                 if (touchTime == RelativeMotion.NEVER)
                 {
                     out.clearRow = row;
                     return;
                 }
-                sweepCoreOnwards(other, from);
+                sweepCoreOnwards(body, other, from);
             }
             else
             {
-                sweepCore(other, from);
+                sweepCore(body, other, from);
             }
             if (_motion.time < out.time)
             {
@@ -154,25 +149,25 @@ package starlogo.queries.motion
 
         // Sweeps the core from the time on at which the whole body touches. It is inside of the body, so it meets nothing before, and mostly it meets
         // the same thing soon after.
-        private function sweepCoreOnwards(other:Body, from:Vector3D):void
+        private function sweepCoreOnwards(body:MovingBody, other:Body, from:Vector3D):void
         {
             _motion.earliest = _motion.time;
-            _motion.latest = Math.min(1, _motion.time + SOON * _body.setup.slop / _length);
-            sweepCore(other, from);
+            _motion.latest = Math.min(1, _motion.time + SOON * body.slop / _length);
+            sweepCore(body, other, from);
             _motion.latest = 1;
             if (_motion.time == RelativeMotion.NEVER)
             {
-                sweepCore(other, from);
+                sweepCore(body, other, from);
             }
             _motion.earliest = 0;
         }
 
-        private function sweepCore(other:Body, from:Vector3D):void
+        private function sweepCore(body:MovingBody, other:Body, from:Vector3D):void
         {
-            sweep(_body.coreAt(_end), other, _contact);
+            sweep(body.coreAt(_end), other, body.slop, _contact);
             // a sheet may be wholly under the ground at the beginning, and then it touches no surface
             if (_motion.time == RelativeMotion.NEVER && other.form == ModelShape.GROUND
-                    && _seen.narrowPhase.areTouching(_body.coreAt(from), other))
+                    && _seen.narrowPhase.areTouching(body.coreAt(from), other))
             {
                 _motion.time = 0;
                 _contact.setNormal(0, 0, 0);
@@ -181,10 +176,10 @@ package starlogo.queries.motion
 
         // Finds when a body, which is at its end, first meets another. The motion receives the time, because V8 would make an object for a
         // Number that is returned.
-        private function sweep(body:Body, other:Body, contact:ContactPoint):void
+        private function sweep(body:Body, other:Body, nearby:Number, contact:ContactPoint):void
         {
             _motion.time = RelativeMotion.NEVER;
-            if (MovingBody.isNear(body, other, _motion, _body.setup.slop))
+            if (MovingBody.isNear(body, other, _motion, nearby))
             {
                 _seen.narrowPhase.testsOf(body, other).findImpact(body, other, _motion, contact);
             }

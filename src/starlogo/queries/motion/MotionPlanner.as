@@ -4,17 +4,15 @@ package starlogo.queries.motion
     import starlogo.agents.Agent;
     import starlogo.data.NumberList;
     import starlogo.engine;
-    import starlogo.geometry.requireInWorld;
     import starlogo.queries.AgentFilter;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.trees.Collector;
     import starlogo.queries.trees.SweptBoxSearch;
-    import starlogo.search.Body;
 
     use namespace engine;
 
     /**
-     * Prepares the motions of questions: reads the body of an agent that moves, finds the rows near its way, and puts the agent to its new place.
+     * Prepares and ends the motions of questions: finds the rows near the way of a body, and puts an agent to its new place.
      *
      * @private
      */
@@ -37,59 +35,30 @@ package starlogo.queries.motion
             return _found.isAsking;
         }
 
-        /**
-         * Reads the body of an agent that moves, as it is now, turned by some degrees.
-         *
-         * @throws ArgumentError if the agent is null, has no place, or its model is unknown or lacks data that is needed
-         */
-        public function readBody(agent:Agent, turn:Number, out:Body):void
+        /** Finds the rows near a straight motion of a body. The asker is the agent that moves, or null. */
+        public function planMotion(body:MovingBody, motion:Vector3D, asker:Agent, filter:AgentFilter):void
         {
-            _seen.requirePlaced(agent);
-            out.copyFrom(_seen.bodyOf(agent));
-            if (turn != 0 && out.shape != null)
+            if (begin(body))
             {
-                out.turn(agent, turn);
+                _search.moveAlong(motion.x, motion.y, motion.z, 1);
+                collectRows(asker, filter, body.rows);
             }
         }
 
         /**
-         * Plans a straight motion: finds the rows near it.
+         * Finds the rows near motions of a body that are not known yet.
          *
-         * @param asker the agent that moves, or null
-         * @param out has the body, and receives the rest
-         */
-        public function plan(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:PlannedMotion):void
-        {
-            setMotion(dx, dy, dz, out);
-            if (begin(out))
-            {
-                _search.moveAlong(dx, dy, dz, 1);
-                collectRows(asker, filter, out.rows);
-            }
-        }
-
-        /** Plans a motion that may turn and go as far as its length in any direction: finds the rows near it. See <code>plan()</code>. */
-        public function planSlide(asker:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, out:PlannedMotion):void
-        {
-            setMotion(dx, dy, dz, out);
-            planWithin(asker, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, filter, out);
-        }
-
-        /**
-         * Plans motions that are not known yet: finds the rows near a body.
-         *
-         * @param asker the agent that moves
-         * @param range how far the body may go in any direction
+         * @param range how far it may go in any direction
          * @param up how much farther it may go upwards
          * @param down how much farther it may go downwards
-         * @param out has the body, and receives its place and the rows
+         * @param asker the agent that moves
          */
-        public function planWithin(asker:Agent, range:Number, up:Number, down:Number, filter:AgentFilter, out:PlannedMotion):void
+        public function planWithin(body:MovingBody, range:Number, up:Number, down:Number, asker:Agent, filter:AgentFilter):void
         {
-            if (begin(out))
+            if (begin(body))
             {
                 _search.widen(range, up, down);
-                collectRows(asker, filter, out.rows);
+                collectRows(asker, filter, body.rows);
             }
         }
 
@@ -119,23 +88,15 @@ package starlogo.queries.motion
             }
         }
 
-        private static function setMotion(dx:Number, dy:Number, dz:Number, out:PlannedMotion):void
-        {
-            requireInWorld("a motion", dx, dy, dz);
-            out.motion.setTo(dx, dy, dz);
-        }
-
         // Begins without rows. Returns false if the model of the body is loading.
-        private function begin(out:PlannedMotion):Boolean
+        private function begin(body:MovingBody):Boolean
         {
-            out.from.setTo(out.body.placement.x, out.body.placement.y, out.body.placement.z);
-            out.rows.count = 0;
-            if (out.body.shape == null)
+            body.rows.count = 0;
+            if (body.hasShape)
             {
-                return false;
+                _search.beginAround(_seen.treeOfExtents(), body.source);
             }
-            _search.beginAround(_seen.treeOfExtents(), out.body);
-            return true;
+            return body.hasShape;
         }
 
         private function collectRows(asker:Agent, filter:AgentFilter, out:NumberList):void

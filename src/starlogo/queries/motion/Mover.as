@@ -5,7 +5,6 @@ package starlogo.queries.motion
     import starlogo.data.NumberList;
     import starlogo.geometry.Tolerances;
     import starlogo.queries.SeenAgents;
-    import starlogo.search.Body;
 
     /**
      * Moves a body among rows of a table, until it touches one of them, or along the rows that it touches. A row that it would go into stops
@@ -35,29 +34,17 @@ package starlogo.queries.motion
         // A slide ends after this many iterations.
         private static const MOST_ITERATIONS:int = 8;
 
-        private var _body:MovingBody;
         private var _sweep:CoreSweep;
-        private var _recovery:OverlapRecovery;
+        private var _recovery:OverlapRecovery = new OverlapRecovery();
 
-        // The rows that may be in the way.
-        private var _rows:NumberList = null;
-
-        // Where the motion begins.
-        private var _from:Vector3D = new Vector3D();
-
-        // Where the lifted body begins, and the lift.
-        private var _liftedPlace:Vector3D = new Vector3D();
+        // How the beginning of a straight motion lifts the body, and where the lifted body begins.
         private var _lift:StartLift = new StartLift();
+        private var _liftedPlace:Vector3D = new Vector3D();
 
-        // What is left of the motion, and what is met first on that.
+        // What is left of the motion, what is met first on that, and what is met first without one of the planes.
         private var _rest:SlidePlanes = new SlidePlanes();
         private var _impact:Impact = new Impact();
-
-        // What is met first without one of the planes.
         private var _tried:Impact = new Impact();
-
-        // The setup of a motion that is not made.
-        private var _tryingSetup:MotionSetup = new MotionSetup();
 
         // The contact with a row that the core overlaps.
         private var _contact:ContactPoint = new ContactPoint();
@@ -65,49 +52,36 @@ package starlogo.queries.motion
         /** @param seen has the rows, and tests which of them touch */
         public function Mover(seen:SeenAgents)
         {
-            _body = new MovingBody(seen);
-            _sweep = new CoreSweep(seen, _body);
-            _recovery = new OverlapRecovery(_body);
+            _sweep = new CoreSweep(seen);
         }
 
         /**
-         * Takes the body and the rows for the next motions.
+         * Computes how the beginning of a motion lifts a body out of rows, all together.
          *
-         * @param body the body that moves. It stays where it is
-         * @param rows the rows that may be in its way. The list must not change before the next call
-         */
-        public function setBody(body:Body, rows:NumberList):void
-        {
-            _rows = rows;
-            _body.setBody(body, rows);
-        }
-
-        /**
-         * Computes how the beginning of a motion lifts the body out of its rows, all together.
-         *
-         * @param setup receives the setup of the motion
+         * @param rows the rows
          * @param out receives the lift: 0 if the body overlaps nothing, or does not get free
          * @return whether there is a lift
          */
-        public function findLift(from:Vector3D, motion:Vector3D, setup:MotionSetup, out:StartLift):Boolean
+        public function findLift(body:MovingBody, rows:NumberList, from:Vector3D, motion:Vector3D, out:StartLift):Boolean
         {
-            beginMotion(from, motion, null, SlideLimits.NONE, setup, _liftedPlace);
-            out.copyFrom(_lift);
+            out.clear();
+            begin(body, rows, from, motion, SlideLimits.NONE, out, _liftedPlace);
             return out.isLifted;
         }
 
         /**
          * Computes a motion that ends when it first touches a row.
          *
-         * @param from where it begins
+         * @param rows the rows that may be in its way
+         * @param from where it begins: not <code>out.place</code>, which is written before the end
          * @param motion the whole motion
-         * @param lift the lift of <code>findLift()</code>; null for none
-         * @param setup receives the setup of the motion
+         * @param lift the lift of <code>findLift()</code> with which it begins, or <code>StartLift.NONE</code>
          * @param out receives the answer. Rounding may hide the touch at its place: see <code>goIntoTouch()</code>
          */
-        public function findTouch(from:Vector3D, motion:Vector3D, lift:StartLift, setup:MotionSetup, out:MotionResult):void
+        public function findTouch(body:MovingBody, rows:NumberList, from:Vector3D, motion:Vector3D, lift:StartLift, out:MotionResult):void
         {
-            var isMotion:Boolean = beginMotion(from, motion, lift, SlideLimits.NONE, setup, _liftedPlace);
+            _lift.copyFrom(lift);
+            var isMotion:Boolean = begin(body, rows, from, motion, SlideLimits.NONE, _lift, _liftedPlace);
             var crossed:int = isMotion ? _rest.findCrossed() : -1;
             out.row = -1;
             out.fraction = 1;
@@ -120,11 +94,11 @@ package starlogo.queries.motion
                 out.row = _rest.rows[crossed];
                 out.fraction = 0;
             }
-            else if (isMotion && findObstacle(setup.obstacles, _liftedPlace, _impact))
+            else if (isMotion && findObstacle(body, _liftedPlace, _impact))
             {
-                takeImpact(motion, out);
+                takeImpact(body, from, motion, _impact, out);
             }
-            goAlong(motion, out.fraction, out.place);
+            goAlong(from, motion, out.fraction, out.place);
         }
 
         /**
@@ -132,21 +106,19 @@ package starlogo.queries.motion
          * touch, and it could not come back. It tries several places. The first is half a tolerance before the contact. The tolerance is the
          * distance across which the two still touch. On a long way rounding may hide the touch. Then the body ends where its core touches the row.
          *
-         * @param setup the setup of the motion
-         * @param result the answer of <code>findTouch()</code>, whose place changes
+         * @param result the answer of <code>findTouch()</code> for this body, whose place changes
          */
-        public function goIntoTouch(setup:MotionSetup, result:MotionResult):void
+        public function goIntoTouch(body:MovingBody, result:MotionResult):void
         {
             if (result.row < 0 || result.fraction == 0)
             {
                 return;
             }
-            _body.resume(setup);
-            var half:Number = _body.halfToleranceAt(result.row, result.place);
+            var half:Number = body.halfToleranceAt(result.row, result.place);
             result.contact.push(result.place, half);
             for (var i:int = 0; i < STEPS_INTO_TOUCH; i++)
             {
-                if (_body.touches(result.row, result.place))
+                if (body.touches(result.row, result.place))
                 {
                     return;
                 }
@@ -158,38 +130,39 @@ package starlogo.queries.motion
         /**
          * Computes a motion that ends the clearance before it first touches a row.
          *
+         * @param rows the rows that may be in its way
          * @param from where it begins
          * @param motion the whole motion
-         * @param setup receives the setup of the motion
          * @param out receives the answer of <code>findTouch()</code> without a lift, but its place is the clearance before the touch. Its fraction
          *     is that of the touch
          */
-        public function goBeforeTouch(from:Vector3D, motion:Vector3D, setup:MotionSetup, out:MotionResult):void
+        public function goBeforeTouch(body:MovingBody, rows:NumberList, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
-            findTouch(from, motion, null, setup, out);
+            findTouch(body, rows, from, motion, StartLift.NONE, out);
             if (out.row >= 0 && out.fraction > 0)
             {
-                goAlong(motion, Math.max(0, out.fraction + setup.clearance / out.along), out.place);
+                goAlong(from, motion, Math.max(0, out.fraction + body.clearance / _impact.along), out.place);
             }
         }
 
         /**
          * Computes a motion that slides along what it meets.
          *
+         * @param rows the rows that may be in its way
          * @param from where it begins
          * @param motion the whole motion
          * @param limits how it may go
-         * @param setup receives the setup of the motion
          * @param out receives the answer
          */
-        public function slide(from:Vector3D, motion:Vector3D, limits:SlideLimits, setup:MotionSetup, out:SlideResult):void
+        public function slide(body:MovingBody, rows:NumberList, from:Vector3D, motion:Vector3D, limits:SlideLimits, out:SlideResult):void
         {
             var place:Vector3D = out.place;
             out.fraction = 1;
             out.metWall = false;
             out.floor.setNormal(0, 0, -1);
             out.floorRow = out.clearRow = -1;
-            if (!beginMotion(from, motion, null, limits, setup, place))
+            _lift.clear();
+            if (!begin(body, rows, from, motion, limits, _lift, place))
             {
                 place.incrementBy(motion);
                 return;
@@ -198,19 +171,19 @@ package starlogo.queries.motion
             _rest.project();
             for (var iterations:int = 0; iterations < MOST_ITERATIONS && _rest.length > 0; iterations++)
             {
-                var isMet:Boolean = findObstacle(setup.obstacles, place, _impact);
+                var isMet:Boolean = findObstacle(body, place, _impact);
                 out.clearRow = _impact.clearRow;
                 if (!isMet)
                 {
                     _rest.advance(place, 1);
                     break;
                 }
-                if (!isSameCorner(_impact))
+                if (!isSameCorner(body, _impact))
                 {
                     _rest.beginCorner();
                 }
-                _sweep.findTouchTime(place, _rest.motion, _impact);
-                _rest.advance(place, Math.max(_impact.touchTime + setup.clearance / _impact.along, 0));
+                _sweep.findTouchTime(body, place, _rest.motion, _impact);
+                _rest.advance(place, Math.max(_impact.touchTime + body.clearance / _impact.along, 0));
                 if (!_impact.isNormalFallback && (out.floorRow < 0 || _impact.contact.normalZ > out.floor.normalZ))
                 {
                     out.floor.copyFrom(_impact.contact);
@@ -222,77 +195,46 @@ package starlogo.queries.motion
                     standUp(_impact.contact);
                 }
                 _rest.add(_impact.contact, _impact.row);
-                dropNeedless(setup.obstacles, place);
+                dropNeedless(body, place);
                 _rest.project();
             }
             out.fraction = _rest.gone < whole ? _rest.gone / whole : 1;
         }
 
-        /** Whether the body would go into a row on a straight way from a place. */
-        public function meets(row:int, from:Vector3D, motion:Vector3D):Boolean
+        /** Whether a body would go into a row on a straight motion. */
+        public function meets(body:MovingBody, row:int, from:Vector3D, motion:Vector3D):Boolean
         {
-            _body.beginMotion(from, motion, _tryingSetup);
-            return _sweep.meets(row, from, motion);
+            body.beginMotion(body.rows, from, motion);
+            return _sweep.meets(body, row, from, motion);
         }
 
-        /**
-         * Finds the contact of the deepest overlap of the body at a place.
-         *
-         * @param setup of a motion before, perhaps among other rows
-         * @param out receives the contact
-         * @return the sum of the depths of all overlaps
-         */
-        public function findDeepest(place:Vector3D, setup:MotionSetup, out:ContactPoint):Number
+        // Begins a motion, displaced by a lift. The lift receives what else the body is lifted out of; the last argument, where it then is. Returns
+        // whether there is any motion.
+        private function begin(body:MovingBody, rows:NumberList, from:Vector3D, motion:Vector3D, limits:SlideLimits, lift:StartLift, place:Vector3D):Boolean
         {
-            _body.resume(setup);
-            return _recovery.findDeepest(_rows, place, out);
-        }
-
-        /**
-         * Lifts the body off what it only touches, if there is room.
-         *
-         * @param setup of the motion that ends here
-         * @param place the place of the body, which changes
-         * @param clearRow a row that it is known not to touch there, or -1
-         */
-        public function restoreClearance(place:Vector3D, setup:MotionSetup, clearRow:int):void
-        {
-            _body.resume(setup);
-            _recovery.restoreClearance(setup.obstacles, place, clearRow);
-        }
-
-        // Begins a motion. The place receives where the body begins: lifted out of what it overlaps. Returns whether there is any motion.
-        private function beginMotion(from:Vector3D, motion:Vector3D, lift:StartLift, limits:SlideLimits, setup:MotionSetup, place:Vector3D):Boolean
-        {
-            _from.copyFrom(from);
             place.copyFrom(from);
             _rest.begin(motion, limits);
-            _lift.clear();
-            setup.obstacles.copyFrom(_rows);
-            _body.beginMotion(from, motion, setup);
+            body.beginMotion(rows, from, motion);
             if (!(_rest.length * _rest.length > Tolerances.VANISHING))
             {
+                lift.clear();
                 return false;
             }
-            if (lift != null)
+            place.incrementBy(lift.displacement);
+            lift.mostDepth = SLOPS_TO_LEAVE * body.slop;
+            if (replaceDeep(body, place, false) && !_recovery.liftOut(body, place, lift))
             {
-                _lift.copyFrom(lift);
-                place.incrementBy(lift.displacement);
+                place.copyFrom(from);
+                lift.clear();
+                replaceDeep(body, place, true);
             }
-            _lift.mostDepth = SLOPS_TO_LEAVE * setup.slop;
-            if (replaceDeep(setup.obstacles, place, false) && !_recovery.liftOut(setup.obstacles, place, _lift))
-            {
-                place.copyFrom(_from);
-                _lift.clear();
-                replaceDeep(setup.obstacles, place, true);
-            }
-            if (setup.isFlat && _rest.count == 0)
+            if (body.isFlat && _rest.count == 0)
             {
                 // its core is as flat, and a sweep touches across a wider gap than a body that stands
-                _recovery.restoreClearance(setup.obstacles, place, -1);
+                _recovery.restoreClearance(body, place, -1);
             }
-            _lift.displacement.copyFrom(place);
-            _lift.displacement.decrementBy(_from);
+            lift.displacement.copyFrom(place);
+            lift.displacement.decrementBy(from);
             _rest.beginCorner();
             return true;
         }
@@ -300,22 +242,23 @@ package starlogo.queries.motion
         // Lets planes take the places of rows that the core overlaps: of those whose overlap is not shallow, or of all. If the core does not
         // touch a row when it is narrower, the row stays, and the motion has that core. One-way rows that the body is within do not count any
         // more. Returns whether rows are left that the core overlapped.
-        private function replaceDeep(obstacles:NumberList, place:Vector3D, isOfAll:Boolean):Boolean
+        private function replaceDeep(body:MovingBody, place:Vector3D, isOfAll:Boolean):Boolean
         {
+            var obstacles:NumberList = body.obstacles;
             var isLeft:Boolean = false;
             var kept:int = 0;
             for (var i:int = 0; i < obstacles.count; i++)
             {
                 var row:int = obstacles.numbers[i];
-                var touches:Boolean = _body.coreTouches(row, place);
-                if (touches && _body.isWithinOneWay(row, place))
+                var touches:Boolean = body.coreTouches(row, place);
+                if (touches && body.isWithinOneWay(row, place))
                 {
                     continue;
                 }
-                if (touches && narrowOrFindDeep(row, place, isOfAll, _contact))
+                if (touches && narrowOrFindDeep(body, row, place, isOfAll, _contact))
                 {
                     _rest.add(_contact, row);
-                    _body.warnIfInside(row, _contact);
+                    body.warnIfInside(row, _contact);
                 }
                 else
                 {
@@ -330,40 +273,39 @@ package starlogo.queries.motion
 
         // Narrows the core for this motion, so that it does not touch a row, or finds their contact. Returns whether the contact's plane has to
         // take the place of the row: if the overlap is not shallow, or all count, and no narrower core is free of the row.
-        private function narrowOrFindDeep(row:int, place:Vector3D, isOfAll:Boolean, out:ContactPoint):Boolean
+        private function narrowOrFindDeep(body:MovingBody, row:int, place:Vector3D, isOfAll:Boolean, out:ContactPoint):Boolean
         {
-            var isShallow:Boolean = _body.findContact(row, place, isOfAll, out);
+            var isShallow:Boolean = body.findContact(row, place, isOfAll, out);
             if (isShallow && !isOfAll)
             {
                 return false;
             }
-            var isFree:Boolean = _body.narrow(row, place);
-            return !isFree && _body.overlaps(row, place);
+            var isFree:Boolean = body.narrow(row, place);
+            return !isFree && body.overlaps(row, place);
         }
 
-        // Finds the touch of the motion whose core meets the impact.
-        private function takeImpact(motion:Vector3D, out:MotionResult):void
+        // Finds the touch of the lifted motion whose core meets the impact.
+        private function takeImpact(body:MovingBody, from:Vector3D, motion:Vector3D, impact:Impact, out:MotionResult):void
         {
-            _sweep.findTouchTime(_liftedPlace, motion, _impact);
-            out.row = _impact.row;
-            out.contact.copyFrom(_impact.contact);
+            _sweep.findTouchTime(body, _liftedPlace, motion, impact);
+            out.row = impact.row;
+            out.contact.copyFrom(impact.contact);
             out.contact.depth = 0;
-            out.corePlace.setTo(_liftedPlace.x + _impact.time * motion.x, _liftedPlace.y + _impact.time * motion.y, _liftedPlace.z + _impact.time * motion.z);
-            out.along = _impact.along;
+            out.corePlace.setTo(_liftedPlace.x + impact.time * motion.x, _liftedPlace.y + impact.time * motion.y, _liftedPlace.z + impact.time * motion.z);
             // without the lift the body would have touched earlier
-            var time:Number = _impact.touchTime + out.contact.along(_lift.displacement) / out.along;
+            var time:Number = impact.touchTime + out.contact.along(_lift.displacement) / impact.along;
             out.fraction = time > 0 ? (time < 1 ? time : 1) : 0;
-            if (-out.fraction * out.along < _body.setup.slop && _body.touches(out.row, _from))
+            if (-out.fraction * impact.along < body.slop && body.touches(out.row, from))
             {
                 out.fraction = 0;
             }
         }
 
         // Finds the place at a part of the motion from its beginning before the lift, but no deeper in what it was lifted out of.
-        private function goAlong(motion:Vector3D, part:Number, out:Vector3D):void
+        private function goAlong(from:Vector3D, motion:Vector3D, part:Number, out:Vector3D):void
         {
-            out.setTo(_from.x + part * motion.x, _from.y + part * motion.y, _from.z + part * motion.z);
-            _lift.keepDepth(out, _from);
+            out.setTo(from.x + part * motion.x, from.y + part * motion.y, from.z + part * motion.z);
+            _lift.keepDepth(out, from);
         }
 
         // Turns a contact that is too steep into an upright wall. The rest of the motion becomes level, because the slope would stop a motion up
@@ -380,12 +322,12 @@ package starlogo.queries.motion
 
         // Removes planes that are not needed. At the edges of tiles, a contact's plane may belong to a side that the next tile hides. A plane is
         // removed if the motion meets nothing in this corner without it. The rest of the motion has to be projected again afterwards.
-        private function dropNeedless(obstacles:NumberList, place:Vector3D):void
+        private function dropNeedless(body:MovingBody, place:Vector3D):void
         {
             for (var i:int = _rest.count - 2; i >= _rest.corner; i--)
             {
                 _rest.project(i);
-                if (_rest.length > 0 && !(_sweep.findFirst(obstacles, place, _rest.motion, _tried) && isSameCorner(_tried)))
+                if (_rest.length > 0 && !(_sweep.findFirst(body, place, _rest.motion, _tried) && isSameCorner(body, _tried)))
                 {
                     _rest.remove(i);
                 }
@@ -393,21 +335,21 @@ package starlogo.queries.motion
         }
 
         // Whether what is met first is met in the same corner.
-        private function isSameCorner(impact:Impact):Boolean
+        private function isSameCorner(body:MovingBody, impact:Impact):Boolean
         {
-            return impact.time * _rest.length < SAME_CORNER * _body.setup.slop;
+            return impact.time * _rest.length < SAME_CORNER * body.slop;
         }
 
         // Finds what the rest of the motion meets first. One-way rows that it passes do not count from then on.
-        private function findObstacle(obstacles:NumberList, place:Vector3D, out:Impact):Boolean
+        private function findObstacle(body:MovingBody, place:Vector3D, out:Impact):Boolean
         {
-            while (_sweep.findFirst(obstacles, place, _rest.motion, out))
+            while (_sweep.findFirst(body, place, _rest.motion, out))
             {
-                if (!_body.passes(out.row, out.contact))
+                if (!body.passes(out.row, out.contact))
                 {
                     return true;
                 }
-                obstacles.remove(out.row);
+                body.obstacles.remove(out.row);
             }
             return false;
         }

@@ -1,7 +1,9 @@
 package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
     import starlogo.agents.warnOfInside;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.data.NumberList;
@@ -15,8 +17,8 @@ package starlogo.queries.motion
     use namespace engine;
 
     /**
-     * A body at the places that a motion tries, whole and as its core. The core is the body, but smaller by a slop, about the middle of its
-     * extents. It does not touch what the body only touches.
+     * A body that moves: what may be in its way, the tolerances of its present motion, and its tests at the places that a motion tries, whole and
+     * as its core. The core is the body, but smaller by a slop, about the middle of its extents. It does not touch what the body only touches.
      *
      * <p>docs/mover.md derives the quantities.</p>
      *
@@ -48,10 +50,31 @@ package starlogo.queries.motion
         // A one-way row stops the body with surfaces whose normal has at least this z: no steeper than 45 degrees, and a little for rounding.
         private static const UPWARDS:Number = Math.SQRT1_2 - 1e-9;
 
-        private var _seen:SeenAgents;
+        /** The body where it begins: a copy, because a filter's <code>accepts</code> may move the agent. Read only. */
+        public var source:Body = new Body();
 
-        // The body where it begins.
-        private var _source:Body;
+        /** The rows that count and are near its way, in the order of the list. The MotionPlanner finds them. */
+        public var rows:NumberList = new NumberList();
+
+        /** The rows that stop the motion. A row that a plane has taken the place of is not one of them, nor a one-way row that the body passed. */
+        public var obstacles:NumberList = new NumberList();
+
+        /**
+         * The slop of the motion, in patches. The core's nearest faces are that far behind the body's own, or less far if the body is slim, or its
+         * least half-extent is less than two slops. <code>narrow()</code> makes the core smaller still, but not the slop larger. Read only.
+         */
+        public var slop:Number = 0;
+
+        /** How far before a touch a slide ends, in patches. It is less than the slop, so the body can enter a place as wide as itself. Read only. */
+        public var clearance:Number = 0;
+
+        /** The part of its size that the core loses. Read only. */
+        public var shrink:Number = 0;
+
+        /** Whether the body is too flat for its core to be narrower. Read only. */
+        public var isFlat:Boolean = false;
+
+        private var _seen:SeenAgents;
 
         // The body at the place of its last test.
         private var _whole:Body = new Body();
@@ -60,16 +83,15 @@ package starlogo.queries.motion
         private var _core:Body = new Body();
         private var _coreAt:Vector3D = new Vector3D();
 
-        // A smaller copy of another row.
+        // How much of its least half-extent the core should lose: a slop, or more after narrow(). A slim or small body loses less.
+        private var _inset:Number = 0;
+
+        // The largest extent of the body and the rows of the motion.
+        private var _largest:Number = 0;
+
+        // A smaller copy of another row, and the contact with one.
         private var _smaller:Body = new Body();
         private var _contact:ContactPoint = new ContactPoint();
-
-        // The largest extent of the body and the rows near it, and half of the width of a cell of the ground.
-        private var _largest:Number = 0;
-        private var _cell:Number = 0;
-
-        // The setup of the motion.
-        private var _setup:MotionSetup = null;
 
         /** @param seen has the rows, and decides which of them touch */
         public function MovingBody(seen:SeenAgents)
@@ -78,64 +100,99 @@ package starlogo.queries.motion
         }
 
         /**
-         * Becomes a body.
+         * Becomes the body of an agent, as it is now.
          *
-         * @param body stays where it is
-         * @param rows the rows that may be in its way
+         * @param turn by how many degrees it is turned
+         * @return the body where it begins
+         * @throws ArgumentError if the agent is null, has no place, or its model is unknown or lacks data that is needed
          */
-        public function setBody(body:Body, rows:NumberList):void
+        public function readAgent(agent:Agent, turn:Number = 0):Body
         {
-            _source = body;
-            _coreAt.x = NaN;
-            if (body.shape != null)
+            _seen.requirePlaced(agent);
+            source.copyFrom(_seen.bodyOf(agent));
+            if (turn != 0 && hasShape)
             {
-                _whole.copyFrom(body);
+                source.turn(agent, turn);
             }
-            _largest = 2 * largestHalf;
-            _cell = 0;
-            for (var i:int = 0; i < rows.count; i++)
+            begin();
+            return source;
+        }
+
+        /**
+         * Becomes the body of an agent that is cast. A sphere, box, capsule or hull becomes the body of a structure, so that an agent and the same
+         * structure meet the same, to the last bit.
+         */
+        public function readCastAgent(agent:Agent):void
+        {
+            _seen.requirePlaced(agent);
+            var body:Body = _seen.bodyOf(agent);
+            if (body.shape == null || body.form >= ModelShape.TREE)
             {
-                var other:Body = _seen.table.bodyOf(rows.numbers[i]);
+                source.copyFrom(body);
+            }
+            else
+            {
+                source.readPlaced(body);
+            }
+            begin();
+        }
+
+        /** Becomes the body of a structure. Throws the errors of <code>Body.readStructure()</code>. */
+        public function readStructure(structure:BoundingStructure):void
+        {
+            source.readStructure(structure);
+            begin();
+        }
+
+        private function begin():void
+        {
+            _coreAt.x = NaN;
+            rows.count = 0;
+            if (hasShape)
+            {
+                _whole.copyFrom(source);
+            }
+        }
+
+        /** Whether it has a shape: false while the model of its agent is loading. */
+        public function get hasShape():Boolean
+        {
+            return source.shape != null;
+        }
+
+        /** Its largest extent. */
+        public function get extent():Number
+        {
+            return 2 * source.largestHalf;
+        }
+
+        /**
+         * Begins a motion: finds its slop and its core.
+         *
+         * @param among the rows that may be in its way. They become the obstacles
+         */
+        public function beginMotion(among:NumberList, from:Vector3D, motion:Vector3D):void
+        {
+            var cell:Number = 0;
+            _largest = extent;
+            for (var i:int = 0; i < among.count; i++)
+            {
+                var other:Body = _seen.table.bodyOf(among.numbers[i]);
                 if (other.form == ModelShape.GROUND)
                 {
-                    _cell = other.largestHalf;
+                    cell = other.largestHalf;
                 }
                 else
                 {
                     _largest = Math.max(_largest, 2 * other.largestHalf);
                 }
             }
-        }
-
-        /** Begins a motion. The setup receives its slop and its core. */
-        public function beginMotion(from:Vector3D, motion:Vector3D, setup:MotionSetup):void
-        {
-            _setup = setup;
-            setup.slop = OF_EXTENT * 2 * largestHalf + OF_OTHERS * _largest
-                + OF_PLACES * (Math.abs(from.x) + Math.abs(from.y) + Math.abs(from.z) + _cell)
+            obstacles.copyFrom(among);
+            slop = OF_EXTENT * extent + OF_OTHERS * _largest + OF_PLACES * (Math.abs(from.x) + Math.abs(from.y) + Math.abs(from.z) + cell)
                 + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            setup.clearance = setup.slop / 4;
-            setInset(setup.slop);
-            setup.isFlat = setup.shrink * _source.leastHalf < FLAT * setup.slop;
-        }
-
-        /** Goes on with the setup of an earlier motion. */
-        public function resume(setup:MotionSetup):void
-        {
-            _setup = setup;
-            _coreAt.x = NaN;
-        }
-
-        /** The setup of the motion. Others only read it. */
-        public function get setup():MotionSetup
-        {
-            return _setup;
-        }
-
-        /** Half of the largest extent of the body. */
-        public function get largestHalf():Number
-        {
-            return _source.largestHalf;
+            clearance = slop / 4;
+            setInset(slop);
+            isFlat = shrink * source.leastHalf < FLAT * slop;
         }
 
         /** The whole body at a place. It is valid until the next call. */
@@ -150,7 +207,7 @@ package starlogo.queries.motion
         {
             if (place.x != _coreAt.x || place.y != _coreAt.y || place.z != _coreAt.z)
             {
-                _core.readShrunk(_source, place, _setup.shrink);
+                _core.readShrunk(source, place, shrink);
                 _coreAt.copyFrom(place);
             }
             return _core;
@@ -179,9 +236,9 @@ package starlogo.queries.motion
             var whole:Body = wholeAt(place);
             if (other.form == ModelShape.GROUND)
             {
-                return _seen.narrowPhase.groundTestsOf(other).isDeeper(whole, other, _setup.slop);
+                return _seen.narrowPhase.groundTestsOf(other).isDeeper(whole, other, slop);
             }
-            _smaller.readShrunk(other, null, shrinkOf(other.largestHalf, other.leastHalf, _setup.slop));
+            _smaller.readShrunk(other, null, shrinkOf(other.largestHalf, other.leastHalf, slop));
             return areTouching(whole, _smaller);
         }
 
@@ -231,8 +288,8 @@ package starlogo.queries.motion
          */
         public function isExitShort(row:int, contact:ContactPoint):Boolean
         {
-            return _seen.table.shapes[row].form != ModelShape.TREE || contact.depth <= Math.abs(contact.normalX) * _source.halfX
-                + Math.abs(contact.normalY) * _source.halfY + Math.abs(contact.normalZ) * _source.halfZ;
+            return _seen.table.shapes[row].form != ModelShape.TREE || contact.depth <= Math.abs(contact.normalX) * source.halfX
+                + Math.abs(contact.normalY) * source.halfY + Math.abs(contact.normalZ) * source.halfZ;
         }
 
         /** Warns of a motion that begins so deep inside of a tree that the tree does not stop it: in a closed room, for example, which is solid. */
@@ -252,8 +309,8 @@ package starlogo.queries.motion
          */
         public function narrow(row:int, place:Vector3D):Boolean
         {
-            var inset:Number = _setup.inset;
-            var most:Number = _setup.slop + SHALLOW * _largest;
+            var inset:Number = _inset;
+            var most:Number = slop + SHALLOW * _largest;
             setInset(most);
             if (coreTouches(row, place))
             {
@@ -292,21 +349,21 @@ package starlogo.queries.motion
 
         private function areTouching(whole:Body, other:Body):Boolean
         {
-            return isNear(whole, other, RelativeMotion.NONE, _setup.slop) && _seen.narrowPhase.areTouching(whole, other);
+            return isNear(whole, other, RelativeMotion.NONE, slop) && _seen.narrowPhase.areTouching(whole, other);
         }
 
         // The larger extent of the body and another. The ground's extents are those of a cell, and do not count.
         private function extentWith(other:Body):Number
         {
-            var largest:Number = other.form == ModelShape.GROUND ? 0 : other.largestHalf;
-            return 2 * Math.max(largest, largestHalf);
+            var ofOther:Number = other.form == ModelShape.GROUND ? 0 : 2 * other.largestHalf;
+            return Math.max(ofOther, extent);
         }
 
         private function setInset(width:Number):void
         {
-            _setup.inset = width;
+            _inset = width;
             _coreAt.x = NaN;
-            _setup.shrink = shrinkOf(largestHalf, _source.leastHalf, width);
+            shrink = shrinkOf(source.largestHalf, source.leastHalf, width);
         }
 
         private static function shrinkOf(largestHalf:Number, leastHalf:Number, width:Number):Number

@@ -6,7 +6,7 @@ package starlogo.queries.rays
 
     /**
      * Puts the crossings of a ray with one shape into the order of the ray, and leaves out those that are no surface of their own.
-     * AgentQueries.castAll says the rules.
+     * AgentRays.castAll says the rules.
      *
      * @private
      */

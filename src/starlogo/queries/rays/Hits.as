@@ -102,38 +102,25 @@ package starlogo.queries.rays
             return _hits.keys[_firsts[row]];
         }
 
-        /** Ends the search. The answer has the first hit of each row. Returns how many they are. */
-        public function endWithFirsts():int
+        /** Ends the search. The answer has the hits of the rows that the collector has, sorted by their keys. Returns how many they are. */
+        public function end():int
         {
             var rows:int = _found.endSorted();
-            _answer.count = 0;
-            for (var i:int = 0; i < rows; i++)
-            {
-                addToAnswer(_firsts[_found.rowAt(i)]);
-            }
-            return rows;
-        }
-
-        /** Ends the search. The answer has all hits of each row, sorted by their keys. Returns how many they are. */
-        public function endWithAll():int
-        {
-            var rows:int = _found.end();
             _answer.count = 0;
             for (var i:int = 0; i < rows; i++)
             {
                 var row:int = _found.rowAt(i);
                 for (var hit:int = _firsts[row]; hit < _hits.count && _hits.numbers[hit] == row; hit++)
                 {
-                    addToAnswer(hit);
+                    _answer.add(hit, _hits.keys[hit]);
                 }
             }
-            _answer.sortFirst(_answer.count, _ranks);
+            if (_answer.count > rows)
+            {
+                // between hits of one row there may be others
+                _answer.sortFirst(_answer.count, _ranks);
+            }
             return _answer.count;
-        }
-
-        private function addToAnswer(hit:int):void
-        {
-            _answer.add(hit, _hits.keys[hit]);
         }
 
         /** The row of a hit of the answer. */

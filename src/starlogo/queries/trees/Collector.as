@@ -42,9 +42,6 @@ package starlogo.queries.trees
         // When this number of rows is found, the rows that are not wanted are dropped.
         private var _dropAt:int = ALL;
 
-        // Whether one row is wanted and accepts decides nothing: a row that is found replaces the last one if it comes before it.
-        private var _keepsOne:Boolean = false;
-
         // The number of rows that accepts has admitted, in order.
         private var _admitted:int = 0;
 
@@ -70,8 +67,7 @@ package starlogo.queries.trees
             filter.begin(asker, agentFilter);
             this.wanted = wanted;
             this.limit = wanted == 0 ? -1 : limit;
-            _keepsOne = wanted == 1 && filter.accepts == null;
-            _dropAt = filter.accepts != null || wanted > ALL / 2 ? ALL : 2 * wanted;
+            _dropAt = filter.accepts == null ? wanted : ALL;
             _rows.count = _admitted = 0;
         }
 
@@ -84,7 +80,7 @@ package starlogo.queries.trees
         /** Whether the search can end, because one row is wanted, which may be any, and is found. */
         public function get canEnd():Boolean
         {
-            return _keepsOne && _rows.count > 0;
+            return wanted == 1 && filter.accepts == null && _rows.count > 0;
         }
 
         /** Asks a filter about one row, as a search of its own. Returns whether the row counts. */
@@ -117,17 +113,9 @@ package starlogo.queries.trees
             return -1;
         }
 
-        /**
-         * Takes a row that counts. This may lower the limit.
-         *
-         * @return false if only one row is wanted, and an earlier one is kept
-         */
-        public function add(row:int, key:Number):Boolean
+        /** Takes a row that counts. This may lower the limit. */
+        public function add(row:int, key:Number):void
         {
-            if (_keepsOne)
-            {
-                return replace(row, key);
-            }
             // _rows.add() written out: it would be one call more for each row
             var at:int = _rows.count;
             _rows.numbers[at] = row;
@@ -136,38 +124,17 @@ package starlogo.queries.trees
             if (_rows.count == _dropAt)
             {
                 sort();
+                limit = _rows.keys[int(wanted - 1)];
+                // only then again, so that each row is sorted about twice
+                _dropAt = wanted > ALL / 2 ? ALL : 2 * wanted;
             }
-            return true;
-        }
-
-        // Takes a row in place of the last one if it comes before it.
-        private function replace(row:int, key:Number):Boolean
-        {
-            if (_rows.count > 0 && (key > _rows.keys[0] || (key == _rows.keys[0] && isAfter(row, _rows.numbers[0]))))
-            {
-                return false;
-            }
-            _rows.count = 0;
-            _rows.add(row, key);
-            limit = key;
-            return true;
-        }
-
-        // Whether a row comes after another one in the list.
-        private function isAfter(row:int, other:int):Boolean
-        {
-            return _seen.table.list.ranks[row] > _seen.table.list.ranks[other];
         }
 
         // Sorts the rows, and keeps those that are wanted.
         private function sort():void
         {
             _rows.sortFirst(_rows.count, _seen.table.list.ranks);
-            if (_rows.count > wanted)
-            {
-                _rows.count = wanted;
-                limit = _rows.keys[int(wanted - 1)];
-            }
+            _rows.count = Math.min(_rows.count, wanted);
         }
 
         /**

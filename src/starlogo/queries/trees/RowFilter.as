@@ -23,8 +23,8 @@ package starlogo.queries.trees
         /** Whether breeds or agents are excluded. If not, <code>mayCount()</code> is true for all rows. */
         public var excludes:Boolean = false;
 
-        /** The breeds that may count, a set of NodeBreeds. */
-        public var breeds:int = NodeBreeds.ALL;
+        /** The set of the breeds that may count, see RowTree. */
+        public var breeds:int = RowTree.ALL_BREEDS;
 
         /** The row of the agent that asks, which does not count; or -1. */
         public var askerRow:int = -1;
@@ -55,7 +55,7 @@ package starlogo.queries.trees
             askerRow = asker == null ? -1 : _seen.table.list.rowOf(asker);
             _filter = filter;
             excludes = false;
-            breeds = NodeBreeds.ALL;
+            breeds = RowTree.ALL_BREEDS;
             accepts = null;
             if (filter == null)
             {
@@ -67,15 +67,29 @@ package starlogo.queries.trees
             excludes = filter.breeds != null || filter.exceptBreeds != null;
             if (filter.breeds != null)
             {
-                breeds = NodeBreeds.setOfNames(filter.breeds);
+                breeds = setOf(filter.breeds);
             }
             else if (filter.exceptBreeds != null)
             {
                 // the set may bring new names, with which sets are exact no longer
-                var excluded:int = NodeBreeds.setOfNames(filter.exceptBreeds);
-                breeds = NodeBreeds.areSetsExact ? ~excluded : NodeBreeds.ALL;
+                var excluded:int = setOf(filter.exceptBreeds);
+                breeds = Breeds.count <= RowTree.BREED_BITS ? ~excluded : RowTree.ALL_BREEDS;
             }
             except(filter.except);
+        }
+
+        // The set of some breeds. A name may be null. A new name becomes a breed.
+        private static function setOf(names:Vector.<String>):int
+        {
+            var found:int = 0;
+            for (var i:int = 0; i < names.length; i++)
+            {
+                if (names[i] != null)
+                {
+                    found |= RowTree.breedBit(Breeds.numberOf(names[i]));
+                }
+            }
+            return found;
         }
 
         /** Whether a row's agent counts, as far as its breed and the filter's <code>except</code> say: <code>accepts</code> is not called. */

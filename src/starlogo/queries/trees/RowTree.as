@@ -1,8 +1,13 @@
 package starlogo.queries.trees
 {
+    import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
+    import starlogo.engine;
     import starlogo.geometry.Tolerances;
+
+    use namespace engine;
 
     /**
      * A balanced tree of boxes around rows of a table. NearSearch and SweptBoxSearch find rows in it without a test of
@@ -12,6 +17,9 @@ package starlogo.queries.trees
      * level, and the nodes of each level have equal parts of the rows. So the tree has to store nothing but the boxes. The rows stand in slots,
      * in the order of the leaves.</p>
      *
+     * <p>A search for a rare breed can skip nodes without it. The nodes learn which breeds they have when searches have passed over as many rows
+     * that do not count as the tree has, and again when an agent has got another breed.</p>
+     *
      * @private
      */
     public final class RowTree
@@ -19,8 +27,12 @@ package starlogo.queries.trees
         /** How many numbers a box takes: its least x, y, z, then its greatest x, y, z. */
         public static const PER_BOX:int = 6;
 
-        /** The most rows that a leaf can have. */
+        // The most rows that a leaf can have.
         private static const LEAF_SIZE:int = 24;
+
+        /** How many breeds have bits of their own in a set of breeds; and the set of all. */
+        public static const BREED_BITS:int = 32;
+        public static const ALL_BREEDS:int = -1;
 
         // After this many moves per row the tree has to be built again, because its boxes have grown too much.
         private static const MOVES:Number = 0.5;
@@ -46,8 +58,12 @@ package starlogo.queries.trees
         /** By node: a box around the boxes of the node's rows. */
         public var nodeBoxes:Vector.<Number> = new Vector.<Number>();
 
-        /** Which breeds the nodes have. */
-        public var breeds:NodeBreeds = new NodeBreeds();
+        // How many rows that do not count searches have tested since the nodes learned their breeds. A test reads it.
+        engine var passedOver:int = 0;
+
+        // By node: the set of its rows' breeds; and what Breeds.changes was when the nodes learned them, or -1.
+        private var _breedSets:Vector.<int> = new Vector.<int>();
+        private var _breedsAsOf:int = -1;
 
         // How many rows may still move. If it is less than 0, the tree is stale.
         private var _movesLeft:int = -1;
@@ -69,7 +85,8 @@ package starlogo.queries.trees
         public function build(rows:Vector.<int>, count:int, points:Points):void
         {
             _movesLeft = MOVES * count;
-            breeds.forget();
+            passedOver = 0;
+            _breedsAsOf = -1;
             this.count = count;
             _points = points;
             _sizes = points as Extents;
@@ -105,6 +122,49 @@ package starlogo.queries.trees
             _movesLeft = -1;
         }
 
+        /** The bit of a breed in a set of breeds. Breeds with the same remainder share one. */
+        public static function breedBit(breed:int):int
+        {
+            return 1 << breed % BREED_BITS;
+        }
+
+        /** Counts rows that a filter does not let through, by their breeds or otherwise. */
+        public function passOver(rows:int):void
+        {
+            passedOver += rows;
+        }
+
+        /** Lets the nodes learn their breeds, if searches have passed over so many rows that this takes no longer. */
+        public function learnBreeds(agents:Vector.<Agent>):void
+        {
+            if (passedOver < count || _breedsAsOf == Breeds.changes)
+            {
+                return;
+            }
+            passedOver = 0;
+            _breedsAsOf = Breeds.changes;
+            for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
+            {
+                _breedSets[node] = node < firstLeaf ? _breedSets[int(2 * node)] | _breedSets[int(2 * node + 1)] : breedsIn(node - firstLeaf, agents);
+            }
+        }
+
+        private function breedsIn(leaf:int, agents:Vector.<Agent>):int
+        {
+            var found:int = 0;
+            for (var slot:int = starts[leaf]; slot < starts[int(leaf + 1)]; slot++)
+            {
+                found |= breedBit(agents[rows[slot]].breedNumber);
+            }
+            return found;
+        }
+
+        /** Whether a node may have rows of some breeds. */
+        public function mayHave(node:int, breeds:int):Boolean
+        {
+            return breeds == ALL_BREEDS || _breedsAsOf != Breeds.changes || (_breedSets[node] & breeds) != 0;
+        }
+
         /** The node number of the leaf that has a row. */
         public function leafOf(row:int):int
         {
@@ -125,10 +185,7 @@ package starlogo.queries.trees
             return except >= 0 && _slots[except] >= start && _slots[except] < end ? end - start - 1 : end - start;
         }
 
-        /**
-         * Reads the box of one row again, unless the tree must be built again. The boxes around the row grow. So searches stay correct, but take more time
-         * than in a tree that was built again.
-         */
+        /** Reads the box of one row again, unless the tree is stale. The boxes around the row grow, so searches stay correct, but take more time. */
         public function move(row:int):void
         {
             _movesLeft--;
@@ -137,9 +194,9 @@ package starlogo.queries.trees
                 return;
             }
             var slot:int = _slots[row];
+            var node:int = leafOf(row);
             takeMiddle(slot, row);
             boundRow(slot);
-            var node:int = leafOf(row);
             // if a box does not grow, the boxes around it do not grow either
             while (node > 0 && widen(PER_BOX * node, rowBoxes, PER_BOX * slot))
             {
@@ -170,6 +227,7 @@ package starlogo.queries.trees
             {
                 starts.length = firstLeaf + 1;
                 nodeBoxes.length = 2 * firstLeaf * PER_BOX;
+                _breedSets.length = 2 * firstLeaf;
             }
         }
 
@@ -212,14 +270,8 @@ package starlogo.queries.trees
                 for (var slot:int = first; slot < end; slot++)
                 {
                     var key:Number = keys[slot];
-                    if (key < least)
-                    {
-                        least = key;
-                    }
-                    if (key > greatest)
-                    {
-                        greatest = key;
-                    }
+                    least = key < least ? key : least;
+                    greatest = key > greatest ? key : greatest;
                 }
                 nodeBoxes[box + axis] = least;
                 nodeBoxes[box + 3 + axis] = greatest;
@@ -244,7 +296,10 @@ package starlogo.queries.trees
         {
             while (first < last)
             {
-                var pivot:Number = medianOf(keys[first], keys[(first + last) >> 1], keys[last]);
+                // the median of three
+                var one:Number = keys[first];
+                var other:Number = keys[last];
+                var pivot:Number = Math.max(Math.min(one, other), Math.min(Math.max(one, other), keys[(first + last) >> 1]));
                 var low:int = first;
                 var high:int = last;
                 while (low <= high)
@@ -277,17 +332,6 @@ package starlogo.queries.trees
                     return;
                 }
             }
-        }
-
-        private static function medianOf(a:Number, b:Number, c:Number):Number
-        {
-            var least:Number = a < b ? a : b;
-            var greatest:Number = a < b ? b : a;
-            if (c < least)
-            {
-                return least;
-            }
-            return c < greatest ? c : greatest;
         }
 
         private function swap(a:int, b:int):void
@@ -345,6 +389,7 @@ package starlogo.queries.trees
 
         private function boundRow(slot:int):void
         {
+            var box:int = PER_BOX * slot;
             var x:Number = middles.x[slot];
             var y:Number = middles.y[slot];
             var z:Number = middles.z[slot];
@@ -362,7 +407,6 @@ package starlogo.queries.trees
                 halfY += slack;
                 halfZ += slack;
             }
-            var box:int = PER_BOX * slot;
             rowBoxes[box] = x - halfX;
             rowBoxes[int(box + 1)] = y - halfY;
             rowBoxes[int(box + 2)] = z - halfZ;

@@ -1,6 +1,7 @@
 package starlogo.queries.motion
 {
     import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
     import starlogo.data.NumberList;
@@ -26,9 +27,9 @@ package starlogo.queries.motion
             var seen:SeenAgents = new SeenAgents(EachCollider.make("combinations, exact", landOf(SolidModels.all())));
             var planner:MotionPlanner = new MotionPlanner(seen);
             var body:MovingBody = new MovingBody(seen);
-            var sweep:CoreSweep = new CoreSweep(seen, body);
-            var planned:PlannedMotion = new PlannedMotion();
-            var setup:MotionSetup = new MotionSetup();
+            var sweep:CoreSweep = new CoreSweep(seen);
+            var from:Vector3D = new Vector3D();
+            var motion:Vector3D = new Vector3D();
             var row:NumberList = new NumberList();
             var ofBuilding:int = 0;
             var ofThing:int = 0;
@@ -45,23 +46,25 @@ package starlogo.queries.motion
                     agents.push(thing);
                 }
                 seen.update(agents);
-                planner.readBody(agents[0], 0, planned.body);
-                planner.plan(agents[0], random.between(-9, 9), random.between(-9, 9), random.between(-9, 9), null, planned);
-                body.setBody(planned.body, planned.rows);
-                body.beginMotion(planned.from, planned.motion, setup);
+                body.readAgent(agents[0]);
+                from.setTo(agents[0].x, agents[0].y, agents[0].z);
+                motion.setTo(random.between(-9, 9), random.between(-9, 9), random.between(-9, 9));
+                planner.planMotion(body, motion, agents[0], null);
+                body.beginMotion(body.rows, from, motion);
+                var found:Impact = new Impact();
+                sweep.findFirst(body, from, motion, found);
                 var expected:Impact = new Impact();
-                for (k = 0; k < planned.rows.count; k++)
+                for (k = 0; k < body.rows.count; k++)
                 {
                     var alone:Impact = new Impact();
                     row.count = 0;
-                    row.add(planned.rows.numbers[k]);
-                    if (new CoreSweep(seen, body).findFirst(row, planned.from, planned.motion, alone) && alone.time < expected.time)
+                    row.add(body.rows.numbers[k]);
+                    body.obstacles.copyFrom(row);
+                    if (new CoreSweep(seen).findFirst(body, from, motion, alone) && alone.time < expected.time)
                     {
                         expected = alone;
                     }
                 }
-                var found:Impact = new Impact();
-                sweep.findFirst(planned.rows, planned.from, planned.motion, found);
                 wrong.addIf(found.row != expected.row || found.time != expected.time, "another row",
                         found.row + " at " + found.time + ", not " + expected.row + " at " + expected.time);
                 ofBuilding += int(expected.row == seen.rowOf(building) && expected.time > 0);

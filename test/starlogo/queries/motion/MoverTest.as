@@ -24,15 +24,14 @@ package starlogo.queries.motion
             var mover:Mover = new Mover(seen);
             var agent:Agent = agentAt("cube", 0, 0, 1.5);
             seen.update(new <Agent>[agent, agentAt("cube", 0.2, 0, 0)]);
-            var planned:PlannedMotion = new PlannedMotion();
-            var setup:MotionSetup = new MotionSetup();
+            var body:MovingBody = new MovingBody(seen);
+            var from:Vector3D = new Vector3D(0, 0, 1.5);
             var result:SlideResult = new SlideResult();
-            planner.readBody(agent, 0, planned.body);
-            planner.planSlide(agent, 0, 0, -1, null, planned);
-            mover.setBody(planned.body, planned.rows);
-            mover.slide(planned.from, planned.motion, SlideLimits.NONE, setup, result);
+            body.readAgent(agent);
+            planner.planWithin(body, 1, 0, 0, agent, null);
+            mover.slide(body, body.rows, from, new Vector3D(0, 0, -1), SlideLimits.NONE, result);
             assertTrue("it met the cube below: " + result.floor.normalZ, Math.abs(result.floor.normalZ - 1) < 1e-9);
-            mover.slide(planned.from, new Vector3D(), SlideLimits.NONE, setup, result);
+            mover.slide(body, body.rows, from, new Vector3D(), SlideLimits.NONE, result);
             assertEquals(-1, result.floorRow);
             assertEquals(false, result.metWall);
         }

@@ -1,17 +1,20 @@
-package starlogo.queries
+package starlogo.queries.motion
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
-    import starlogo.queries.motion.MotionSetup;
-    import starlogo.queries.motion.PlannedMotion;
+    import starlogo.queries.SeenAgents;
+    import starlogo.queries.WalkOptions;
 
     /**
-     * A walk: what the options mean for this agent, and how far it has come. WalkQueries writes it.
+     * A walk: what the options mean for this agent, and how far it has come. WalkQueries begins it, and the WalkMover goes it.
      *
      * @private
      */
     public final class Walk
     {
+        // A part of the extent. The agent stands on ground that is at most this far below it.
+        private static const CLOSE:Number = 1e-6;
+
         /** The agent that walks. */
         public var agent:Agent;
 
@@ -19,10 +22,7 @@ package starlogo.queries
         public var options:WalkOptions;
 
         /** Its body, and the rows near the walk. */
-        public var planned:PlannedMotion = new PlannedMotion();
-
-        /** The setup of its last motion. */
-        public var setup:MotionSetup = new MotionSetup();
+        public var body:MovingBody;
 
         /** The number of pieces. A walk that is longer than the agent goes in pieces, because the ground may be even only so far. */
         public var pieces:int = 1;
@@ -36,12 +36,6 @@ package starlogo.queries
 
         /** The cosine of the steepest slope. */
         public var cosine:Number = 1;
-
-        /** The largest extent of the agent. */
-        public var extent:Number = 0;
-
-        /** The agent stands on ground that is at most this far below it. */
-        public var closeDepth:Number = 0;
 
         /** How a platform carries the agent: the motion, and the turn in degrees. */
         public var carry:Vector3D = new Vector3D();
@@ -60,5 +54,17 @@ package starlogo.queries
         /** The row that the agent stood on last, and the normal of its surface. */
         public var floorRow:int = -1;
         public var floorNormal:Vector3D = new Vector3D();
+
+        /** @param seen the agents that the walk is among */
+        public function Walk(seen:SeenAgents)
+        {
+            body = new MovingBody(seen);
+        }
+
+        /** The agent stands on ground that is at most this far below it. */
+        public function get closeDepth():Number
+        {
+            return CLOSE * body.extent;
+        }
     }
 }

@@ -1,0 +1,325 @@
+package starlogo.queries.motion
+{
+    import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
+    import starlogo.convex.ContactPoint;
+    import starlogo.data.NumberList;
+    import starlogo.engine;
+    import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.RayEntry;
+    import starlogo.queries.SeenAgents;
+    import starlogo.queries.rays.RowRays;
+    import starlogo.search.Body;
+
+    use namespace engine;
+
+    /**
+     * Goes a Walk, as a game character does. The agent slides along the ground. For this slide, surfaces that are too steep are walls. If a wall stops
+     * the agent, it tries the same way a step higher, and goes down again. At the end it goes down to the ground, or falls.
+     *
+     * <p>Each method takes the walk to its next place, <code>Walk.place</code>, and says whether the agent stands there.</p>
+     *
+     * @private
+     */
+    public final class WalkMover
+    {
+        // Parts of the extent. BEHIND_EDGE: at an edge, the face this far behind the edge is tested. REST: a shorter fall counts as none, and is
+        // undone.
+        private static const BEHIND_EDGE:Number = 1e-4;
+        private static const REST:Number = 1e-8;
+
+        // In the air every surface is a wall, except level floors.
+        private static const FLOOR:Number = 1 - 1e-12;
+
+        // A walk begins with this many pushes at most.
+        private static const MOST_PUSHES:int = 8;
+
+        private static const DOWN:Vector3D = new Vector3D(0, 0, -1);
+
+        private var _planner:MotionPlanner;
+        private var _mover:Mover;
+        private var _recovery:OverlapRecovery = new OverlapRecovery();
+        private var _rowRays:RowRays;
+
+        // Memory for the motions of the methods: how slides and straight motions end, their vectors and limits, where a fall has come, the rows
+        // without the platform, an overlap, and the ray at an edge.
+        private var _slid:SlideResult = new SlideResult();
+        private var _tried:SlideResult = new SlideResult();
+        private var _straight:MotionResult = new MotionResult();
+        private var _vector:Vector3D = new Vector3D();
+        private var _limits:SlideLimits = new SlideLimits();
+        private var _fallen:Vector3D = new Vector3D();
+        private var _others:NumberList = new NumberList();
+        private var _overlap:ContactPoint = new ContactPoint();
+        private var _ray:Ray = new Ray();
+        private var _origin:Vector3D = new Vector3D();
+        private var _entry:RayEntry = new RayEntry();
+
+        /**
+         * @param seen has the rows
+         * @param planner finds the rows near a walk
+         */
+        public function WalkMover(seen:SeenAgents, planner:MotionPlanner)
+        {
+            _planner = planner;
+            _mover = new Mover(seen);
+            _rowRays = new RowRays(seen);
+        }
+
+        /** Finds the rows near a walk, and up to a distance from it. */
+        public function findNear(walk:Walk, distance:Number):void
+        {
+            // the range has the way in it, whatever its direction
+            _planner.planWithin(walk.body, walk.range + distance, walk.pieces * walk.options.stepHeight,
+                    walk.pieces * walk.options.snap + walk.options.fall, walk.agent, walk.options.filter);
+        }
+
+        /**
+         * Carries the agent with a platform, before its walk. The agent slides along others that are in its way, but not into the platform. The
+         * platform has moved already, so only the rest of its way, which the agent misses, can lead into it.
+         *
+         * @param platform its row
+         */
+        public function carry(walk:Walk, platform:int):void
+        {
+            _others.copyFrom(walk.body.rows, platform);
+            _mover.slide(walk.body, _others, walk.start, walk.carry, SlideLimits.NONE, _slid);
+            if (_slid.fraction < 1 && leadsIntoPlatform(walk, platform, _slid.place))
+            {
+                _mover.goBeforeTouch(walk.body, _others, walk.start, walk.carry, _straight);
+                if (!leadsIntoPlatform(walk, platform, _straight.place))
+                {
+                    _slid.place.copyFrom(_straight.place);
+                }
+            }
+            walk.start.copyFrom(_slid.place);
+        }
+
+        // Whether the rest of the way that the platform carries the agent, from its end back to a place, leads into the platform.
+        private function leadsIntoPlatform(walk:Walk, platform:int, place:Vector3D):Boolean
+        {
+            _origin.copyFrom(walk.start);
+            _origin.incrementBy(walk.carry);
+            _vector.copyFrom(place);
+            _vector.decrementBy(_origin);
+            return _mover.meets(walk.body, platform, _origin, _vector);
+        }
+
+        /**
+         * Goes the walk: pushes the agent out of what it overlaps, goes all pieces, and falls if the agent does not stand. The walk receives how far
+         * the agent was pushed, and which part of the motion it has made.
+         *
+         * @return whether the agent stands at the end
+         */
+        public function go(walk:Walk):Boolean
+        {
+            walk.place.copyFrom(walk.start);
+            walk.pushed = 0;
+            var stands:Boolean = goDown(walk, walk.closeDepth, _straight);
+            if (_straight.isDeep)
+            {
+                walk.pushed = pushOut(walk);
+                stands = goDown(walk, walk.closeDepth, _straight);
+            }
+            // a walk that begins in the air stays there
+            var isInAir:Boolean = !stands;
+            var startX:Number = walk.start.x;
+            var startY:Number = walk.start.y;
+            for (var i:int = 0; i < walk.pieces; i++)
+            {
+                if (i > 0)
+                {
+                    walk.start.copyFrom(walk.place);
+                    stands = !isInAir && goDown(walk, walk.closeDepth, _straight);
+                }
+                stands = stands ? goPiece(walk) : goInAir(walk);
+            }
+            var dx:Number = walk.place.x - startX;
+            var dy:Number = walk.place.y - startY;
+            walk.part = walk.pieceLength > 0 ? Math.min(1, Math.sqrt(dx * dx + dy * dy) / (walk.pieces * walk.pieceLength)) : 1;
+            stands ||= walk.body.hasShape && fall(walk);
+            _recovery.restoreClearance(walk.body, walk.place, -1);
+            return stands;
+        }
+
+        // Pushes the agent out of what it overlaps, the deepest overlap first. A push is a slide, so it leads through nothing else. The piece begins
+        // where this ends. Returns how far it is from where it began.
+        private function pushOut(walk:Walk):Number
+        {
+            walk.place.copyFrom(walk.start);
+            var left:Number = _recovery.findDeepest(walk.body, walk.body.rows, walk.place, _overlap);
+            if (left > 0)
+            {
+                findNear(walk, left);
+            }
+            for (var i:int = 0; i < MOST_PUSHES && left > 0 && _recovery.findDeepest(walk.body, walk.body.rows, walk.place, _overlap) > 0; i++)
+            {
+                var length:Number = Math.min(left, _overlap.depth);
+                left -= length;
+                _vector.setTo(0, 0, 0);
+                _overlap.push(_vector, length);
+                _mover.slide(walk.body, walk.body.rows, walk.place, _vector, SlideLimits.NONE, _slid);
+                walk.place.copyFrom(_slid.place);
+            }
+            _vector.copyFrom(walk.place);
+            _vector.decrementBy(walk.start);
+            walk.start.copyFrom(walk.place);
+            return _vector.length;
+        }
+
+        // Goes a piece of the way through the air. Returns false: the fall finds whether the agent stands.
+        private function goInAir(walk:Walk):Boolean
+        {
+            slide(walk, walk.start, 0, FLOOR, _slid);
+            walk.place.copyFrom(_slid.place);
+            return false;
+        }
+
+        // Goes a piece of the way along the ground, and down to it. Returns whether the agent stands at the end.
+        private function goPiece(walk:Walk):Boolean
+        {
+            if (walk.pieceLength == 0)
+            {
+                // it stays exactly where it is
+                walk.place.copyFrom(walk.start);
+                return true;
+            }
+            var rise:Number = -(walk.floorNormal.x * walk.piece.x + walk.floorNormal.y * walk.piece.y) / walk.floorNormal.z;
+            slide(walk, walk.place, rise, walk.cosine, _slid);
+            if (_slid.metWall && climb(walk, _slid.place))
+            {
+                return true;
+            }
+            walk.place.copyFrom(_slid.place);
+            return goDown(walk, walk.options.snap + walk.closeDepth, _straight);
+        }
+
+        // Tries a piece again a step higher, and goes down again. Returns whether the agent comes farther than to a place without the step, and stands.
+        private function climb(walk:Walk, plain:Vector3D):Boolean
+        {
+            goUpright(walk, walk.start, walk.options.stepHeight, _straight);
+            var height:Number = _straight.place.z - walk.start.z;
+            if (height <= walk.closeDepth)
+            {
+                return false;
+            }
+            slide(walk, _straight.place, 0, walk.cosine, _tried);
+            var farther:Number = (_tried.place.x - plain.x) * walk.piece.x + (_tried.place.y - plain.y) * walk.piece.y;
+            walk.place.copyFrom(_tried.place);
+            return farther > walk.closeDepth * walk.pieceLength && goDown(walk, height + walk.options.snap + walk.closeDepth, _straight);
+        }
+
+        // Slides along the way of a piece, and up or down.
+        private function slide(walk:Walk, from:Vector3D, rise:Number, walkableZ:Number, out:SlideResult):void
+        {
+            _limits.setTo(walkableZ, walk.pieceLength, -1);
+            _vector.setTo(walk.piece.x, walk.piece.y, rise);
+            _mover.slide(walk.body, walk.body.rows, from, _vector, _limits, out);
+        }
+
+        // Goes straight up, or down if dz is less than 0, until something is in the way.
+        private function goUpright(walk:Walk, from:Vector3D, dz:Number, out:MotionResult):void
+        {
+            _vector.setTo(0, 0, dz);
+            _mover.goBeforeTouch(walk.body, walk.body.rows, from, _vector, out);
+        }
+
+        // Slides down like a fall, as long as what it slides on is too steep to stand on.
+        private function slideDown(walk:Walk, from:Vector3D, depth:Number, maxHorizontal:Number, out:SlideResult):void
+        {
+            _limits.setTo(-2, maxHorizontal, Math.sqrt(1 - walk.cosine * walk.cosine) / walk.cosine);
+            _vector.setTo(0, 0, -depth);
+            _mover.slide(walk.body, walk.body.rows, from, _vector, _limits, out);
+        }
+
+        // Goes down to the ground if it is no deeper than this depth, and not too steep. Otherwise the agent stays. The last argument receives how the
+        // motion down ends.
+        private function goDown(walk:Walk, depth:Number, out:MotionResult):Boolean
+        {
+            goUpright(walk, walk.place, -depth, out);
+            if (out.row < 0 || !(standOn(walk, out.contact, out.row, out.place) || standOnOther(walk, out.place)))
+            {
+                return false;
+            }
+            walk.place.copyFrom(out.place);
+            return true;
+        }
+
+        // Falls until something stops the agent, and slides down what is too steep. It falls in pieces that get longer, because rounding
+        // errors grow with the length of a motion. If nothing stops an endless fall, it ends where it began.
+        private function fall(walk:Walk):Boolean
+        {
+            var left:Number = walk.options.fall;
+            _fallen.copyFrom(walk.place);
+            _straight.row = -1;
+            for (var piece:Number = 1; left > 0 && _straight.row < 0; piece *= 2)
+            {
+                if (_fallen.z - Math.min(left, piece) < -Agent.LARGEST_COORDINATE)
+                {
+                    return false;
+                }
+                goUpright(walk, _fallen, -Math.min(left, piece), _straight);
+                _fallen.copyFrom(_straight.place);
+                left -= _straight.fraction * Math.min(left, piece);
+            }
+            if (_straight.row < 0)
+            {
+                // a fall can also end where the ground begins, without being stopped
+                walk.place.copyFrom(_fallen);
+                return goDown(walk, walk.closeDepth, _straight);
+            }
+            if (standOn(walk, _straight.contact, _straight.row, _fallen))
+            {
+                walk.place.copyFrom(_fallen);
+                return true;
+            }
+            var longest:Number = Math.min(walk.options.fall, walk.body.source.placement.size);
+            slideDown(walk, _fallen, Math.min(left, longest), longest / 2, _tried);
+            if (!(walk.place.z - _tried.place.z < REST * walk.body.extent))
+            {
+                walk.place.copyFrom(_tried.place);
+            }
+            return goDown(walk, walk.closeDepth, _straight);
+        }
+
+        // Lets the agent stand on what else it touches at a place, besides something too steep.
+        private function standOnOther(walk:Walk, place:Vector3D):Boolean
+        {
+            slideDown(walk, place, walk.closeDepth, walk.body.extent, _tried);
+            return _tried.floorRow >= 0 && _tried.floor.normalZ > -1 && standOn(walk, _tried.floor, _tried.floorRow, place);
+        }
+
+        // Lets the agent stand on the surface at a contact below it, if the surface is not too steep. At an edge, for example of a step, the face
+        // behind the edge is the surface. But the edge must not be more than a step higher than the agent was at the beginning of the piece, or is
+        // at its place. The walk receives the surface.
+        private function standOn(walk:Walk, contact:ContactPoint, row:int, place:Vector3D):Boolean
+        {
+            if (contact.normalZ >= walk.cosine)
+            {
+                walk.floorRow = row;
+                walk.floorNormal.setTo(contact.normalX, contact.normalY, contact.normalZ);
+                return true;
+            }
+            var body:Body = walk.body.source;
+            var bottom:Number = body.z - body.halfZ - body.placement.z;
+            if (contact.z > Math.min(walk.start.z, place.z) + bottom + walk.options.stepHeight + walk.closeDepth)
+            {
+                return false;
+            }
+            var across:Number = Math.sqrt(contact.normalX * contact.normalX + contact.normalY * contact.normalY);
+            var behind:Number = BEHIND_EDGE * walk.body.extent;
+            // the ray begins outside of all faces that are not too steep
+            var above:Number = 2 * behind / walk.cosine;
+            _origin.setTo(contact.x - behind * contact.normalX / across, contact.y - behind * contact.normalY / across, contact.z + above);
+            _ray.aim(_origin, DOWN);
+            _ray.to = 2 * above;
+            if (!_rowRays.findHit(row, _ray, _entry) || _entry.distance == 0 || !(_entry.normalZ >= walk.cosine))
+            {
+                return false;
+            }
+            walk.floorRow = row;
+            walk.floorNormal.setTo(_entry.normalX, _entry.normalY, _entry.normalZ);
+            return true;
+        }
+    }
+}

@@ -14,8 +14,8 @@ package starlogo.ground
      */
     internal final class GroundPath
     {
-        // A height is clearly above another one if it is by this many rounding errors.
-        private static const CLEARLY:Number = 8;
+        // How much farther than rounding errors a structure is from squares that are left out.
+        private static const FARTHER:Number = 4;
 
         /** Where the first cell begins, and the height 0, relative to the search's origin. Read only. */
         public var corner:Vector3D = new Vector3D();
@@ -34,6 +34,10 @@ package starlogo.ground
         private var _half:Vector3D = new Vector3D();
         private var _slack:Number = 0;
 
+        private var _separation:SquareSeparation = new SquareSeparation();
+        private var _least:Vector3D = new Vector3D();
+        private var _greatest:Vector3D = new Vector3D();
+
         /** Begins with a search, which is kept. */
         public function begin(search:GroundSearch):void
         {
@@ -48,7 +52,7 @@ package starlogo.ground
             var pathY:Number = _latest * Math.abs(motion.y);
             var rounding:Number = Tolerances.ROUNDING * (Math.abs(box.x) + Math.abs(corner.x) + Math.abs(box.y) + Math.abs(corner.y) + Math.abs(box.z)
                     + Math.abs(corner.z) + grid.cellWidth + pathX + pathY + _latest * Math.abs(motion.z));
-            _slack = CLEARLY * rounding;
+            _slack = FARTHER * rounding;
             _half.setTo(box.halfX + rounding, box.halfY + rounding, box.halfZ + rounding);
             length = Math.max(2 * _half.x + pathX, 2 * _half.y + pathY) + 2 * search.maxDistance;
         }
@@ -128,7 +132,7 @@ package starlogo.ground
             // a triangle beside the box must be nearer in height to be near enough
             var up:Number = Math.sqrt(Math.max(0, squared));
             var bottom:Number = Math.min(start, end) - _half.z;
-            out.low = Math.max(bottom - up, bottom + search.above + _slack);
+            out.low = Math.max(bottom - up, bottom + search.above + 2 * _slack);
             out.high = Math.max(start, end) + _half.z + up;
         }
 
@@ -144,6 +148,21 @@ package starlogo.ground
                 passage.from = Math.max(passage.from, Math.min(low, high));
                 passage.to = Math.min(passage.to, Math.max(low, high));
             }
+        }
+
+        /** Whether the shape in the box stays farther away from a square than a triangle may be. The square is between two heights. */
+        public function stayApart(level:int, column:int, row:int, heights:HeightRange):Boolean
+        {
+            if (search.shape == null)
+            {
+                return false;
+            }
+            var width:Number = widthAt(level);
+            var x:Number = corner.x + column * width;
+            var y:Number = corner.y + row * width;
+            _least.setTo(x - _slack, y - _slack, heights.least - _slack);
+            _greatest.setTo(x + width + _slack, y + width + _slack, heights.greatest + _slack);
+            return _separation.stayApart(search, _least, _greatest);
         }
     }
 }

@@ -141,6 +141,7 @@ package starlogo.ground
             box.y = at.y - origin.y;
             box.z = at.height - origin.z;
             box.halfX = box.halfY = box.halfZ = 0;
+            _search.shape = null;
             _triangles.begin(_search);
         }
 
@@ -267,6 +268,7 @@ package starlogo.ground
                 takeStructure(_node);
                 return true;
             }
+            _search.shape = null;
             fitBoxTo(_node);
             if (!isDivided)
             {
@@ -290,6 +292,7 @@ package starlogo.ground
         {
             pair.setStructure(structure, _relative);
             fitBoxTo(structure);
+            _search.shape = pair.shape;
             takeShape();
         }
 

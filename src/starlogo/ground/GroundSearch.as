@@ -1,5 +1,6 @@
 package starlogo.ground
 {
+    import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.geometry.Placement;
 
@@ -22,6 +23,9 @@ package starlogo.ground
 
         /** The box's motion; RelativeMotion.NONE if it stands. Only x, y and z count. */
         public var motion:RelativeMotion = RelativeMotion.NONE;
+
+        /** The shape that is tested, if it is in the box; null for none. Squares that it clearly does not come near are left out. */
+        public var shape:ConvexShape = null;
 
         /** The lower end, relative to the origin, of walls at the ground's borders and around holes. -Infinity: below the box. */
         public var floor:Number = -Infinity;

@@ -115,7 +115,7 @@ package starlogo.ground
                 return;
             }
             readHeights(level, column, row, isAtBorder);
-            if (_passage.low <= _heights.greatest && _passage.high >= _heights.least)
+            if (_passage.low <= _heights.greatest && _passage.high >= _heights.least && !_path.stayApart(level, column, row, _heights))
             {
                 _path.narrowPassage(_heights, _passage);
                 addSquares(level - 1, column << HeightPyramid.SHIFT, row << HeightPyramid.SHIFT, 1 << HeightPyramid.SHIFT);

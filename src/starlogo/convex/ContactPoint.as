@@ -76,9 +76,8 @@ package starlogo.convex
          * Sets the contact of two shapes whose cores are apart.
          *
          * @param gap the gap between the cores, longer than 0, and the radii
-         * @param motion the motion of the first shape, which is where it is at the motion's time
          */
-        public function setFromGap(gap:CoreGap, motion:RelativeMotion):void
+        public function setFromGap(gap:CoreGap):void
         {
             var length:Number = Math.sqrt(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z);
             normalX = gap.x / length;
@@ -88,10 +87,9 @@ package starlogo.convex
             // rounding can make it negative
             depth = depth > 0 ? depth : 0;
             var back:Number = gap.radiusA - depth / 2;
-            var time:Number = motion.time;
-            x = motion.startX + time * motion.x + gap.pointX - back * normalX;
-            y = motion.startY + time * motion.y + gap.pointY - back * normalY;
-            z = motion.startZ + time * motion.z + gap.pointZ - back * normalZ;
+            x = gap.pointX - back * normalX;
+            y = gap.pointY - back * normalY;
+            z = gap.pointZ - back * normalZ;
         }
 
         /** Sets the normal without normalising it. The function is short so that V8 inlines it and allocates no objects for the Numbers. */

@@ -26,8 +26,7 @@ package starlogo.intersection
         private var _finder:GapFinder;
         private var _convex:ConvexKernel;
 
-        // The core of a in the finder's axes, and the gap at its time.
-        private var _coreMotion:CoreMotion = new CoreMotion();
+        // The gap at the motion's time.
         private var _gap:CoreGap = new CoreGap();
 
         /**
@@ -49,43 +48,41 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            motion.time = 0;
-            findGap(a, b, motion);
-            motion.findMargin();
             var gap:CoreGap = _gap;
-            var core:CoreMotion = _coreMotion;
+            motion.time = 0;
+            motion.findMargin();
+            _finder.find(a, b, motion, gap);
             var radii:Number = gap.radiusA + gap.radiusB;
             var touchingDistance:Number = radii * Tolerances.TOUCHING + motion.margin;
-            var squared:Number = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
+            var squared:Number = gap.squaredLength;
             if (squared <= touchingDistance * touchingDistance)
             {
                 return;
             }
-            motion.time = RelativeMotion.NEVER;
-            var closing:Number = -(gap.x * core.motionX + gap.y * core.motionY + gap.z * core.motionZ);
+            var closing:Number = gap.closing;
             if (closing > 0)
             {
                 // most pairs need only this step of Newton's method
                 var distance:Number = Math.sqrt(squared);
-                core.time = (distance - radii) * distance / closing;
-                if (core.time <= motion.latest && findZero(b, motion))
+                motion.time = (distance - radii) * distance / closing;
+                if (motion.time <= motion.latest && findZero(a, b, motion))
                 {
-                    motion.time = core.time;
+                    return;
                 }
             }
+            motion.time = RelativeMotion.NEVER;
         }
 
         /** @inheritDoc */
         override public function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            findGap(a, b, motion);
             var gap:CoreGap = _gap;
+            _finder.find(a, b, motion, gap);
             // If the gap is longer than this, it has a direction in spite of rounding.
             var least:Number = Tolerances.DIRECTION * gap.extent;
-            if (gap.x * gap.x + gap.y * gap.y + gap.z * gap.z > least * least)
+            if (gap.squaredLength > least * least)
             {
-                _finder.placeGap(a, b, gap);
-                out.setFromGap(gap, motion);
+                out.setFromGap(gap);
             }
             else
             {
@@ -97,10 +94,7 @@ package starlogo.intersection
         override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
             var areSwapped:Boolean = _finder.areSwapped(a, b);
-            var first:BoundingStructure = areSwapped ? b : a;
-            var second:BoundingStructure = areSwapped ? a : b;
-            findGap(first, second, RelativeMotion.NONE);
-            _finder.placeGap(first, second, _gap);
+            _finder.find(areSwapped ? b : a, areSwapped ? a : b, RelativeMotion.NONE, _gap);
             out.setFromGap(_gap);
             if (areSwapped)
             {
@@ -108,26 +102,17 @@ package starlogo.intersection
             }
         }
 
-        // Finds the gap at the motion's time.
-        private function findGap(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
-        {
-            _coreMotion.time = motion.time;
-            _finder.begin(a, b, motion, _coreMotion, _gap);
-            _finder.findGap(b, _coreMotion, _gap);
-        }
-
-        // Finds when the gap is as long as the sum of the radii, by Newton's method. When it begins, the gap is that of time 0, and the core's time is
-        // that of the first step. When it ends, the core's time is the time of impact. Returns false if that is after the motion's latest time.
+        // Finds when the gap is as long as the sum of the radii, by Newton's method. When it begins, the gap is that of time 0, and the motion's time
+        // is that of the first step. When it ends, the motion's time is the time of impact. Returns false if that is after the motion's latest time.
         // The method never steps over the first zero when it starts to the left of it. Each step shrinks the product of the gap and its slope to a
         // quarter, and both are numbers of 53 bits. So 80 steps are enough. Should rounding need more, the time of the last step is the time of impact:
         // the structures do not touch before, and their gap is at most rounding.
         // If the cores are very close, rounding hides the direction of the gap, and with it the slope. Then a chord takes the place of the tangent: it
         // goes through this distance and that of the step before, and does not step over the first zero either. A step that went too far because of
         // rounding is halved.
-        private function findZero(b:BoundingStructure, motion:RelativeMotion):Boolean
+        private function findZero(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):Boolean
         {
             var gap:CoreGap = _gap;
-            var core:CoreMotion = _coreMotion;
             var radii:Number = gap.radiusA + gap.radiusB;
             // A gap that is no longer than this has no certain direction.
             var uncertain:Number = Tolerances.DIRECTION * gap.extent;
@@ -135,17 +120,17 @@ package starlogo.intersection
             var rounding:Number = radii < uncertain ? Tolerances.ROUNDING * gap.extent : 0;
             var touchingDistance:Number = radii * Tolerances.TOUCHING + motion.margin + rounding;
             var lastTime:Number = 0;
-            var lastDistance:Number = Math.sqrt(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z);
+            var lastDistance:Number = Math.sqrt(gap.squaredLength);
             var hasOvershot:Boolean = false;
             for (var step:int = 1; step < MOST_STEPS; step++)
             {
-                _finder.findGap(b, core, gap);
-                var time:Number = core.time;
-                var squared:Number = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
+                _finder.find(a, b, motion, gap);
+                var time:Number = motion.time;
+                var squared:Number = gap.squaredLength;
                 if (4 * squared < radii * radii)
                 {
                     // the slope had so large a rounding error that the step went beyond the zero
-                    core.time = (lastTime + time) / 2;
+                    motion.time = (lastTime + time) / 2;
                     hasOvershot = true;
                     continue;
                 }
@@ -155,7 +140,7 @@ package starlogo.intersection
                     return true;
                 }
                 var distance:Number = Math.sqrt(squared);
-                var closing:Number = -(gap.x * core.motionX + gap.y * core.motionY + gap.z * core.motionZ);
+                var closing:Number = gap.closing;
                 var next:Number = RelativeMotion.NEVER;
                 if ((hasOvershot || distance < uncertain) && distance < lastDistance)
                 {
@@ -169,7 +154,7 @@ package starlogo.intersection
                 if (squared <= touchingDistance * touchingDistance)
                 {
                     // They touch to within rounding. One more step makes up for a step that rounding may have skipped.
-                    core.time = next <= 1 ? next : time;
+                    motion.time = next <= 1 ? next : time;
                     return true;
                 }
                 if (!(next > time))
@@ -183,7 +168,7 @@ package starlogo.intersection
                 }
                 lastTime = time;
                 lastDistance = distance;
-                core.time = next;
+                motion.time = next;
             }
             return true;
         }

@@ -39,13 +39,16 @@ package starlogo.intersection
             gap.x += motion.time * motion.x;
             gap.y += motion.time * motion.y;
             gap.z += motion.time * motion.z;
+            gap.pointX += motion.startX + motion.time * motion.x;
+            gap.pointY += motion.startY + motion.time * motion.y;
+            gap.pointZ += motion.startZ + motion.time * motion.z;
             // The difference of two points has a direction. Below about 1e-162 its square is 0, and the spheres count as concentric.
             if (!(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z > 0))
             {
                 gap.x = gap.y = 0;
                 gap.z = 1e-150;
             }
-            out.setFromGap(gap, motion);
+            out.setFromGap(gap);
         }
 
         /** @inheritDoc */

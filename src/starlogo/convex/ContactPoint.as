@@ -5,8 +5,6 @@ package starlogo.convex
     /**
      * How two shapes touch or overlap, as a record: the point, the normal and the depth.
      *
-     * <p>While a contact is searched for, the record has results of single steps. Then the depth of shapes that are apart is less than 0.</p>
-     *
      * @private
      */
     public final class ContactPoint

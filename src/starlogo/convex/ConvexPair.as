@@ -22,6 +22,7 @@ package starlogo.convex
         private var _common:CommonPoint = new CommonPoint();
         private var _cores:CorePair = new CorePair();
         private var _witness:CoreWitness = new CoreWitness();
+        private var _axis:CoreWitness = new CoreWitness();
         private var _sweep:ConvexSweep = new ConvexSweep();
 
         /** Whether two shapes touch or overlap. */
@@ -85,16 +86,17 @@ package starlogo.convex
             _distance.find(_cores, _witness);
             if (_witness.distance > Tolerances.PERPENDICULAR_GAP * (a.extent + b.extent))
             {
-                out.setNormal(_witness.gap.x / _witness.distance, _witness.gap.y / _witness.distance, _witness.gap.z / _witness.distance);
-                // The depth is that of the cores, less than 0, until finishContact() adds the radii.
-                out.depth = -_witness.distance;
+                _axis.normalX = _witness.gap.x / _witness.distance;
+                _axis.normalY = _witness.gap.y / _witness.distance;
+                _axis.normalZ = _witness.gap.z / _witness.distance;
+                _axis.separation = _witness.distance;
             }
             else
             {
-                _overlap.find(_cores, out);
+                _overlap.find(_cores, _axis);
                 if (_witness.distance > 0)
                 {
-                    _overlap.tryGap(_cores, _witness.gap, out);
+                    _overlap.tryGap(_cores, _witness.gap, _axis);
                 }
             }
             finishContact(motion, out);
@@ -104,7 +106,7 @@ package starlogo.convex
         public function findOverlap(a:ConvexShape, b:ConvexShape, motion:RelativeMotion, out:ContactPoint):void
         {
             beginContact(a, b, motion);
-            _overlap.find(_cores, out);
+            _overlap.find(_cores, _axis);
             finishContact(motion, out);
         }
 
@@ -120,10 +122,11 @@ package starlogo.convex
             }
         }
 
-        // Adds the radii to the depth of the cores, and finds the point.
+        // Makes the contact of the axis of the cores, by their radii.
         private function finishContact(motion:RelativeMotion, out:ContactPoint):void
         {
-            var depth:Number = out.depth + (_cores.first.radius + _cores.second.radius);
+            out.setNormal(_axis.normalX, _axis.normalY, _axis.normalZ);
+            var depth:Number = _cores.first.radius + _cores.second.radius - _axis.separation;
             out.depth = depth > 0 ? depth : 0;
             _common.find(_cores, out);
             out.x += _cores.second.x;
@@ -138,16 +141,12 @@ package starlogo.convex
         // Writes the distance and the points of the surfaces.
         private function writePoints(out:ClosestPoints):void
         {
-            var first:ConvexShape = _cores.first;
             var gap:CoreGap = _witness.gap;
             if (!(_witness.distance > 0))
             {
                 gap.x = gap.y = gap.z = 0;
             }
-            gap.pointX += first.x;
-            gap.pointY += first.y;
-            gap.pointZ += first.z;
-            gap.radiusA = first.radius;
+            gap.radiusA = _cores.first.radius;
             gap.radiusB = _cores.second.radius;
             out.setFromGap(gap);
             if (_cores.isSwapped)

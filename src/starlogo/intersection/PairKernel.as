@@ -54,7 +54,8 @@ package starlogo.intersection
          *
          * <p>If several displacements are equally short, one is chosen. Spheres with the same centre separate along z. If a sphere's centre is on a
          * capsule's axis, or the axes of two capsules overlap on one line, the normal is perpendicular to the axis and points upwards as far as
-         * possible. In the middle of a box any face is chosen. Of two opposite displacements it is the one against the motion.</p>
+         * possible. In the middle of a box any face is chosen. Of two opposite displacements it is the one against the motion, if the motion's time is above
+         * 0.</p>
          *
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space

@@ -149,8 +149,8 @@ package starlogo.ground
             _pieces.begin(RelativeMotion.NONE, 0);
             while (_pieces.next())
             {
-                var isFootInside:Boolean = _pieces.pair.findBehind(RelativeMotion.NONE, _tried);
-                if (isFootInside && !isNoDeeper(deepest) && isDepthProven(_tried) && isDeepest(deepest, out))
+                _pieces.pair.findBehind(RelativeMotion.NONE, _tried);
+                if (_pieces.pair.isOverTriangle(_tried) && !isNoDeeper(deepest) && isDepthProven(_tried) && isDeepest(deepest, out))
                 {
                     deepest = _pieces.search.above = _tried.depth;
                     keep(out);

@@ -5,6 +5,7 @@ package starlogo.solid
     import starlogo.convex.ConvexPair;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
+    import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
@@ -54,8 +55,9 @@ package starlogo.solid
         // tolerance is more than those CORES, because it has SURFACES of the radii.
         private var _outerTolerance:Number = 0;
 
-        // How far off a plane corners have to be to be certainly on one side of it.
-        private var _off:Number = 0;
+        // The plane of a triangle of the first model, and how far from it the second model's triangle may be if it touches that.
+        private var _plane:TrianglePlane = new TrianglePlane();
+        private var _planeMargin:Number = 0;
 
         /** @param counts counts the pairs of triangles that are tested or measured */
         public function MovedTriangles(counts:TreeCounts)
@@ -78,7 +80,7 @@ package starlogo.solid
             _movedFrom = -1;
             _tolerance = pose.tolerance + Touching.marginOfSurface(a.boxTree.radius + b.boxTree.radius * pose.placement.size);
             _outerTolerance = 2 * _tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            _off = _outerTolerance + _meshA.flatness;
+            _planeMargin = _outerTolerance + _meshA.flatness;
         }
 
         /**
@@ -143,7 +145,7 @@ package starlogo.solid
                 return false;
             }
             _counts.triangleTests++;
-            if (staysBeside(slot, RelativeMotion.NONE) || TriangleSeparation.areApart(_meshA.corners, 9 * slot, _b))
+            if (stayApart(slot, RelativeMotion.NONE) || TriangleSeparation.areApart(_meshA.corners, 9 * slot, _b))
             {
                 return false;
             }
@@ -165,7 +167,7 @@ package starlogo.solid
                 return false;
             }
             _counts.triangleTests++;
-            if (staysBeside(slot, motion))
+            if (stayApart(slot, motion))
             {
                 return false;
             }
@@ -220,23 +222,10 @@ package starlogo.solid
         }
 
         // Whether the second model's triangle stays on one side of the plane of a triangle of the first model.
-        private function staysBeside(slot:int, motion:RelativeMotion):Boolean
+        private function stayApart(slot:int, motion:RelativeMotion):Boolean
         {
-            var planes:Vector.<Number> = _meshA.planes;
-            var corners:Vector.<Number> = _moved;
-            var at:int = 4 * slot;
-            var corner:int = 9 * _index;
-            var x:Number = planes[at];
-            var y:Number = planes[int(at + 1)];
-            var z:Number = planes[int(at + 2)];
-            var place:Number = planes[int(at + 3)];
-            var p:Number = x * corners[corner] + y * corners[int(corner + 1)] + z * corners[int(corner + 2)] - place;
-            var q:Number = x * corners[int(corner + 3)] + y * corners[int(corner + 4)] + z * corners[int(corner + 5)] - place;
-            var r:Number = x * corners[int(corner + 6)] + y * corners[int(corner + 7)] + z * corners[int(corner + 8)] - place;
-            var travel:Number = motion.latest * (x * motion.x + y * motion.y + z * motion.z);
-            var low:Number = travel < 0 ? _off - travel : _off;
-            var high:Number = travel > 0 ? -_off - travel : -_off;
-            return p > low && q > low && r > low || p < high && q < high && r < high;
+            _plane.read(_meshA.planes, 4 * slot);
+            return _plane.findEntry(_b, _planeMargin, motion) > motion.latest;
         }
 
         // The squared distance of the extents of a triangle of the first model and of the second model's triangle.

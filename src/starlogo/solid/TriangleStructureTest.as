@@ -1,11 +1,10 @@
 package starlogo.solid
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexShape;
-    import starlogo.convex.Interval;
     import starlogo.convex.RelativeMotion;
+    import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
@@ -45,9 +44,9 @@ package starlogo.solid
         // Separates most triangles from the moving structure.
         private var _separatingAxes:SweptAxes = new SweptAxes();
 
-        // The normal of a triangle, and how far the core extends along it.
-        private var _normal:Vector3D = new Vector3D();
-        private var _ofShape:Interval = new Interval();
+        // The plane of a triangle, and how far from it the structure's core may be if it touches the triangle.
+        private var _plane:TrianglePlane = new TrianglePlane();
+        private var _planeMargin:Number = 0;
 
         private var _found:FirstTouch;
 
@@ -91,6 +90,7 @@ package starlogo.solid
             }
             var rounding:Number = Tolerances.EXTENTS * size;
             _radius = shape.radius + shape.margin + rounding;
+            _planeMargin = _radius + _mesh.flatness;
             _search.setExtents(_extents, shape.margin + rounding);
             _search.setMotion(motion);
             sweepExtents(0, motion.x);
@@ -127,7 +127,8 @@ package starlogo.solid
                     continue;
                 }
                 _sweep.latest = limit;
-                writeEarliest(i, _sweep);
+                _plane.read(_mesh.planes, 4 * i);
+                _sweep.earliest = Math.max(_motion.earliest, _plane.findEntry(_pair.shape, _planeMargin, _motion));
                 if (_sweep.earliest > limit || !isStill && _separatingAxes.stayApart(_mesh.corners, 9 * i, _sweep))
                 {
                     continue;
@@ -157,31 +158,6 @@ package starlogo.solid
         {
             _pair.setTriangle(_mesh.corners, 9 * slot);
             _pair.findContact(motion, out);
-        }
-
-        // Writes when the structure first comes to a triangle's plane, as the earliest time: it cannot touch the triangle before.
-        private function writeEarliest(slot:int, out:RelativeMotion):void
-        {
-            var planes:Vector.<Number> = _mesh.planes;
-            var at:int = 4 * slot;
-            _normal.x = planes[at];
-            _normal.y = planes[int(at + 1)];
-            _normal.z = planes[int(at + 2)];
-            var shape:ConvexShape = _pair.shape;
-            shape.project(_normal, _ofShape);
-            var radius:Number = _radius + _mesh.flatness;
-            var place:Number = _normal.x * shape.x + _normal.y * shape.y + _normal.z * shape.z - planes[int(at + 3)];
-            var low:Number = place + _ofShape.least - radius;
-            var speed:Number = _normal.x * _motion.x + _normal.y * _motion.y + _normal.z * _motion.z;
-            var distance:Number = low > 0 ? low : -(place + _ofShape.greatest + radius);
-            var closing:Number = low > 0 ? -speed : speed;
-            var earliest:Number = _motion.earliest;
-            if (distance > 0)
-            {
-                var time:Number = closing > 0 ? distance / closing : RelativeMotion.NEVER;
-                earliest = time > earliest ? time : earliest;
-            }
-            out.earliest = earliest;
         }
     }
 }

@@ -3,7 +3,7 @@ package starlogo.convex
     import flash.geom.Vector3D;
 
     /**
-     * How two shapes touch or overlap, as a record: the point, the normal and the depth.
+     * How two shapes a and b touch or overlap, as a record: the point, the normal and the depth.
      *
      * @private
      */
@@ -14,7 +14,7 @@ package starlogo.convex
         public var y:Number = 0;
         public var z:Number = 0;
 
-        /** The direction that separates the first shape from the second: a unit vector. */
+        /** The direction that separates a from b: a unit vector. */
         public var normalX:Number = 0;
         public var normalY:Number = 0;
         public var normalZ:Number = 1;
@@ -54,10 +54,9 @@ package starlogo.convex
         }
 
         /**
-         * Turns this into the contact of the same shapes in the other order. In that order the other shape is displaced, in the
-         * opposite direction.
+         * Turns the contact of b and a into that of a and b. The normal separates a then.
          *
-         * @param motion the other shape's motion; the shape is where it is at the motion's time
+         * @param motion the motion of a; a is where it is at the motion's time
          */
         public function swap(motion:RelativeMotion):void
         {

@@ -25,7 +25,7 @@ package starlogo.convex
          * Finds the time.
          *
          * @param cores has the shapes where they are stored; overwritten
-         * @param motion the motion of a: see ConvexPair
+         * @param motion the motion of a: see ConvexKernel
          */
         public function findTime(cores:CorePair, motion:RelativeMotion):void
         {

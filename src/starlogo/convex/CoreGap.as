@@ -26,8 +26,8 @@ package starlogo.convex
         public var radiusB:Number = 0;
 
         /**
-         * What only a GapFinder writes: the vector's squared length; how much of its length the motion takes away, times the length; and the extent of
-         * both shapes together, which the rounding error of the gap is relative to.
+         * Written by a GapFinder only: the vector's squared length; how fast a's motion closes the gap, times the gap's length; and the extent of both
+         * shapes together, which the rounding error of the gap is relative to.
          */
         public var squaredLength:Number = 0;
         public var closing:Number = 0;

@@ -8,7 +8,7 @@ package starlogo.convex
      *
      * <p>Here alone it is decided which triangles are flat: needles and points, whose normal would be a rounding error (Tolerances.FLAT_TRIANGLE). A
      * flat triangle has no plane. Its normal is 0 and its offset NaN, so all comparisons with places along the normal are false. In the distances,
-     * times and contacts of ConvexPair such a triangle is what it is: a segment or a point, with all its digits.</p>
+     * times and contacts of ConvexKernel such a triangle is what it is: a segment or a point, with all its digits.</p>
      *
      * @private
      */

@@ -65,7 +65,7 @@ package starlogo.ground
                 }
                 while (_pieces.nextTriangle())
                 {
-                    if (!_pieces.pair.stayApart(RelativeMotion.NONE) && _pieces.pair.areTouching())
+                    if (!_pieces.kernel.stayApart(RelativeMotion.NONE) && _pieces.kernel.areTouching())
                     {
                         return true;
                     }
@@ -90,8 +90,8 @@ package starlogo.ground
                     first = _pieces.search.latest = _sweep.time;
                     if (out != null)
                     {
-                        _pieces.pair.findContact(_sweep, out);
-                        _pieces.pair.leadOutside(_sweep, out);
+                        _pieces.kernel.findContact(_sweep, out);
+                        _pieces.kernel.leadOutside(_sweep, out);
                     }
                 }
             }
@@ -176,7 +176,7 @@ package starlogo.ground
         {
             while (_pieces.next())
             {
-                if (_pieces.pair.findCloser(out))
+                if (_pieces.kernel.findCloser(out))
                 {
                     _pieces.search.maxDistance = out.distance;
                 }
@@ -188,9 +188,9 @@ package starlogo.ground
         {
             _sweep.latest = _pieces.search.latest;
             _sweep.time = RelativeMotion.NEVER;
-            if (!_pieces.pair.stayApart(_sweep))
+            if (!_pieces.kernel.stayApart(_sweep))
             {
-                _pieces.pair.findTime(_sweep);
+                _pieces.kernel.findTime(_sweep);
             }
         }
     }

@@ -31,15 +31,15 @@ package starlogo.intersection
         /** See capsuleCapsule. */
         override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
         {
-            var first:Capsule = a as Capsule;
-            var second:Capsule = b as Capsule;
-            var isSwapped:Boolean = areSwapped(first, second);
-            setAxes(isSwapped ? second : first, isSwapped ? first : second);
+            var capsuleA:Capsule = a as Capsule;
+            var capsuleB:Capsule = b as Capsule;
+            var isSwapped:Boolean = areSwapped(capsuleA, capsuleB);
+            setAxes(isSwapped ? capsuleB : capsuleA, isSwapped ? capsuleA : capsuleB);
             findShares();
             var x:Number = _x + _shareOfU * _uX - _shareOfV * _vX;
             var y:Number = _y + _shareOfU * _uY - _shareOfV * _vY;
             var z:Number = _z + _shareOfU * _uZ - _shareOfV * _vZ;
-            var touchingDistance:Number = (first.radius + second.radius) * Tolerances.TOUCHING;
+            var touchingDistance:Number = (capsuleA.radius + capsuleB.radius) * Tolerances.TOUCHING;
             return x * x + y * y + z * z <= touchingDistance * touchingDistance;
         }
 
@@ -55,11 +55,11 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:CoreGap):void
         {
-            var first:Capsule = a as Capsule;
-            var second:Capsule = b as Capsule;
-            var start:Vector3D = first.start;
+            var capsuleA:Capsule = a as Capsule;
+            var capsuleB:Capsule = b as Capsule;
+            var start:Vector3D = capsuleA.start;
             var time:Number = motion.time;
-            setAxes(first, second);
+            setAxes(capsuleA, capsuleB);
             _x = _x + motion.startX + time * motion.x;
             _y = _y + motion.startY + time * motion.y;
             _z = _z + motion.startZ + time * motion.z;
@@ -71,9 +71,9 @@ package starlogo.intersection
             out.pointX = motion.startX + time * motion.x + (start.x + _shareOfU * _uX);
             out.pointY = motion.startY + time * motion.y + (start.y + _shareOfU * _uY);
             out.pointZ = motion.startZ + time * motion.z + (start.z + _shareOfU * _uZ);
-            out.radiusA = first.radius;
-            out.radiusB = second.radius;
-            out.extent = Math.abs(_uX) + Math.abs(_uY) + Math.abs(_uZ) + (Math.abs(_vX) + Math.abs(_vY) + Math.abs(_vZ)) + (first.radius + second.radius);
+            out.radiusA = capsuleA.radius;
+            out.radiusB = capsuleB.radius;
+            out.extent = Math.abs(_uX) + Math.abs(_uY) + Math.abs(_uZ) + (Math.abs(_vX) + Math.abs(_vY) + Math.abs(_vZ)) + (capsuleA.radius + capsuleB.radius);
         }
 
         private function setAxes(a:Capsule, b:Capsule):void

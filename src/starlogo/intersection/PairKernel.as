@@ -6,8 +6,8 @@ package starlogo.intersection
     import starlogo.convex.RelativeMotion;
 
     /**
-     * Answers questions about two structures of certain kinds. PairTable has a kernel for each pair of kinds: an object of a class that extends
-     * this one. This class itself is the kernel of pairs with a structure of another kind, which have no answers: its methods throw.
+     * Decides about two structures of certain kinds. PairTable has a kernel for each pair of kinds: an object of a class that extends this one. This
+     * class itself is the kernel of pairs with a structure of the kind OTHER, which have no answers: its methods throw.
      *
      * @private
      */
@@ -43,7 +43,7 @@ package starlogo.intersection
         /**
          * Finds where two structures touch, or how they overlap.
          *
-         * <p>The normal is the direction of the shortest displacement that separates the first structure from the second. The depth is its
+         * <p>The normal is the direction of the shortest displacement that separates a from b. The depth is its
          * length: after that displacement the two just touch. The point is in the middle of the overlap along the normal. If two boxes touch
          * along an edge or a face, it is in the middle of that edge or face too. The same holds for a box and a capsule's axis inside of it.
          * The result is exact except for rounding.</p>

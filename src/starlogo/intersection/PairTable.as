@@ -10,7 +10,7 @@ package starlogo.intersection
 
     /**
      * Says how two structures meet: whether they touch, when a moving one first touches the other, how they overlap, and how far apart they are.
-     * Here alone it is decided which kernel answers for two kinds. The package is made of a kernel for each pair of kinds, a ConvexTrianglePair for a
+     * Here alone it is decided which kernel answers for two kinds. The package is made of a kernel for each pair of kinds, a TriangleKernel for a
      * shape and triangles, and the tests of moving boxes (<code>sweep</code>) and of rays (<code>ray</code>). Read PairKernel next, which explains
      * the questions, then RoundKernel and SphereBoxGapFinder.
      *
@@ -83,7 +83,7 @@ package starlogo.intersection
         private static function makeKernels():Vector.<PairKernel>
         {
             var kernels:Vector.<PairKernel> = new Vector.<PairKernel>(KINDS * KINDS, true);
-            var convex:ConvexKernel = new ConvexKernel();
+            var convex:HullKernel = new HullKernel();
             var missing:PairKernel = new PairKernel();
             for (var kind:int = 0; kind < KINDS; kind++)
             {

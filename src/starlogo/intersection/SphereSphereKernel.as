@@ -54,11 +54,11 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
-            var first:Sphere = a as Sphere;
-            var second:Sphere = b as Sphere;
+            var sphereA:Sphere = a as Sphere;
+            var sphereB:Sphere = b as Sphere;
             // one order for both, so that rounding is the same
-            var areSwapped:Boolean = isAfter(first.center, second.center);
-            setGap(areSwapped ? second : first, areSwapped ? first : second, RelativeMotion.NONE);
+            var areSwapped:Boolean = isAfter(sphereA.center, sphereB.center);
+            setGap(areSwapped ? sphereB : sphereA, areSwapped ? sphereA : sphereB, RelativeMotion.NONE);
             out.setFromGap(_gap);
             if (areSwapped)
             {

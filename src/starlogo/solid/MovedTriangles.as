@@ -2,7 +2,7 @@ package starlogo.solid
 {
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
-    import starlogo.convex.ConvexPair;
+    import starlogo.convex.ConvexKernel;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.convex.TrianglePlane;
@@ -18,7 +18,7 @@ package starlogo.solid
     /**
      * The triangles of one node of the second model, moved into the first model's space, and what decides about one of them and a triangle of the
      * first model. <code>begin()</code> sets the models, <code>move()</code> the node, and <code>setSecond()</code> the triangle of the node. A
-     * triangle of each is a shape. ConvexPair decides about the two, unless a quick test rules them out.
+     * triangle of each is a shape. ConvexKernel decides about the two, unless a quick test rules them out.
      */
     internal final class MovedTriangles
     {
@@ -44,7 +44,7 @@ package starlogo.solid
         // A triangle of the first model, a triangle of the second, and what decides about them.
         private var _a:ConvexShape = new ConvexShape();
         private var _b:ConvexShape = new ConvexShape();
-        private var _pair:ConvexPair = new ConvexPair();
+        private var _pair:ConvexKernel = new ConvexKernel();
 
         private var _counts:TreeCounts;
 

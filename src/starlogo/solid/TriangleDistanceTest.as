@@ -8,7 +8,7 @@ package starlogo.solid
     import starlogo.hierarchy.NodeTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.intersection.ConvexTrianglePair;
+    import starlogo.intersection.TriangleKernel;
 
     use namespace engine;
 
@@ -20,7 +20,7 @@ package starlogo.solid
         private var _counts:TreeCounts;
 
         private var _mesh:TriangleMesh;
-        private var _pair:ConvexTrianglePair = new ConvexTrianglePair();
+        private var _pair:TriangleKernel = new TriangleKernel();
 
         // The structure's extents: minX, maxX, minY, ...
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);

@@ -14,7 +14,7 @@ package starlogo.solid
     import starlogo.hierarchy.NodeTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.intersection.ConvexTrianglePair;
+    import starlogo.intersection.TriangleKernel;
 
     use namespace engine;
 
@@ -32,7 +32,7 @@ package starlogo.solid
         // The structure's motion, and a copy that has the times of one triangle.
         private var _motion:RelativeMotion;
         private var _sweep:RelativeMotion = new RelativeMotion();
-        private var _pair:ConvexTrianglePair = new ConvexTrianglePair();
+        private var _pair:TriangleKernel = new TriangleKernel();
 
         // The extents of the structure's core and of its motion: minX, maxX, minY, ... The core of a round structure is a point
         // or a segment.

@@ -4,7 +4,7 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
-    import starlogo.convex.ConvexPair;
+    import starlogo.convex.ConvexKernel;
     import starlogo.convex.ConvexShape;
         import starlogo.convex.Interval;
     import starlogo.convex.RelativeMotion;
@@ -16,13 +16,13 @@ package starlogo.intersection
     use namespace engine;
 
     /**
-     * A convex shape and a triangle: whether the two touch, when and how they first touch, and how far they are apart. The shape is set once, and
-     * then one triangle after the other, each a part of a list. ConvexPair decides. This class adds a quick test that comes before it, and
-     * what depends on a triangle's two sides.
+     * The kernel of a convex shape and a triangle: whether the two touch, when and how they first touch, and how far they are apart. The shape is set
+     * once, and then one triangle after the other, each a part of a list. ConvexKernel decides. This class adds a quick test that comes before it,
+     * and what depends on a triangle's two sides.
      *
      * @private
      */
-    public final class ConvexTrianglePair
+    public final class TriangleKernel
     {
         // Points of the core are equally deep if their depths differ by less than this fraction of its extent along the normal.
         private static const LEVEL:Number = 1e-12;
@@ -30,7 +30,7 @@ package starlogo.intersection
         /** The shape, in the triangles' space. Only its margin may be changed. */
         public var shape:ConvexShape = new ConvexShape();
 
-        private var _pair:ConvexPair = new ConvexPair();
+        private var _kernel:ConvexKernel = new ConvexKernel();
 
         // The shape where it is placed: a structure for each kind, and a triangle's corners.
         private var _structures:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
@@ -85,7 +85,7 @@ package starlogo.intersection
         public function areTouching():Boolean
         {
             prepare();
-            return _pair.areTouching(shape, _triangle);
+            return _kernel.areTouching(shape, _triangle);
         }
 
         /**
@@ -96,7 +96,7 @@ package starlogo.intersection
         public function findTime(motion:RelativeMotion):void
         {
             prepare();
-            _pair.findTime(shape, _triangle, motion);
+            _kernel.findTime(shape, _triangle, motion);
         }
 
         /**
@@ -108,7 +108,7 @@ package starlogo.intersection
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
             prepare();
-            _pair.findContact(shape, _triangle, motion, out);
+            _kernel.findContact(shape, _triangle, motion, out);
         }
 
         /**
@@ -225,7 +225,7 @@ package starlogo.intersection
         public function findCloser(out:ClosestPoints):Boolean
         {
             prepare();
-            return _pair.findCloser(shape, _triangle, out);
+            return _kernel.findCloser(shape, _triangle, out);
         }
 
         /**

@@ -5,9 +5,12 @@ package starlogo.convex
     /**
      * Answers four questions about any two convex shapes: whether they touch, where they are closest, when a moving one first touches the other,
      * and how far they overlap. A shape is a core of points with a radius (ConvexShape). CoreDistance finds the distance of two cores with the help
-     * of Simplex, ConvexSweep the time of impact, CoreOverlap the way out of an overlap, CommonPoint the point of a contact. Read ConvexShape first,
-     * then this class from the top, then CoreDistance. The records of questions and answers (RelativeMotion, ClosestPoints, ContactPoint) stand
-     * here for all packages, because this is the first of those that fill them. GroundDepth is a part of a contact that the ground alone fills.
+     * of Simplex, ConvexSweep the time of impact, CoreOverlap the shortest displacement out of an overlap, CommonPoint the point of a contact. Read
+     * ConvexShape first, then this class from the top, then CorePair and CoreDistance.
+     *
+     * <p>In all packages a kernel decides about two shapes or structures, and a pair is two of them. a and b are the two of a question, in the order
+     * of the call; a is the one that moves. The records of questions and answers (RelativeMotion, ClosestPoints, ContactPoint) stand here for all
+     * packages, because this is the first of those that fill them. GroundDepth is a part of a contact that the ground alone fills.</p>
      *
      * <p>areTouching and findTime agree about what touches: see Touching. findTime adds the margin of the motion. The distance and the depth leave
      * all margins out, so shapes that touch may have a distance as small as the margins, and the depth 0. The same two shapes in the other order
@@ -15,15 +18,17 @@ package starlogo.convex
      *
      * @private
      */
-    public final class ConvexPair
+    public final class ConvexKernel
     {
         private var _distance:CoreDistance = new CoreDistance();
         private var _overlap:CoreOverlap = new CoreOverlap();
         private var _common:CommonPoint = new CommonPoint();
+        private var _sweep:ConvexSweep = new ConvexSweep();
         private var _cores:CorePair = new CorePair();
         private var _witness:CoreWitness = new CoreWitness();
+
+        // The normal of a contact, and how far the cores are apart along it.
         private var _axis:CoreWitness = new CoreWitness();
-        private var _sweep:ConvexSweep = new ConvexSweep();
 
         /** Whether two shapes touch or overlap. */
         public function areTouching(a:ConvexShape, b:ConvexShape):Boolean

@@ -24,11 +24,11 @@ package starlogo.intersection
     {
         private static const KINDS:int = BoundingStructure.OTHER + 1;
 
-        // For each pair of kinds its kernel: a row for each kind of the first structure. Only pairs count whose second kind is not below the first.
+        // For each pair of kinds its kernel: a row for each kind of a. Only pairs count whose second kind is not below the first.
         // areTouching() reads it itself, because its tests are short, and calls take long in Adobe's VM.
         private static const KERNELS:Vector.<PairKernel> = makeKernels();
 
-        // The motion of the other structure.
+        // For a pair whose second kind is below the first: the kernel is asked about b and a, and this is the motion of b.
         private static const REVERSED:RelativeMotion = new RelativeMotion();
 
         /** Whether two structures touch or overlap. See PairKernel. Games call it as <code>intersects()</code>. */

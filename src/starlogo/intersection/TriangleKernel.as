@@ -6,7 +6,7 @@ package starlogo.intersection
     import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexKernel;
     import starlogo.convex.ConvexShape;
-        import starlogo.convex.Interval;
+    import starlogo.convex.Interval;
     import starlogo.convex.RelativeMotion;
     import starlogo.convex.TrianglePlane;
     import starlogo.engine;

@@ -28,7 +28,7 @@ package starlogo.intersection
         gap.z = x * axisX.z + y * axisY.z + z * axisZ.z;
         gap.squaredLength = x * x + y * y + z * z;
         gap.closing = -(x * (axisX.x * motion.x + axisX.y * motion.y + axisX.z * motion.z)
-            + y * (axisY.x * motion.x + axisY.y * motion.y + axisY.z * motion.z)
-            + z * (axisZ.x * motion.x + axisZ.y * motion.y + axisZ.z * motion.z));
+                + y * (axisY.x * motion.x + axisY.y * motion.y + axisY.z * motion.z)
+                + z * (axisZ.x * motion.x + axisZ.y * motion.y + axisZ.z * motion.z));
     }
 }

@@ -42,14 +42,14 @@ package starlogo.convex
         {
             _shape.setSphere(new Sphere(new Vector3D(3, 4, 5), 0.1));
             _motion.x = 1;
-            for each (var corners:Vector.<Number> in[
-                    new <Number>[0, 0, 0, 0, 0, 0, 0, 0, 0],
-                    new <Number>[1, 2, 3, 1, 2, 3, 1, 2, 3],
-                    new <Number>[0, 0, 0, 1, 1, 1, 1, 1, 1],
-                    new <Number>[0, 0, 0, 1, 1, 1, 0, 0, 0],
-                    new <Number>[0, 0, 0, 2, 0, 0, 1, 0, 0],
-                    new <Number>[0, 0, 0, 2, 0, 0, 1, 1e-12, 0],
-                    new <Number>[0, 0, 0, 1e60, 0, 0, 1e59, 0, 0]])
+            for each (var corners:Vector.<Number> in [
+                        new <Number>[0, 0, 0, 0, 0, 0, 0, 0, 0],
+                        new <Number>[1, 2, 3, 1, 2, 3, 1, 2, 3],
+                        new <Number>[0, 0, 0, 1, 1, 1, 1, 1, 1],
+                        new <Number>[0, 0, 0, 1, 1, 1, 0, 0, 0],
+                        new <Number>[0, 0, 0, 2, 0, 0, 1, 0, 0],
+                        new <Number>[0, 0, 0, 2, 0, 0, 1, 1e-12, 0],
+                        new <Number>[0, 0, 0, 1e60, 0, 0, 1e59, 0, 0]])
             {
                 _plane.setTriangle(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], 0);
                 _plane.setTriangle(corners, 0);
@@ -64,7 +64,7 @@ package starlogo.convex
         [Test]
         public function theSizeOfATriangleDoesNotMakeItFlat():void
         {
-            for each (var size:Number in[1e-70, 1e-6, 1, 1e9, 1e60])
+            for each (var size:Number in [1e-70, 1e-6, 1, 1e9, 1e60])
             {
                 _plane.setTriangle(new <Number>[0, 0, size, size, 0, size, 0, size, size], 0);
                 assertFalse("size " + size, _plane.isFlat);

@@ -111,19 +111,5 @@ package starlogo.convex
             }
             return 0;
         }
-
-        /** Whether the corners of another triangle, nine numbers, are behind the plane, or in front of it by at most a slack. */
-        public function isBehind(corners:Vector.<Number>, slack:Number):Boolean
-        {
-            var most:Number = offset + slack;
-            for (var i:int = 0; i < 9; i += 3)
-            {
-                if (!(normal.x * corners[i] + normal.y * corners[int(i + 1)] + normal.z * corners[int(i + 2)] <= most))
-                {
-                    return false;
-                }
-            }
-            return true;
-        }
     }
 }

@@ -222,10 +222,9 @@ package starlogo.geometry
             return data[3] == 0 && data[7] == 0 && data[11] == 0 && data[15] == 1 && isRotation;
         }
 
-        /** Whether the nine numbers are a rotation, up to rounding. */
+        /** Whether the nine numbers are a rotation, up to rounding, and not a reflection. */
         public function get isRotation():Boolean
         {
-            // the third column is the cross product of the others, not the opposite of it
             return isOrthonormal && r02 * (r10 * r21 - r20 * r11) + r12 * (r20 * r01 - r00 * r21) + r22 * (r00 * r11 - r10 * r01) > 0;
         }
 

@@ -172,7 +172,7 @@ package starlogo.geometry
 
         /**
          * The squared height of a triangle over its longest edge below which the triangle is flat, as a fraction of that edge squared. A flat
-         * triangle has no plane, and no side: see TrianglePlane. Smaller: the normal of a needle is a rounding error. Larger: needles lose their
+         * triangle has no plane, and no side. Smaller: the normal of a needle is a rounding error. Larger: needles lose their
          * sides.
          */
         public static const FLAT_TRIANGLE:Number = 1e-24;

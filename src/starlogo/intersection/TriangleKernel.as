@@ -213,7 +213,16 @@ package starlogo.intersection
         public function isBehindPlane(corners:Vector.<Number>, slack:Number):Boolean
         {
             preparePlane();
-            return _plane.isBehind(corners, slack);
+            var normal:Vector3D = _plane.normal;
+            var most:Number = _plane.offset + slack;
+            for (var i:int = 0; i < 9; i += 3)
+            {
+                if (!(normal.x * corners[i] + normal.y * corners[int(i + 1)] + normal.z * corners[int(i + 2)] <= most))
+                {
+                    return false;
+                }
+            }
+            return true;
         }
 
         /**

@@ -366,23 +366,13 @@ package starlogo.bounding
             var m:Vector.<Number> = rotation.rawData;
             var isAffine:Boolean = m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
             var isCentred:Boolean = m[12] == 0 && m[13] == 0 && m[14] == 0;
-            if (!isAffine || !isCentred || !isOrthonormal(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]))
+            var turning:Placement = new Placement();
+            turning.readRotation(new <Number>[m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]], 0);
+            if (!isAffine || !isCentred || !turning.isOrthonormal)
             {
                 throw new ArgumentError("a rotation must rotate about the origin and do nothing else: " + rotation.rawData);
             }
-            var turning:Placement = new Placement();
-            turning.readRotation(new <Number>[m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]], 0);
             return turning;
-        }
-
-        /** Whether three vectors are perpendicular unit vectors, within Tolerances.ORTHONORMALITY. */
-        protected static function isOrthonormal(xx:Number, xy:Number, xz:Number, yx:Number, yy:Number, yz:Number,
-                zx:Number, zy:Number, zz:Number):Boolean
-        {
-            var areUnit:Boolean = isNear(xx * xx + xy * xy + xz * xz, 1) && isNear(yx * yx + yy * yy + yz * yz, 1)
-                && isNear(zx * zx + zy * zy + zz * zz, 1);
-            return areUnit && isNear(xx * yx + xy * yy + xz * yz, 0) && isNear(xx * zx + xy * zy + xz * zz, 0)
-                && isNear(yx * zx + yy * zy + yz * zz, 0);
         }
 
         /**
@@ -436,12 +426,6 @@ package starlogo.bounding
         {
             out[offset] = Math.min(from, to) - margin;
             out[int(offset + 1)] = Math.max(from, to) + margin;
-        }
-
-        private static function isNear(value:Number, expected:Number):Boolean
-        {
-            var difference:Number = value - expected;
-            return difference <= Tolerances.ORTHONORMALITY && difference >= -Tolerances.ORTHONORMALITY;
         }
     }
 }

@@ -61,7 +61,9 @@ package starlogo.bounding
             checkVector(axisX, "a box's axisX");
             checkVector(axisY, "a box's axisY");
             checkVector(axisZ, "a box's axisZ");
-            if (!isOrthonormal(axisX.x, axisX.y, axisX.z, axisY.x, axisY.y, axisY.z, axisZ.x, axisZ.y, axisZ.z))
+            var turning:Placement = new Placement();
+            turning.readRotation(new <Number>[axisX.x, axisY.x, axisZ.x, axisX.y, axisY.y, axisZ.y, axisX.z, axisY.z, axisZ.z], 0);
+            if (!turning.isOrthonormal)
             {
                 var axes:String = [axisX, axisY, axisZ].join(", ");
                 throw new ArgumentError("a box's axes must be unit vectors at right angles: " + axes);

@@ -4,7 +4,7 @@ package starlogo.convex
     import starlogo.geometry.Placement;
 
     /**
-     * The distance of two shapes and their closest points, as a record. If the shapes touch, both points are one point of both shapes.
+     * The distance of two shapes a and b and their closest points, as a record. If the shapes touch, both points are one point of both shapes.
      *
      * @private
      */
@@ -13,12 +13,12 @@ package starlogo.convex
         /** The distance of the two points: 0 if the shapes touch. A search for a closer pair looks only for a distance below it. */
         public var distance:Number = Infinity;
 
-        /** The point of the first shape. */
+        /** The point of a. */
         public var aX:Number = 0;
         public var aY:Number = 0;
         public var aZ:Number = 0;
 
-        /** The point of the second shape. */
+        /** The point of b. */
         public var bX:Number = 0;
         public var bY:Number = 0;
         public var bZ:Number = 0;
@@ -33,7 +33,7 @@ package starlogo.convex
             var y:Number = gap.y;
             var z:Number = gap.z;
             var length:Number = Math.sqrt(x * x + y * y + z * z);
-            // how far the two points are from the first core's closest point, towards the second core
+            // how far the two points are from the closest point of a's core, towards b
             var atA:Number = gap.radiusA;
             var atB:Number = length - gap.radiusB;
             distance = length - (gap.radiusA + gap.radiusB);

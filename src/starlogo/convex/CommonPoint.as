@@ -20,14 +20,14 @@ package starlogo.convex
             findFeatures(cores, out);
             // how far the place halfway between the surfaces is from the common part, along the normal
             var by:Number;
-            if (_first.end == 3)
+            if (_first.end == ContactFeature.CORNER)
             {
-                writeMean(_first.points, 3, out);
+                writeMean(_first.points, ContactFeature.CORNER, out);
                 by = out.depth / 2 - cores.first.radius;
             }
-            else if (_second.end == 3)
+            else if (_second.end == ContactFeature.CORNER)
             {
-                writeMean(_second.points, 3, out);
+                writeMean(_second.points, ContactFeature.CORNER, out);
                 by = cores.second.radius - out.depth / 2;
             }
             else
@@ -51,16 +51,16 @@ package starlogo.convex
             {
                 _second.find(cores.second, 1, contact);
             }
-            if (_second.end != 3)
+            if (_second.end != ContactFeature.CORNER)
             {
                 _first.find(cores.first, -1, contact);
                 _first.move(cores.x, cores.y, cores.z);
             }
-            if (_first.end > 3 && _second.end == 0)
+            if (_first.end > ContactFeature.CORNER && _second.end == 0)
             {
                 _second.find(cores.second, 1, contact);
             }
-            if (_first.end > 3 && _second.end > 3)
+            if (_first.end > ContactFeature.CORNER && _second.end > ContactFeature.CORNER)
             {
                 _first.order(contact);
                 _second.order(contact);
@@ -70,11 +70,11 @@ package starlogo.convex
         // Writes the middle of what two edges or faces share when seen along the normal. It is in the plane of either.
         private function findShared(out:ContactPoint):void
         {
-            if (_second.end > 6)
+            if (_second.end > ContactFeature.EDGE)
             {
                 writeMeanWithin(_first, _second, out);
             }
-            else if (_first.end > 6)
+            else if (_first.end > ContactFeature.EDGE)
             {
                 writeMeanWithin(_second, _first, out);
             }

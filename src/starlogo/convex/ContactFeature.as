@@ -7,6 +7,10 @@ package starlogo.convex
      */
     internal final class ContactFeature
     {
+        /** The count of the numbers of a corner, and of an edge. A face has more. */
+        public static const CORNER:int = 3;
+        public static const EDGE:int = 6;
+
         /** The corners: x, y, z of each. <code>end</code> is the count of these numbers. Read only. */
         public var points:Vector.<Number> = new Vector.<Number>();
         public var end:int = 0;

@@ -3,9 +3,7 @@ package starlogo.convex
     import flash.geom.Vector3D;
 
     /**
-     * How two shapes touch or overlap, as a record: the point, the normal and the depth.
-     *
-     * <p>While a contact is searched for, the record has results of single steps. Then the depth of shapes that are apart is less than 0.</p>
+     * How two shapes a and b touch or overlap, as a record: the point, the normal and the depth.
      *
      * @private
      */
@@ -16,7 +14,7 @@ package starlogo.convex
         public var y:Number = 0;
         public var z:Number = 0;
 
-        /** The direction that separates the first shape from the second: a unit vector. */
+        /** The direction that separates a from b: a unit vector. */
         public var normalX:Number = 0;
         public var normalY:Number = 0;
         public var normalZ:Number = 1;
@@ -56,10 +54,9 @@ package starlogo.convex
         }
 
         /**
-         * Turns this into the contact of the same shapes in the other order. In that order the other shape is displaced, in the
-         * opposite direction.
+         * Turns the contact of b and a into that of a and b. The normal separates a then.
          *
-         * @param motion the other shape's motion; the shape is where it is at the motion's time
+         * @param motion the motion of a; a is where it is at the motion's time
          */
         public function swap(motion:RelativeMotion):void
         {
@@ -76,9 +73,8 @@ package starlogo.convex
          * Sets the contact of two shapes whose cores are apart.
          *
          * @param gap the gap between the cores, longer than 0, and the radii
-         * @param motion the motion of the first shape, which is where it is at the motion's time
          */
-        public function setFromGap(gap:CoreGap, motion:RelativeMotion):void
+        public function setFromGap(gap:CoreGap):void
         {
             var length:Number = Math.sqrt(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z);
             normalX = gap.x / length;
@@ -88,10 +84,9 @@ package starlogo.convex
             // rounding can make it negative
             depth = depth > 0 ? depth : 0;
             var back:Number = gap.radiusA - depth / 2;
-            var time:Number = motion.time;
-            x = motion.startX + time * motion.x + gap.pointX - back * normalX;
-            y = motion.startY + time * motion.y + gap.pointY - back * normalY;
-            z = motion.startZ + time * motion.z + gap.pointZ - back * normalZ;
+            x = gap.pointX - back * normalX;
+            y = gap.pointY - back * normalY;
+            z = gap.pointZ - back * normalZ;
         }
 
         /** Sets the normal without normalising it. The function is short so that V8 inlines it and allocates no objects for the Numbers. */

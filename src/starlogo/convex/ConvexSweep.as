@@ -15,7 +15,7 @@ package starlogo.convex
         private var _distance:CoreDistance = new CoreDistance();
         private var _overlap:CoreOverlap = new CoreOverlap();
         private var _witness:CoreWitness = new CoreWitness();
-        private var _exact:ContactPoint = new ContactPoint();
+        private var _exact:CoreWitness = new CoreWitness();
         private var _balls:CoreGap = new CoreGap();
 
         // The latest time at which the shapes touch within rounding.
@@ -25,7 +25,7 @@ package starlogo.convex
          * Finds the time.
          *
          * @param cores has the shapes where they are stored; overwritten
-         * @param motion the motion of a: see ConvexPair
+         * @param motion the motion of a: see ConvexKernel
          */
         public function findTime(cores:CorePair, motion:RelativeMotion):void
         {
@@ -118,9 +118,9 @@ package starlogo.convex
         {
             var witness:CoreWitness = _witness;
             _overlap.find(cores, _exact);
-            if (-_exact.depth > witness.separation)
+            if (_exact.separation > witness.separation)
             {
-                witness.separation = -_exact.depth;
+                witness.separation = _exact.separation;
                 witness.normalX = _exact.normalX;
                 witness.normalY = _exact.normalY;
                 witness.normalZ = _exact.normalZ;

@@ -2,29 +2,42 @@ package starlogo.convex
 {
     /**
      * The gap between the closest points of two cores, as a record. A core is a sphere's centre, a capsule's axis, or a whole box, triangle or hull.
-     * Two shapes touch if the gap between their cores is at most as long as their radii together, except for the margins of Touching.
+     * Two shapes touch if the gap between their cores is at most as long as their radii together, except for the margins of Touching. All numbers
+     * are in the space of the two shapes, a where its motion has brought it.
      *
      * @private
      */
     public final class CoreGap
     {
-        /** The vector from the second core's closest point to the first core's. */
+        /** The vector from the closest point of b's core to that of a's core. */
         public var x:Number = 0;
         public var y:Number = 0;
         public var z:Number = 0;
 
-        /** The first core's closest point. */
+        /** The closest point of a's core. */
         public var pointX:Number = 0;
         public var pointY:Number = 0;
         public var pointZ:Number = 0;
 
-        /** The radius around the first core. */
+        /** The radius around a's core. */
         public var radiusA:Number = 0;
 
-        /** The radius around the second core. */
+        /** The radius around b's core. */
         public var radiusB:Number = 0;
 
-        /** The extent of both shapes together. The rounding error of the gap is relative to it. Only a GapFinder sets it; otherwise it is 0. */
+        /**
+         * Written by a GapFinder only: the vector's squared length; how fast a's motion closes the gap, times the gap's length; and the extent of both
+         * shapes together, which the rounding error of the gap is relative to.
+         */
+        public var squaredLength:Number = 0;
+        public var closing:Number = 0;
         public var extent:Number = 0;
+
+        /** Computes the squared length, and how a motion of a's core closes the gap. */
+        public function measure(motion:RelativeMotion):void
+        {
+            squaredLength = x * x + y * y + z * z;
+            closing = -(x * motion.x + y * motion.y + z * motion.z);
+        }
     }
 }

@@ -10,7 +10,10 @@ package starlogo.convex
      * of faces, so nothing is known to be on a side of them.
      *
      * <p>If two displacements are equally short, the first one is taken that is tried: faces of the second core, faces of the first, edges. Of two
-     * opposite ones, it is the one against the motion. Points and parallel segments move upwards as far as possible.</p>
+     * opposite ones, it is the one against the pair's motion; if the pair has none, rounding decides. Points and parallel segments move upwards as
+     * far as possible.</p>
+     *
+     * <p>The results are a unit vector, and how far the cores are apart along it. It is less than 0 if they overlap: the displacement is as long.</p>
      */
     internal final class CoreOverlap
     {
@@ -27,17 +30,17 @@ package starlogo.convex
         private var _ofSecond:Interval = new Interval();
         private var _differences:Interval = new Interval();
 
-        /** Finds the displacement of the first core. Its length is less than 0 if the cores are apart. Only normal and depth are written. */
-        public function find(cores:CorePair, out:ContactPoint):void
+        /** Finds the displacement of the first core. Only the normal and the separation are written. */
+        public function find(cores:CorePair, out:CoreWitness):void
         {
-            out.depth = Infinity;
+            out.separation = -Infinity;
             tryFaces(cores.second, cores, out);
             tryFaces(cores.first, cores, out);
             if (cores.first.edges.length > 0 && cores.second.edges.length > 0)
             {
                 tryEdges(cores, out);
             }
-            if (out.depth == Infinity)
+            if (out.separation == -Infinity)
             {
                 tryUpwards(cores, out);
             }
@@ -48,13 +51,13 @@ package starlogo.convex
          *
          * @param out has the displacement that find() has found
          */
-        public function tryGap(cores:CorePair, gap:CoreGap, out:ContactPoint):void
+        public function tryGap(cores:CorePair, gap:CoreGap, out:CoreWitness):void
         {
             _along.setTo(gap.x, gap.y, gap.z);
             tryDirection(cores, out);
         }
 
-        private function tryFaces(shape:ConvexShape, cores:CorePair, out:ContactPoint):void
+        private function tryFaces(shape:ConvexShape, cores:CorePair, out:CoreWitness):void
         {
             var p:Vector.<Number> = shape.points;
             var faces:Vector.<int> = shape.faces;
@@ -88,7 +91,7 @@ package starlogo.convex
             _along.z = isParallel ? 0 : z;
         }
 
-        private function tryEdges(cores:CorePair, out:ContactPoint):void
+        private function tryEdges(cores:CorePair, out:CoreWitness):void
         {
             var first:ConvexShape = cores.first;
             var areBare:Boolean = first.areEdgesBare && cores.second.areEdgesBare;
@@ -131,7 +134,7 @@ package starlogo.convex
         }
 
         // Tries the perpendicular of an edge of the first core and one of the second.
-        private function tryAcross(k:int, cores:CorePair, out:ContactPoint):void
+        private function tryAcross(k:int, cores:CorePair, out:CoreWitness):void
         {
             var u:Vector.<Number> = _edge;
             var v:Vector.<Number> = _edges;
@@ -151,7 +154,7 @@ package starlogo.convex
                 var least:Number = along.x * (v[int(k + 9)] - u[9] - cores.x) + along.y * (v[int(k + 10)] - u[10] - cores.y)
                     + along.z * (v[int(k + 11)] - u[11] - cores.z);
                 least = side < 0 ? -least : least;
-                if (least > 0 && least * least >= out.depth * out.depth * along.lengthSquared)
+                if (least > 0 && least * least >= out.separation * out.separation * along.lengthSquared)
                 {
                     return;
                 }
@@ -203,7 +206,7 @@ package starlogo.convex
         }
 
         // Tries the direction across two points or parallel segments that points upwards as far as possible, for a.
-        private function tryUpwards(cores:CorePair, out:ContactPoint):void
+        private function tryUpwards(cores:CorePair, out:CoreWitness):void
         {
             _along.setTo(0, 0, 0);
             setToSegment(cores.second);
@@ -216,9 +219,8 @@ package starlogo.convex
             projectDifferences(cores, _differences);
             // rounding hides on which side they are
             var isDown:Boolean = _differences.greatest < -_differences.least - Tolerances.ROUNDING * (cores.first.extent + cores.second.extent);
-            out.depth = isDown ? _differences.greatest : -_differences.least;
-            up = isDown ? -1 : 1;
-            out.setNormal(up * _along.x, up * _along.y, up * _along.z);
+            out.separation = isDown ? -_differences.greatest : _differences.least;
+            write(isDown ? -1 : 1, out);
         }
 
         // Sets the direction to the vector from the first point of a core to the farthest other one, unless all are in one place.
@@ -242,7 +244,7 @@ package starlogo.convex
 
         // Tries a displacement along the direction, and the one against it. The direction gets a length of 1 unless both are too long. If it is 0,
         // there is nothing to try.
-        private function tryDirection(cores:CorePair, out:ContactPoint):void
+        private function tryDirection(cores:CorePair, out:CoreWitness):void
         {
             var along:Vector3D = _along;
             var squared:Number = along.x * along.x + along.y * along.y + along.z * along.z;
@@ -255,7 +257,7 @@ package starlogo.convex
             var forth:Number = -_differences.least;
             var back:Number = _differences.greatest;
             var least:Number = back < forth ? back : forth;
-            if (least > 0 && least * least >= out.depth * out.depth * squared)
+            if (least > 0 && least * least >= out.separation * out.separation * squared)
             {
                 return;
             }
@@ -273,12 +275,20 @@ package starlogo.convex
                 var speed:Number = along.x * cores.motionX + along.y * cores.motionY + along.z * cores.motionZ;
                 side = speed > 0 ? -1 : speed < 0 ? 1 : side;
             }
-            var depth:Number = side < 0 ? back : forth;
-            if (depth < out.depth - rounding)
+            var separation:Number = side < 0 ? -back : -forth;
+            if (separation > out.separation + rounding)
             {
-                out.depth = depth;
-                out.setNormal(side * along.x, side * along.y, side * along.z);
+                out.separation = separation;
+                write(side, out);
             }
+        }
+
+        // Writes the direction that was tried, or the opposite one if the side is -1.
+        private function write(side:int, out:CoreWitness):void
+        {
+            out.normalX = side * _along.x;
+            out.normalY = side * _along.y;
+            out.normalZ = side * _along.z;
         }
 
         // Finds how far the differences of the cores' points extend along the direction. The cores are apart if 0 is not between.

@@ -3,10 +3,8 @@ package starlogo.convex
     import starlogo.geometry.Tolerances;
 
     /**
-     * The cores of two shapes, where they are, and what a search has to find out about them. In this package a and b are two shapes in the order that
-     * was asked about, first and second the same two in the order of their places.
-     *
-     * <p>So rounding does not depend on the order of the arguments.</p>
+     * The cores of two shapes, where they are, and what a search has to find out about them. First and second are the shapes a and b of a question in
+     * the order of their places. So rounding does not depend on the order of the arguments.
      */
     internal final class CorePair
     {

@@ -4,8 +4,8 @@ package starlogo.convex
     internal final class CoreWitness
     {
         /**
-         * The gap. The closest point of the first core is relative to its origin. If the cores overlap, the vector means nothing. If the search ended
-         * early, nothing of it means anything.
+         * The gap, of the first core to the second. The closest point is where the first core is stored, without its motion. If the cores overlap,
+         * the vector means nothing. If the search ended early, nothing of it means anything.
          */
         public var gap:CoreGap = new CoreGap();
 
@@ -16,8 +16,8 @@ package starlogo.convex
         public var distance:Number = 0;
 
         /**
-         * A unit vector from the second core to the first along which the cores are apart, and how far they are apart along it, which is at most the
-         * distance.
+         * A unit vector from the second core to the first, and how far the cores are apart along it, which is at most the distance. It is less than 0
+         * if they overlap along the vector: CoreOverlap finds the greatest such number.
          */
         public var normalX:Number = 0;
         public var normalY:Number = 0;

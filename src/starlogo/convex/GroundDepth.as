@@ -1,8 +1,8 @@
 package starlogo.convex
 {
     /**
-     * What a test of the ground knows of a contact's depth, as a record: the triangle of the ground that the first shape is deepest in, and which ways
-     * out are too short.
+     * What a test of the ground knows of a contact's depth, as a record: the triangle of the ground that the model is deepest in, and which exits are
+     * too short.
      *
      * @private
      */
@@ -11,7 +11,7 @@ package starlogo.convex
         /** The shortest exit is known to be about as long as this, or longer. It may be a fifth shorter; 0 if nothing is known. */
         public var provenDepth:Number = 0;
 
-        /** Whether the first shape is known to touch wherever it goes less than the depth along the normal. */
+        /** Whether the model is known to touch wherever it goes less than the depth along the normal. */
         public var isSure:Boolean = false;
 
         /** Whether a triangle is known. It is not for a first touch, which may be at an edge of several triangles. */

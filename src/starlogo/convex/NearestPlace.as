@@ -22,8 +22,9 @@ package starlogo.convex
         // The rounding error of a corner, as a fraction of the extents and places: about four units in the last place.
         private static const CORNER_ROUNDING:Number = 4e-16;
 
-        // The squared ratio of height to base below which a triangle counts as its edges.
-        private static const FLAT:Number = 1e-28;
+        // The squared ratio of height to base below which a triangle counts as its edges. It is smaller than Tolerances.FLAT_TRIANGLE, because a place
+        // in a needle has more digits than the needle's normal.
+        private static const NARROWEST:Number = 1e-28;
 
         /** The place, and its squared distance. */
         public var x:Number = 0;
@@ -282,7 +283,7 @@ package starlogo.convex
             toZ += along * uz;
             var up:Number = -(toX * hx + toY * hy + toZ * hz) / hh;
             var low:Number = along - foot * up;
-            if (!(hh > FLAT * uu && up > 0 && low > 0 && low < 1 - up))
+            if (!(hh > NARROWEST * uu && up > 0 && low > 0 && low < 1 - up))
             {
                 tryEdges(i, j, k);
                 return;

@@ -57,7 +57,7 @@ package starlogo.convex
             var last:int = end - 3;
             var lastInwards:Number = inX * before[last] + inY * before[int(last + 1)] + inZ * before[int(last + 2)] - from;
             // A segment is not a closed outline.
-            var isSegment:Boolean = end == 6;
+            var isSegment:Boolean = end == ContactFeature.EDGE;
             for (var at:int = 0; at < end; at += 3)
             {
                 var inwards:Number = inX * before[at] + inY * before[int(at + 1)] + inZ * before[int(at + 2)] - from;

@@ -79,7 +79,7 @@ package starlogo.convex
             return origin;
         }
 
-        /** Writes the first core's point at the nearest place, relative to that core's origin. */
+        /** Writes the first core's point at the nearest place, where the core is stored. */
         public function writePoint(cores:CorePair, out:CoreGap):void
         {
             var p:Vector.<Number> = cores.first.points;
@@ -95,9 +95,9 @@ package starlogo.convex
                 pointY += share * p[int(at + 1)];
                 pointZ += share * p[int(at + 2)];
             }
-            out.pointX = pointX;
-            out.pointY = pointY;
-            out.pointZ = pointZ;
+            out.pointX = pointX + cores.first.x;
+            out.pointY = pointY + cores.first.y;
+            out.pointZ = pointZ + cores.first.z;
         }
 
         private function writeCorner(cores:CorePair, corner:int):void

@@ -222,13 +222,18 @@ package starlogo.geometry
             return data[3] == 0 && data[7] == 0 && data[11] == 0 && data[15] == 1 && isRotation;
         }
 
-        /** Whether the nine numbers are a rotation, up to rounding. */
+        /** Whether the nine numbers are a rotation, up to rounding, and not a reflection. */
         public function get isRotation():Boolean
         {
+            return isOrthonormal && r02 * (r10 * r21 - r20 * r11) + r12 * (r20 * r01 - r00 * r21) + r22 * (r00 * r11 - r10 * r01) > 0;
+        }
+
+        /** @private Whether the three columns are perpendicular unit vectors, within Tolerances.ORTHONORMALITY: a rotation or a reflection. */
+        engine function get isOrthonormal():Boolean
+        {
             return isNear(r00 * r00 + r10 * r10 + r20 * r20, 1) && isNear(r01 * r01 + r11 * r11 + r21 * r21, 1)
-                && isNear(r00 * r01 + r10 * r11 + r20 * r21, 0)
-                // The third column makes the matrix a rotation, and not a reflection.
-                && isNear(r10 * r21 - r20 * r11, r02) && isNear(r20 * r01 - r00 * r21, r12) && isNear(r00 * r11 - r10 * r01, r22);
+                && isNear(r02 * r02 + r12 * r12 + r22 * r22, 1) && isNear(r00 * r01 + r10 * r11 + r20 * r21, 0)
+                && isNear(r00 * r02 + r10 * r12 + r20 * r22, 0) && isNear(r01 * r02 + r11 * r12 + r21 * r22, 0);
         }
 
         /**

@@ -171,8 +171,9 @@ package starlogo.geometry
         public static const WELDING:Number = 2.5e-7;
 
         /**
-         * The squared height of a triangle below which it counts as a segment, as a fraction of its longest edge squared. Smaller: the
-         * normal of a needle is a rounding error. Larger: needles lose their width.
+         * The squared height of a triangle over its longest edge below which the triangle is flat, as a fraction of that edge squared. A flat
+         * triangle has no plane, and no side. Smaller: the normal of a needle is a rounding error. Larger: needles lose their
+         * sides.
          */
         public static const FLAT_TRIANGLE:Number = 1e-24;
 

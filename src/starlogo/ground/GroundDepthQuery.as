@@ -127,7 +127,7 @@ package starlogo.ground
             _pieces.beginWhole(maxDistance);
             while (_pieces.next())
             {
-                _pieces.pair.findBehind(RelativeMotion.NONE, _tried);
+                _pieces.kernel.findBehind(RelativeMotion.NONE, _tried);
                 if (_tried.depth >= -_pieces.triangle.margin && (!ground.hasTriangle || isBehind(ground)))
                 {
                     count = addExit(exits, count);
@@ -148,8 +148,8 @@ package starlogo.ground
             _pieces.begin(RelativeMotion.NONE, 0);
             while (_pieces.next())
             {
-                var isFootInside:Boolean = _pieces.pair.findBehind(RelativeMotion.NONE, _tried);
-                if (isFootInside && !isNoDeeper(deepest) && isDepthProven(_tried) && isDeepest(deepest, out))
+                _pieces.kernel.findBehind(RelativeMotion.NONE, _tried);
+                if (_pieces.kernel.isOverTriangle(_tried) && !isNoDeeper(deepest) && isDepthProven(_tried) && isDeepest(deepest, out))
                 {
                     deepest = _tried.depth;
                     _pieces.limitDepth(deepest);
@@ -166,11 +166,11 @@ package starlogo.ground
             while (_pieces.next())
             {
                 // no overlap is deeper than the piece is behind the plane
-                _pieces.pair.findBehind(RelativeMotion.NONE, _tried);
+                _pieces.kernel.findBehind(RelativeMotion.NONE, _tried);
                 if (!isNoDeeper(deepest) && findOverlap() && isDeepest(deepest, out))
                 {
                     deepest = _tried.depth;
-                    _pieces.pair.leadOutside(RelativeMotion.NONE, _tried);
+                    _pieces.kernel.leadOutside(RelativeMotion.NONE, _tried);
                     keep(out);
                 }
             }
@@ -191,11 +191,11 @@ package starlogo.ground
         // Finds the contact of the piece and the triangle, along the shortest way apart. Returns false if they do not touch.
         private function findOverlap():Boolean
         {
-            if (!_pieces.pair.areTouching())
+            if (!_pieces.kernel.areTouching())
             {
                 return false;
             }
-            _pieces.pair.findContact(RelativeMotion.NONE, _tried);
+            _pieces.kernel.findContact(RelativeMotion.NONE, _tried);
             return true;
         }
 
@@ -235,7 +235,7 @@ package starlogo.ground
             {
                 slack += 2 * Touching.marginOfPlace(origin.x, origin.y, origin.z);
             }
-            return _pieces.pair.isBehindPlane(ground.corners, slack);
+            return _pieces.kernel.isBehindPlane(ground.corners, slack);
         }
 
         // Adds the exit that was tried to a number of exits. Of exits with nearly the same direction, the shortest is kept. Returns the new number.

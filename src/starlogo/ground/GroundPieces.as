@@ -9,7 +9,7 @@ package starlogo.ground
     import starlogo.geometry.Placement;
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.intersection.ConvexTrianglePair;
+    import starlogo.intersection.TriangleKernel;
     import starlogo.solid.ModelTree;
 
     use namespace engine;
@@ -28,8 +28,8 @@ package starlogo.ground
         // In the list of nodes: the structure around the whole model.
         private static const WHOLE:int = -1;
 
-        /** The current piece and the current triangle. Both are relative to the origin. */
-        public var pair:ConvexTrianglePair = new ConvexTrianglePair();
+        /** Decides about the current piece and the current triangle. Both are relative to the origin. */
+        public var kernel:TriangleKernel = new TriangleKernel();
 
         // The search for triangles near the current piece. Its box is around the piece or, for a triangle, around its node.
         private var _search:GroundSearch = new GroundSearch();
@@ -191,7 +191,7 @@ package starlogo.ground
                     return true;
                 }
             }
-            pair.setShapeToTriangle(_tree.prepareCorners(), 9 * _first, _relative);
+            kernel.setShapeToTriangle(_tree.prepareCorners(), 9 * _first, _relative);
             _first++;
             takeShape();
             return true;
@@ -204,8 +204,8 @@ package starlogo.ground
             {
                 return false;
             }
-            pair.shape.margin = _pieceMargin + triangle.margin;
-            pair.setTriangle(triangle.corners, 0);
+            kernel.shape.margin = _pieceMargin + triangle.margin;
+            kernel.setTriangle(triangle.corners, 0);
             return true;
         }
 
@@ -290,19 +290,19 @@ package starlogo.ground
         // Makes a structure of the model the piece.
         private function takeStructure(structure:BoundingStructure):void
         {
-            pair.setStructure(structure, _relative);
+            kernel.setStructure(structure, _relative);
             fitBoxTo(structure);
-            _search.shape = pair.shape;
+            _search.shape = kernel.shape;
             takeShape();
         }
 
-        // Makes the pair's shape the piece, and begins the search for the triangles near it. The search's box is set.
+        // Makes the kernel's shape the piece, and begins the search for the triangles near it. The search's box is set.
         private function takeShape():void
         {
-            _pieceMargin = pair.shape.margin + _margin;
-            _point.x = pair.shape.x;
-            _point.y = pair.shape.y;
-            _point.z = pair.shape.z;
+            _pieceMargin = kernel.shape.margin + _margin;
+            _point.x = kernel.shape.x;
+            _point.y = kernel.shape.y;
+            _point.z = kernel.shape.z;
             _triangles.begin(_search);
         }
 

@@ -65,7 +65,7 @@ package starlogo.ground
                 }
                 while (_pieces.nextTriangle())
                 {
-                    if (!_pieces.pair.stayApart(RelativeMotion.NONE) && _pieces.pair.areTouching())
+                    if (!_pieces.kernel.stayApart(RelativeMotion.NONE) && _pieces.kernel.areTouching())
                     {
                         return true;
                     }
@@ -86,9 +86,9 @@ package starlogo.ground
             while (first > 0 && _pieces.next())
             {
                 _sweep.time = RelativeMotion.NEVER;
-                if (!_pieces.pair.stayApart(_sweep))
+                if (!_pieces.kernel.stayApart(_sweep))
                 {
-                    _pieces.pair.findTime(_sweep);
+                    _pieces.kernel.findTime(_sweep);
                 }
                 if (_sweep.time < first)
                 {
@@ -96,8 +96,8 @@ package starlogo.ground
                     _pieces.limitTime(first);
                     if (out != null)
                     {
-                        _pieces.pair.findContact(_sweep, out);
-                        _pieces.pair.leadOutside(_sweep, out);
+                        _pieces.kernel.findContact(_sweep, out);
+                        _pieces.kernel.leadOutside(_sweep, out);
                     }
                 }
             }
@@ -181,7 +181,7 @@ package starlogo.ground
         {
             while (_pieces.next())
             {
-                if (_pieces.pair.findCloser(out))
+                if (_pieces.kernel.findCloser(out))
                 {
                     _pieces.limitDistance(out.distance);
                 }

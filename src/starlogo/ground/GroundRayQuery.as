@@ -1,7 +1,7 @@
 package starlogo.ground
 {
-    import starlogo.convex.FaceNormal;
     import starlogo.convex.RelativeMotion;
+    import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.intersection.ray.Ray;
@@ -24,7 +24,7 @@ package starlogo.ground
         private var _search:GroundSearch = new GroundSearch();
         private var _triangles:GroundTriangles = new GroundTriangles();
         private var _test:RayTriangleTest = new RayTriangleTest();
-        private var _outside:FaceNormal = new FaceNormal();
+        private var _outside:TrianglePlane = new TrianglePlane();
         private var _entry:RayEntry = new RayEntry();
 
         // Bounds of all heights, and a size that no triangle between them has.
@@ -64,7 +64,7 @@ package starlogo.ground
             if (isHit)
             {
                 out.distance = _test.distance;
-                out.setNormal(ray, _outside.x, _outside.y, _outside.z);
+                out.setNormal(ray, _outside.normal.x, _outside.normal.y, _outside.normal.z);
             }
             return isHit;
         }
@@ -89,7 +89,7 @@ package starlogo.ground
                 if (testTriangle())
                 {
                     _outside.setTriangle(_triangles.triangle.corners, 0);
-                    _entry.setNormal(ray, _outside.x, _outside.y, _outside.z);
+                    _entry.setNormal(ray, _outside.normal.x, _outside.normal.y, _outside.normal.z);
                     out.setNormal(before, _entry);
                     out.triangles[before] = -1;
                 }

@@ -8,15 +8,15 @@ package starlogo.intersection
     import starlogo.intersection.sweep.BoxPairMotion;
     import starlogo.intersection.sweep.BoxSweep;
 
-    /** The kernel of two boxes. BoxSweep finds the time of impact. The ConvexKernel finds the contact and the distance. */
+    /** The kernel of two boxes. BoxSweep finds the time of impact. The HullKernel finds the contact and the distance. */
     internal final class BoxBoxKernel extends PairKernel
     {
         private var _sweep:BoxSweep = new BoxSweep();
-        private var _pair:BoxPairMotion = new BoxPairMotion();
-        private var _convex:ConvexKernel;
+        private var _motion:BoxPairMotion = new BoxPairMotion();
+        private var _convex:HullKernel;
 
         /** @param convex finds the contact and the distance */
-        public function BoxBoxKernel(convex:ConvexKernel)
+        public function BoxBoxKernel(convex:HullKernel)
         {
             _convex = convex;
         }
@@ -30,9 +30,9 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            _pair.setBoxes(a as Box, b as Box, motion);
-            _sweep.findTime(_pair);
-            motion.time = _pair.time;
+            _motion.setBoxes(a as Box, b as Box, motion);
+            _sweep.findTime(_motion);
+            motion.time = _motion.time;
         }
 
         /** @inheritDoc */

@@ -65,38 +65,17 @@ package starlogo.intersection
             return squaredDistance <= radius * radius;
         }
 
-        /** @inheritDoc */
-        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, coreMotion:CoreMotion, out:CoreGap):void
-        {
-            var capsule:Capsule = a as Capsule;
-            var box:Box = b as Box;
-            setSegment(capsule, box);
-            var axis:Vector3D = box.axisX;
-            coreMotion.x = _x + _signX * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
-            coreMotion.motionX = _signX * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
-            axis = box.axisY;
-            coreMotion.y = _y + _signY * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
-            coreMotion.motionY = _signY * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
-            axis = box.axisZ;
-            coreMotion.z = _z + _signZ * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
-            coreMotion.motionZ = _signZ * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
-            out.radiusA = capsule.radius;
-            out.radiusB = 0;
-            out.extent = _alongX + _alongY + _alongZ + box.halfX + box.halfY + box.halfZ + out.radiusA;
-        }
-
         /**
          * If several points are closest, the one in the middle of them is taken.
          *
          * @inheritDoc
          */
-        override public function findGap(b:BoundingStructure, coreMotion:CoreMotion, out:CoreGap):void
+        override public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:CoreGap):void
         {
+            var capsule:Capsule = a as Capsule;
             var box:Box = b as Box;
-            var time:Number = coreMotion.time;
-            _x = coreMotion.x + time * coreMotion.motionX;
-            _y = coreMotion.y + time * coreMotion.motionY;
-            _z = coreMotion.z + time * coreMotion.motionZ;
+            setSegment(capsule, box);
+            moveSegment(box, motion);
             findShare(box);
             var share:Number = _share;
             if (_lastIn <= _firstOut)
@@ -107,22 +86,19 @@ package starlogo.intersection
             }
             // The comparison is false for NaN too.
             share = share > 0 ? (share < 1 ? share : 1) : 0;
-            _share = share;
-            PointToBox.measure(_x + share * _alongX, _y + share * _alongY, _z + share * _alongZ, box, out);
-        }
-
-        /** @inheritDoc */
-        override public function placeGap(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
-        {
-            var start:Vector3D = (a as Capsule).start;
-            var end:Vector3D = (a as Capsule).end;
-            out.pointX = start.x + _share * (end.x - start.x);
-            out.pointY = start.y + _share * (end.y - start.y);
-            out.pointZ = start.z + _share * (end.z - start.z);
-            out.x *= _signX;
-            out.y *= _signY;
-            out.z *= _signZ;
-            PointToBox.turn(b as Box, out);
+            out.x = _signX * (_x + share * _alongX);
+            out.y = _signY * (_y + share * _alongY);
+            out.z = _signZ * (_z + share * _alongZ);
+            measureToBox(box, motion, out);
+            var start:Vector3D = capsule.start;
+            var end:Vector3D = capsule.end;
+            var time:Number = motion.time;
+            out.pointX = motion.startX + time * motion.x + (start.x + share * (end.x - start.x));
+            out.pointY = motion.startY + time * motion.y + (start.y + share * (end.y - start.y));
+            out.pointZ = motion.startZ + time * motion.z + (start.z + share * (end.z - start.z));
+            out.radiusA = capsule.radius;
+            out.radiusB = 0;
+            out.extent = _alongX + _alongY + _alongZ + box.halfX + box.halfY + box.halfZ + capsule.radius;
         }
 
         private function setSegment(capsule:Capsule, box:Box):void
@@ -151,6 +127,21 @@ package starlogo.intersection
             _signZ = along < 0 ? -1 : 1;
             _alongZ = _signZ * along;
             _z = _signZ * (axis.x * x + axis.y * y + axis.z * z);
+        }
+
+        // Moves the segment to where the capsule is at its motion's time.
+        private function moveSegment(box:Box, motion:RelativeMotion):void
+        {
+            var time:Number = motion.time;
+            var axis:Vector3D = box.axisX;
+            _x += _signX * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
+            _x += time * (_signX * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z));
+            axis = box.axisY;
+            _y += _signY * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
+            _y += time * (_signY * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z));
+            axis = box.axisZ;
+            _z += _signZ * (axis.x * motion.startX + axis.y * motion.startY + axis.z * motion.startZ);
+            _z += time * (_signZ * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z));
         }
 
         // Finds the nearest place of the segment's line; it may be beyond the segment's ends. If the line passes through the box, it is where the

@@ -31,15 +31,15 @@ package starlogo.intersection
         /** See capsuleCapsule. */
         override public function areTouching(a:BoundingStructure, b:BoundingStructure):Boolean
         {
-            var first:Capsule = a as Capsule;
-            var second:Capsule = b as Capsule;
-            var isSwapped:Boolean = areSwapped(first, second);
-            setAxes(isSwapped ? second : first, isSwapped ? first : second);
+            var capsuleA:Capsule = a as Capsule;
+            var capsuleB:Capsule = b as Capsule;
+            var isSwapped:Boolean = areSwapped(capsuleA, capsuleB);
+            setAxes(isSwapped ? capsuleB : capsuleA, isSwapped ? capsuleA : capsuleB);
             findShares();
             var x:Number = _x + _shareOfU * _uX - _shareOfV * _vX;
             var y:Number = _y + _shareOfU * _uY - _shareOfV * _vY;
             var z:Number = _z + _shareOfU * _uZ - _shareOfV * _vZ;
-            var touchingDistance:Number = (first.radius + second.radius) * Tolerances.TOUCHING;
+            var touchingDistance:Number = (capsuleA.radius + capsuleB.radius) * Tolerances.TOUCHING;
             return x * x + y * y + z * z <= touchingDistance * touchingDistance;
         }
 
@@ -53,43 +53,27 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, coreMotion:CoreMotion, out:CoreGap):void
+        override public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:CoreGap):void
         {
-            var capsule:Capsule = a as Capsule;
-            var other:Capsule = b as Capsule;
-            setAxes(capsule, other);
-            coreMotion.x = _x + motion.startX;
-            coreMotion.y = _y + motion.startY;
-            coreMotion.z = _z + motion.startZ;
-            coreMotion.motionX = motion.x;
-            coreMotion.motionY = motion.y;
-            coreMotion.motionZ = motion.z;
-            out.radiusA = capsule.radius;
-            out.radiusB = other.radius;
-            out.extent = Math.abs(_uX) + Math.abs(_uY) + Math.abs(_uZ) + (Math.abs(_vX) + Math.abs(_vY) + Math.abs(_vZ)) + (out.radiusA + out.radiusB);
-        }
-
-        /** @inheritDoc */
-        override public function findGap(b:BoundingStructure, coreMotion:CoreMotion, out:CoreGap):void
-        {
-            var time:Number = coreMotion.time;
-            _x = coreMotion.x + time * coreMotion.motionX;
-            _y = coreMotion.y + time * coreMotion.motionY;
-            _z = coreMotion.z + time * coreMotion.motionZ;
+            var capsuleA:Capsule = a as Capsule;
+            var capsuleB:Capsule = b as Capsule;
+            var start:Vector3D = capsuleA.start;
+            var time:Number = motion.time;
+            setAxes(capsuleA, capsuleB);
+            _x = _x + motion.startX + time * motion.x;
+            _y = _y + motion.startY + time * motion.y;
+            _z = _z + motion.startZ + time * motion.z;
             findShares();
             out.x = _x + _shareOfU * _uX - _shareOfV * _vX;
             out.y = _y + _shareOfU * _uY - _shareOfV * _vY;
             out.z = _z + _shareOfU * _uZ - _shareOfV * _vZ;
-        }
-
-        /** @inheritDoc */
-        override public function placeGap(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
-        {
-            var start:Vector3D = (a as Capsule).start;
-            var end:Vector3D = (a as Capsule).end;
-            out.pointX = start.x + _shareOfU * (end.x - start.x);
-            out.pointY = start.y + _shareOfU * (end.y - start.y);
-            out.pointZ = start.z + _shareOfU * (end.z - start.z);
+            out.measure(motion);
+            out.pointX = motion.startX + time * motion.x + (start.x + _shareOfU * _uX);
+            out.pointY = motion.startY + time * motion.y + (start.y + _shareOfU * _uY);
+            out.pointZ = motion.startZ + time * motion.z + (start.z + _shareOfU * _uZ);
+            out.radiusA = capsuleA.radius;
+            out.radiusB = capsuleB.radius;
+            out.extent = Math.abs(_uX) + Math.abs(_uY) + Math.abs(_uZ) + (Math.abs(_vX) + Math.abs(_vY) + Math.abs(_vZ)) + (capsuleA.radius + capsuleB.radius);
         }
 
         private function setAxes(a:Capsule, b:Capsule):void

@@ -6,9 +6,8 @@ package starlogo.intersection
     import starlogo.convex.RelativeMotion;
 
     /**
-     * Finds the gap between the cores of two structures, one of which moves, and tests whether two touch where they stand. RoundKernel answers
-     * all other questions by the gap. Abstract: there is a class for each pair of kinds. It has axes of its own, in which the gap is easy to find.
-     * <code>begin()</code> sets them for two structures; the gap is in them until <code>placeGap()</code>.
+     * Finds the gap between the cores of two structures, and tests whether two touch where they stand. RoundKernel answers all other questions by
+     * the gap. Abstract: there is a class for each pair of kinds.
      *
      * @private
      */
@@ -27,32 +26,16 @@ package starlogo.intersection
         }
 
         /**
-         * Begins with two structures.
+         * Finds the gap.
          *
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space
-         * @param motion the motion of a
-         * @param coreMotion receives the place and the motion of a's core, but not the time
-         * @param out receives the extent and the radii
+         * @param motion the motion of a; a is where it is at the motion's time
+         * @param out receives all of the gap, the radii and the extent
          */
-        public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, coreMotion:CoreMotion, out:CoreGap):void
+        public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:CoreGap):void
         {
-            throw new IllegalOperationError(this + " does not implement begin");
-        }
-
-        /** Finds the gap at the core's time, in the finder's axes. @param b of <code>begin()</code> */
-        public function findGap(b:BoundingStructure, coreMotion:CoreMotion, out:CoreGap):void
-        {
-            throw new IllegalOperationError(this + " does not implement findGap");
-        }
-
-        /**
-         * Turns the gap that was found last into the structures' space, and writes the closest point of a, where a is stored. The structures are those
-         * of <code>begin()</code>.
-         */
-        public function placeGap(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
-        {
-            throw new IllegalOperationError(this + " does not implement placeGap");
+            throw new IllegalOperationError(this + " does not implement find");
         }
     }
 }

@@ -6,8 +6,8 @@ package starlogo.intersection
     import starlogo.convex.RelativeMotion;
 
     /**
-     * Answers questions about two structures of certain kinds. PairTable has a kernel for each pair of kinds: an object of a class that extends
-     * this one. This class itself is the kernel of pairs with a structure of another kind, which have no answers: its methods throw.
+     * Decides about two structures of certain kinds. PairTable has a kernel for each pair of kinds: an object of a class that extends this one. This
+     * class itself is the kernel of pairs with a structure of the kind OTHER, which have no answers: its methods throw.
      *
      * @private
      */
@@ -43,7 +43,7 @@ package starlogo.intersection
         /**
          * Finds where two structures touch, or how they overlap.
          *
-         * <p>The normal is the direction of the shortest displacement that separates the first structure from the second. The depth is its
+         * <p>The normal is the direction of the shortest displacement that separates a from b. The depth is its
          * length: after that displacement the two just touch. The point is in the middle of the overlap along the normal. If two boxes touch
          * along an edge or a face, it is in the middle of that edge or face too. The same holds for a box and a capsule's axis inside of it.
          * The result is exact except for rounding.</p>
@@ -54,7 +54,8 @@ package starlogo.intersection
          *
          * <p>If several displacements are equally short, one is chosen. Spheres with the same centre separate along z. If a sphere's centre is on a
          * capsule's axis, or the axes of two capsules overlap on one line, the normal is perpendicular to the axis and points upwards as far as
-         * possible. In the middle of a box any face is chosen. Of two opposite displacements it is the one against the motion.</p>
+         * possible. In the middle of a box any face is chosen. Of two opposite displacements it is the one against the motion, if the motion's time is above
+         * 0.</p>
          *
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space

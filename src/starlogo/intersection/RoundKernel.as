@@ -10,7 +10,7 @@ package starlogo.intersection
     /**
      * The kernel of two structures of which at least one is a sphere or a capsule, except for two spheres. It answers by the gap between their cores
      * and the radii. A GapFinder for each pair of kinds finds the gap, and tests structures that stand. If the cores overlap, there is no gap, and
-     * the ConvexKernel finds the contact.
+     * the HullKernel finds the contact.
      *
      * <p>Two cores have a distance that is a convex function of time if one moves along a straight line. So Newton's method finds the time of
      * impact (van den Bergen, "Ray casting against general convex objects with application to continuous collision detection", 2004). ConvexSweep
@@ -24,17 +24,16 @@ package starlogo.intersection
         private static const MOST_STEPS:int = 80;
 
         private var _finder:GapFinder;
-        private var _convex:ConvexKernel;
+        private var _convex:HullKernel;
 
-        // The core of a in the finder's axes, and the gap at its time.
-        private var _coreMotion:CoreMotion = new CoreMotion();
+        // The gap at the motion's time.
         private var _gap:CoreGap = new CoreGap();
 
         /**
          * @param finder finds the gap of the kernel's pairs
          * @param convex finds their contact if the cores overlap
          */
-        public function RoundKernel(finder:GapFinder, convex:ConvexKernel)
+        public function RoundKernel(finder:GapFinder, convex:HullKernel)
         {
             _finder = finder;
             _convex = convex;
@@ -49,43 +48,41 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            motion.time = 0;
-            findGap(a, b, motion);
             include "../convex/motionMargin.inc";
             var gap:CoreGap = _gap;
-            var core:CoreMotion = _coreMotion;
+            motion.time = 0;
+            _finder.find(a, b, motion, gap);
             var radii:Number = gap.radiusA + gap.radiusB;
             var touchingDistance:Number = radii * Tolerances.TOUCHING + margin;
-            var squared:Number = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
+            var squared:Number = gap.squaredLength;
             if (squared <= touchingDistance * touchingDistance)
             {
                 return;
             }
-            motion.time = RelativeMotion.NEVER;
-            var closing:Number = -(gap.x * core.motionX + gap.y * core.motionY + gap.z * core.motionZ);
+            var closing:Number = gap.closing;
             if (closing > 0)
             {
                 // most pairs need only this step of Newton's method
                 var distance:Number = Math.sqrt(squared);
-                core.time = (distance - radii) * distance / closing;
-                if (core.time <= motion.latest && findZero(b, motion))
+                motion.time = (distance - radii) * distance / closing;
+                if (motion.time <= motion.latest && findZero(a, b, motion))
                 {
-                    motion.time = core.time;
+                    return;
                 }
             }
+            motion.time = RelativeMotion.NEVER;
         }
 
         /** @inheritDoc */
         override public function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
-            findGap(a, b, motion);
             var gap:CoreGap = _gap;
+            _finder.find(a, b, motion, gap);
             // If the gap is longer than this, it has a direction in spite of rounding.
             var least:Number = Tolerances.DIRECTION * gap.extent;
-            if (gap.x * gap.x + gap.y * gap.y + gap.z * gap.z > least * least)
+            if (gap.squaredLength > least * least)
             {
-                _finder.placeGap(a, b, gap);
-                out.setFromGap(gap, motion);
+                out.setFromGap(gap);
             }
             else
             {
@@ -97,10 +94,7 @@ package starlogo.intersection
         override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
             var areSwapped:Boolean = _finder.areSwapped(a, b);
-            var first:BoundingStructure = areSwapped ? b : a;
-            var second:BoundingStructure = areSwapped ? a : b;
-            findGap(first, second, RelativeMotion.NONE);
-            _finder.placeGap(first, second, _gap);
+            _finder.find(areSwapped ? b : a, areSwapped ? a : b, RelativeMotion.NONE, _gap);
             out.setFromGap(_gap);
             if (areSwapped)
             {
@@ -108,26 +102,17 @@ package starlogo.intersection
             }
         }
 
-        // Finds the gap at the motion's time.
-        private function findGap(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
-        {
-            _coreMotion.time = motion.time;
-            _finder.begin(a, b, motion, _coreMotion, _gap);
-            _finder.findGap(b, _coreMotion, _gap);
-        }
-
-        // Finds when the gap is as long as the sum of the radii, by Newton's method. When it begins, the gap is that of time 0, and the core's time is
-        // that of the first step. When it ends, the core's time is the time of impact. Returns false if that is after the motion's latest time.
+        // Finds when the gap is as long as the sum of the radii, by Newton's method. When it begins, the gap is that of time 0, and the motion's time
+        // is that of the first step. When it ends, the motion's time is the time of impact. Returns false if that is after the motion's latest time.
         // The method never steps over the first zero when it starts to the left of it. Each step shrinks the product of the gap and its slope to a
         // quarter, and both are numbers of 53 bits. So 80 steps are enough. Should rounding need more, the time of the last step is the time of impact:
         // the structures do not touch before, and their gap is at most rounding.
         // If the cores are very close, rounding hides the direction of the gap, and with it the slope. Then a chord takes the place of the tangent: it
         // goes through this distance and that of the step before, and does not step over the first zero either. A step that went too far because of
         // rounding is halved.
-        private function findZero(b:BoundingStructure, motion:RelativeMotion):Boolean
+        private function findZero(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):Boolean
         {
             var gap:CoreGap = _gap;
-            var core:CoreMotion = _coreMotion;
             include "../convex/motionMargin.inc";
             var radii:Number = gap.radiusA + gap.radiusB;
             // A gap that is no longer than this has no certain direction.
@@ -136,17 +121,17 @@ package starlogo.intersection
             var rounding:Number = radii < uncertain ? Tolerances.ROUNDING * gap.extent : 0;
             var touchingDistance:Number = radii * Tolerances.TOUCHING + margin + rounding;
             var lastTime:Number = 0;
-            var lastDistance:Number = Math.sqrt(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z);
+            var lastDistance:Number = Math.sqrt(gap.squaredLength);
             var hasOvershot:Boolean = false;
             for (var step:int = 1; step < MOST_STEPS; step++)
             {
-                _finder.findGap(b, core, gap);
-                var time:Number = core.time;
-                var squared:Number = gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
+                _finder.find(a, b, motion, gap);
+                var time:Number = motion.time;
+                var squared:Number = gap.squaredLength;
                 if (4 * squared < radii * radii)
                 {
                     // the slope had so large a rounding error that the step went beyond the zero
-                    core.time = (lastTime + time) / 2;
+                    motion.time = (lastTime + time) / 2;
                     hasOvershot = true;
                     continue;
                 }
@@ -156,7 +141,7 @@ package starlogo.intersection
                     return true;
                 }
                 var distance:Number = Math.sqrt(squared);
-                var closing:Number = -(gap.x * core.motionX + gap.y * core.motionY + gap.z * core.motionZ);
+                var closing:Number = gap.closing;
                 var next:Number = RelativeMotion.NEVER;
                 if ((hasOvershot || distance < uncertain) && distance < lastDistance)
                 {
@@ -170,7 +155,7 @@ package starlogo.intersection
                 if (squared <= touchingDistance * touchingDistance)
                 {
                     // They touch to within rounding. One more step makes up for a step that rounding may have skipped.
-                    core.time = next <= 1 ? next : time;
+                    motion.time = next <= 1 ? next : time;
                     return true;
                 }
                 if (!(next > time))
@@ -184,7 +169,7 @@ package starlogo.intersection
                 }
                 lastTime = time;
                 lastDistance = distance;
-                core.time = next;
+                motion.time = next;
             }
             return true;
         }

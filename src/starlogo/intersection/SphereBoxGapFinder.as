@@ -7,7 +7,7 @@ package starlogo.intersection
     import starlogo.convex.CoreGap;
     import starlogo.convex.RelativeMotion;
 
-    /** Finds the gap between a sphere's centre and a box, in the box's axes. */
+    /** Finds the gap between a sphere's centre and a box. */
     internal final class SphereBoxGapFinder extends GapFinder
     {
         /** @inheritDoc */
@@ -17,7 +17,7 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, coreMotion:CoreMotion, out:CoreGap):void
+        override public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:CoreGap):void
         {
             var sphere:Sphere = a as Sphere;
             var box:Box = b as Box;
@@ -26,36 +26,20 @@ package starlogo.intersection
             var x:Number = center.x - middle.x + motion.startX;
             var y:Number = center.y - middle.y + motion.startY;
             var z:Number = center.z - middle.z + motion.startZ;
+            var time:Number = motion.time;
             var axis:Vector3D = box.axisX;
-            coreMotion.x = axis.x * x + axis.y * y + axis.z * z;
-            coreMotion.motionX = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
+            out.x = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             axis = box.axisY;
-            coreMotion.y = axis.x * x + axis.y * y + axis.z * z;
-            coreMotion.motionY = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
+            out.y = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
             axis = box.axisZ;
-            coreMotion.z = axis.x * x + axis.y * y + axis.z * z;
-            coreMotion.motionZ = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
+            out.z = axis.x * x + axis.y * y + axis.z * z + time * (axis.x * motion.x + axis.y * motion.y + axis.z * motion.z);
+            measureToBox(box, motion, out);
+            out.pointX = motion.startX + time * motion.x + center.x;
+            out.pointY = motion.startY + time * motion.y + center.y;
+            out.pointZ = motion.startZ + time * motion.z + center.z;
             out.radiusA = sphere.radius;
             out.radiusB = 0;
-            out.extent = box.halfX + box.halfY + box.halfZ + out.radiusA;
-        }
-
-        /** @inheritDoc */
-        override public function findGap(b:BoundingStructure, coreMotion:CoreMotion, out:CoreGap):void
-        {
-            var time:Number = coreMotion.time;
-            PointToBox.measure(coreMotion.x + time * coreMotion.motionX, coreMotion.y + time * coreMotion.motionY, coreMotion.z + time * coreMotion.motionZ,
-                    b as Box, out);
-        }
-
-        /** @inheritDoc */
-        override public function placeGap(a:BoundingStructure, b:BoundingStructure, out:CoreGap):void
-        {
-            var center:Vector3D = (a as Sphere).center;
-            out.pointX = center.x;
-            out.pointY = center.y;
-            out.pointZ = center.z;
-            PointToBox.turn(b as Box, out);
+            out.extent = box.halfX + box.halfY + box.halfZ + sphere.radius;
         }
     }
 }

@@ -39,23 +39,26 @@ package starlogo.intersection
             gap.x += motion.time * motion.x;
             gap.y += motion.time * motion.y;
             gap.z += motion.time * motion.z;
+            gap.pointX += motion.startX + motion.time * motion.x;
+            gap.pointY += motion.startY + motion.time * motion.y;
+            gap.pointZ += motion.startZ + motion.time * motion.z;
             // The difference of two points has a direction. Below about 1e-162 its square is 0, and the spheres count as concentric.
             if (!(gap.x * gap.x + gap.y * gap.y + gap.z * gap.z > 0))
             {
                 gap.x = gap.y = 0;
                 gap.z = 1e-150;
             }
-            out.setFromGap(gap, motion);
+            out.setFromGap(gap);
         }
 
         /** @inheritDoc */
         override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
-            var first:Sphere = a as Sphere;
-            var second:Sphere = b as Sphere;
+            var sphereA:Sphere = a as Sphere;
+            var sphereB:Sphere = b as Sphere;
             // one order for both, so that rounding is the same
-            var areSwapped:Boolean = isAfter(first.center, second.center);
-            setGap(areSwapped ? second : first, areSwapped ? first : second, RelativeMotion.NONE);
+            var areSwapped:Boolean = isAfter(sphereA.center, sphereB.center);
+            setGap(areSwapped ? sphereB : sphereA, areSwapped ? sphereA : sphereB, RelativeMotion.NONE);
             out.setFromGap(_gap);
             if (areSwapped)
             {

@@ -1,6 +1,6 @@
 package starlogo.solid
 {
-    import starlogo.convex.FaceNormal;
+    import starlogo.convex.TrianglePlane;
     import starlogo.steps.StepSequence;
 
     /**
@@ -44,7 +44,7 @@ package starlogo.solid
         private var _aroundPoint:Vector.<int> = new Vector.<int>();
         private var _isAround:Vector.<Boolean>;
 
-        private var _face:FaceNormal = new FaceNormal();
+        private var _plane:TrianglePlane = new TrianglePlane();
         private var _windingCount:int = 0;
         private var _mostWindings:int;
 
@@ -90,14 +90,11 @@ package starlogo.solid
                 }
                 _origins[shell] ||= 9 * slot + 1;
                 _extremes.add(shell, slot);
-                _face.setTriangle(corners, 9 * slot);
-                if (_face.doubleArea > 0)
-                {
-                    var from:int = _origins[shell] - 1;
-                    var volume:Number = _face.doubleArea * (_face.x * (corners[9 * slot] - corners[from])
-                            + _face.y * (corners[9 * slot + 1] - corners[from + 1]) + _face.z * (corners[9 * slot + 2] - corners[from + 2]));
-                    _volumes[shell] += _surface.isReversed(_order[slot]) ? -volume : volume;
-                }
+                _plane.setTriangle(corners, 9 * slot);
+                var from:int = _origins[shell] - 1;
+                var volume:Number = _plane.doubleArea * (_plane.normal.x * (corners[9 * slot] - corners[from])
+                        + _plane.normal.y * (corners[9 * slot + 1] - corners[from + 1]) + _plane.normal.z * (corners[9 * slot + 2] - corners[from + 2]));
+                _volumes[shell] += _surface.isReversed(_order[slot]) ? -volume : volume;
             }
         }
 
@@ -122,8 +119,8 @@ package starlogo.solid
         {
             for (var slot:int = first; slot < end; slot++)
             {
-                _face.setTriangle(_windingCounter.mesh.corners, 9 * slot);
-                if (_face.isFlat)
+                _plane.setTriangle(_windingCounter.mesh.corners, 9 * slot);
+                if (_plane.isFlat)
                 {
                     continue;
                 }
@@ -142,7 +139,7 @@ package starlogo.solid
             return _around[shell] == null || _around[shell].length > 0 && _windingCount < _mostWindings;
         }
 
-        // Finds the shells around a point of _face that is a little inside of its shell.
+        // Finds the shells around a point of _plane that is a little inside of its shell.
         private function findAround(shell:int, slot:int, corner:int):void
         {
             var corners:Vector.<Number> = _windingCounter.mesh.corners;
@@ -150,7 +147,7 @@ package starlogo.solid
             var inwards:Number = INWARDS * _extremes.extentAt(_extremes.pointsAt[shell]);
             inwards = _surface.isReversed(_order[slot]) == _volumes[shell] > 0 ? inwards : -inwards;
             var share:Number = corner == 3 ? 1 / 3 : 0.01;
-            var point:Vector.<Number> = new <Number>[inwards * _face.x, inwards * _face.y, inwards * _face.z];
+            var point:Vector.<Number> = new <Number>[inwards * _plane.normal.x, inwards * _plane.normal.y, inwards * _plane.normal.z];
             for (var axis:int = 0; axis < 3; axis++)
             {
                 point[axis] += share * (corners[at + axis] + corners[at + 3 + axis] + corners[at + 6 + axis])

@@ -1,7 +1,7 @@
 package starlogo.solid
 {
     import flash.geom.Vector3D;
-    import starlogo.convex.FaceNormal;
+    import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxSearch;
@@ -31,7 +31,7 @@ package starlogo.solid
         private var _start:Vector3D = new Vector3D();
 
         // The normal of the triangle that the ray meets.
-        private var _face:FaceNormal = new FaceNormal();
+        private var _plane:TrianglePlane = new TrianglePlane();
 
         private var _entry:RayEntry = new RayEntry();
 
@@ -119,13 +119,13 @@ package starlogo.solid
             _search.find(mesh.tree, BoxTree.NO_LIMIT, _triangleTest);
         }
 
-        // Sets the normal to that of a triangle, against the ray. A triangle without area has none; then it stays the opposite of the ray's direction.
+        // Sets the normal to that of a triangle, against the ray. A flat triangle has none; then it stays the opposite of the ray's direction.
         private function setNormal(mesh:TriangleMesh, slot:int, ray:Ray, out:RayEntry):void
         {
-            _face.setTriangle(mesh.corners, 9 * slot);
-            if (_face.doubleArea > 0)
+            _plane.setTriangle(mesh.corners, 9 * slot);
+            if (!_plane.isFlat)
             {
-                out.setNormal(ray, _face.x, _face.y, _face.z);
+                out.setNormal(ray, _plane.normal.x, _plane.normal.y, _plane.normal.z);
             }
         }
     }

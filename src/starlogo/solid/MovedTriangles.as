@@ -2,9 +2,10 @@ package starlogo.solid
 {
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
-    import starlogo.convex.ConvexPair;
+    import starlogo.convex.ConvexKernel;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
+    import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
@@ -17,7 +18,7 @@ package starlogo.solid
     /**
      * The triangles of one node of the second model, moved into the first model's space, and what decides about one of them and a triangle of the
      * first model. <code>begin()</code> sets the models, <code>move()</code> the node, and <code>setSecond()</code> the triangle of the node. A
-     * triangle of each is a shape. ConvexPair decides about the two, unless a quick test rules them out.
+     * triangle of each is a shape. ConvexKernel decides about the two, unless a quick test rules them out.
      */
     internal final class MovedTriangles
     {
@@ -43,7 +44,7 @@ package starlogo.solid
         // A triangle of the first model, a triangle of the second, and what decides about them.
         private var _a:ConvexShape = new ConvexShape();
         private var _b:ConvexShape = new ConvexShape();
-        private var _pair:ConvexPair = new ConvexPair();
+        private var _kernel:ConvexKernel = new ConvexKernel();
 
         private var _counts:TreeCounts;
 
@@ -53,6 +54,10 @@ package starlogo.solid
         // The tolerance of quick tests, which is larger: it includes the margin of the motion and Tolerances.CORES of the two triangles. A second
         // tolerance is more than those CORES, because it has SURFACES of the radii.
         private var _outerTolerance:Number = 0;
+
+        // The plane of a triangle of the first model, and how far from it the second model's triangle may be if it touches that.
+        private var _plane:TrianglePlane = new TrianglePlane();
+        private var _planeMargin:Number = 0;
 
         /** @param counts counts the pairs of triangles that are tested or measured */
         public function MovedTriangles(counts:TreeCounts)
@@ -74,6 +79,7 @@ package starlogo.solid
             _movedFrom = -1;
             _tolerance = pose.tolerance + Touching.marginOfSurface(a.boxTree.radius + b.boxTree.radius * pose.placement.size);
             _outerTolerance = 2 * _tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            _planeMargin = _outerTolerance + _meshA.flatness;
         }
 
         /**
@@ -138,12 +144,12 @@ package starlogo.solid
                 return false;
             }
             _counts.triangleTests++;
-            if (TriangleSeparation.areApart(_meshA.corners, 9 * slot, _b))
+            if (stayApart(slot, RelativeMotion.NONE) || TriangleSeparation.areApart(_meshA.corners, 9 * slot, _b))
             {
                 return false;
             }
             _a.setTriangle(_meshA.corners, 9 * slot);
-            return _pair.areTouching(_a, _b);
+            return _kernel.areTouching(_a, _b);
         }
 
         /**
@@ -160,8 +166,12 @@ package starlogo.solid
                 return false;
             }
             _counts.triangleTests++;
+            if (stayApart(slot, motion))
+            {
+                return false;
+            }
             _a.setTriangle(_meshA.corners, 9 * slot);
-            _pair.findTime(_b, _a, motion);
+            _kernel.findTime(_b, _a, motion);
             return motion.time <= motion.latest;
         }
 
@@ -180,7 +190,7 @@ package starlogo.solid
             }
             _counts.triangleTests++;
             _a.setTriangle(_meshA.corners, 9 * slot);
-            return _pair.findCloser(_a, _b, points);
+            return _kernel.findCloser(_a, _b, points);
         }
 
         /**
@@ -197,7 +207,7 @@ package starlogo.solid
             _pose.placement.placePoints(_meshB.corners, 9 * second, 9 * second + 9, _moved);
             _a.setTriangle(_meshA.corners, 9 * first);
             _b.setTriangle(_moved, 0);
-            _pair.findContact(_b, _a, motion, out);
+            _kernel.findContact(_b, _a, motion, out);
         }
 
         // Whether the extents of a triangle of the first model meet those of the second model's triangle and of its motion.
@@ -208,6 +218,13 @@ package starlogo.solid
             var at:int = 6 * slot;
             return !(ofA[at] > ofB[1] || ofA[int(at + 1)] < ofB[0] || ofA[int(at + 2)] > ofB[3] || ofA[int(at + 3)] < ofB[2]
                     || ofA[int(at + 4)] > ofB[5] || ofA[int(at + 5)] < ofB[4]);
+        }
+
+        // Whether the second model's triangle stays on one side of the plane of a triangle of the first model.
+        private function stayApart(slot:int, motion:RelativeMotion):Boolean
+        {
+            _plane.read(_meshA.planes, 4 * slot);
+            return _plane.findEntry(_b, _planeMargin, motion) > motion.latest;
         }
 
         // The squared distance of the extents of a triangle of the first model and of the second model's triangle.

@@ -8,7 +8,7 @@ package starlogo.solid
     import starlogo.hierarchy.NodeTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.intersection.ConvexTrianglePair;
+    import starlogo.intersection.TriangleKernel;
 
     use namespace engine;
 
@@ -20,7 +20,7 @@ package starlogo.solid
         private var _counts:TreeCounts;
 
         private var _mesh:TriangleMesh;
-        private var _pair:ConvexTrianglePair = new ConvexTrianglePair();
+        private var _kernel:TriangleKernel = new TriangleKernel();
 
         // The structure's extents: minX, maxX, minY, ...
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
@@ -48,7 +48,7 @@ package starlogo.solid
         public function find(model:ModelTree, structure:BoundingStructure, pose:RelativePose, out:ClosestPoints):int
         {
             _mesh = model.prepareMesh();
-            _pair.setStructure(structure, pose.placement).extentsInto(_extents);
+            _kernel.setStructure(structure, pose.placement).extentsInto(_extents);
             _nearest = out;
             _slot = -1;
             limit = out.distance = Infinity;
@@ -67,8 +67,8 @@ package starlogo.solid
                 if (squaredDistanceToExtents(_extents, _mesh.corners, 9 * i) < limit * limit)
                 {
                     _counts.triangleTests++;
-                    _pair.setTriangle(_mesh.corners, 9 * i);
-                    if (_pair.findCloser(_nearest))
+                    _kernel.setTriangle(_mesh.corners, 9 * i);
+                    if (_kernel.findCloser(_nearest))
                     {
                         limit = _nearest.distance;
                         _slot = i;

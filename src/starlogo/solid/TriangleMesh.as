@@ -1,7 +1,6 @@
 package starlogo.solid
 {
-    import starlogo.convex.FaceNormal;
-    import starlogo.convex.Interval;
+    import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
@@ -18,9 +17,9 @@ package starlogo.solid
         public var corners:Vector.<Number>;
 
         /**
-         * The triangles' planes: x, y, z of the unit normal, and the distance from the origin along the normal. The distance is NaN if the
-         * corners' distances differ by more than <code>flatness</code>. For a triangle without area the normal is 0 and the distance NaN. Null
-         * until somebody needs them, because rays need none.
+         * The triangles' planes: the normal and the offset of each (TrianglePlane). The offset is the least one
+         * of a corner. A triangle whose corners' offsets differ by more than <code>flatness</code> has no plane, like a flat one: the normal is 0, and
+         * the offset NaN. Null until somebody needs them, because rays need none.
          */
         public var planes:Vector.<Number> = null;
 
@@ -130,23 +129,17 @@ package starlogo.solid
         {
             planes ||= new Vector.<Number>(4 * corners.length / 9, true);
             var into:Vector.<Number> = planes;
-            var face:FaceNormal = new FaceNormal();
-            var extent:Interval = new Interval();
+            var plane:TrianglePlane = new TrianglePlane();
             for (var i:int = first; i < end; i++)
             {
-                var at:int = 9 * i;
                 var to:int = 4 * i;
-                into[to] = into[to + 1] = into[to + 2] = 0;
-                into[to + 3] = NaN;
-                face.setTriangle(corners, at);
-                if (face.doubleArea > 0)
-                {
-                    into[to] = face.x;
-                    into[to + 1] = face.y;
-                    into[to + 2] = face.z;
-                    face.project(corners, at, at + 9, extent);
-                    into[to + 3] = extent.greatest - extent.least <= flatness ? extent.least : NaN;
-                }
+                plane.setTriangle(corners, 9 * i);
+                // false for NaN too
+                var isPlane:Boolean = plane.greatest - plane.least <= flatness;
+                into[to] = isPlane ? plane.normal.x : 0;
+                into[to + 1] = isPlane ? plane.normal.y : 0;
+                into[to + 2] = isPlane ? plane.normal.z : 0;
+                into[to + 3] = isPlane ? plane.least : NaN;
             }
         }
     }

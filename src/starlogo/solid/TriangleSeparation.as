@@ -3,7 +3,7 @@ package starlogo.solid
     import starlogo.convex.ConvexShape;
 
     /**
-     * A quick test that rules out most pairs of triangles, before ConvexPair decides. Allocates nothing.
+     * A quick test that rules out most pairs of triangles, before ConvexKernel decides. Allocates nothing.
      *
      * <p>The directions that it tries are the second triangle's normal, and those perpendicular to an edge of each. If each triangle crosses the
      * other's plane, each has one corner alone on its side of that plane. Then only the edges from these two corners can face each other (Guigue
@@ -17,7 +17,7 @@ package starlogo.solid
         // The first triangle is beside the second one's plane.
         private static const BESIDE:int = -1;
 
-        // How far apart triangles have to be, as a multiple of the second one's margin. ConvexPair adds Tolerances.CORES of the extents to the margin,
+        // How far apart triangles have to be, as a multiple of the second one's margin. ConvexKernel adds Tolerances.CORES of the extents to the margin,
         // which is less than half of Tolerances.SURFACES.
         private static const MARGINS:Number = 1.5;
 

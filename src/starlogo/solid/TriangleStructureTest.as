@@ -1,11 +1,10 @@
 package starlogo.solid
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.ConvexShape;
-    import starlogo.convex.Interval;
     import starlogo.convex.RelativeMotion;
+    import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
@@ -14,7 +13,7 @@ package starlogo.solid
     import starlogo.hierarchy.NodeTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
-    import starlogo.intersection.ConvexTrianglePair;
+    import starlogo.intersection.TriangleKernel;
 
     use namespace engine;
 
@@ -32,7 +31,7 @@ package starlogo.solid
         // The structure's motion, which receives the time of the first touch, and a copy that has the times of one triangle.
         private var _motion:RelativeMotion;
         private var _sweep:RelativeMotion = new RelativeMotion();
-        private var _pair:ConvexTrianglePair = new ConvexTrianglePair();
+        private var _kernel:TriangleKernel = new TriangleKernel();
 
         // The extents of the structure's core and of its motion: minX, maxX, minY, ... The core of a round structure is a point
         // or a segment.
@@ -44,9 +43,9 @@ package starlogo.solid
         // Separates most triangles from the moving structure.
         private var _separatingAxes:SweptAxes = new SweptAxes();
 
-        // The normal of a triangle, and how far the core extends along it.
-        private var _normal:Vector3D = new Vector3D();
-        private var _ofShape:Interval = new Interval();
+        // The plane of a triangle, and how far from it the structure's core may be if it touches the triangle.
+        private var _plane:TrianglePlane = new TrianglePlane();
+        private var _planeMargin:Number = 0;
 
         // The slot of the triangle that is touched first.
         private var _found:int = -1;
@@ -82,9 +81,9 @@ package starlogo.solid
             _mesh = model.prepareMesh();
             _mesh.preparePlanes();
             _motion = motion;
-            _pair.setStructure(structure, pose.placement).extentsInto(_extents);
-            _pair.shape.margin += pose.tolerance + Touching.marginOfSurface(model.boxTree.radius);
-            var shape:ConvexShape = _pair.shape;
+            _kernel.setStructure(structure, pose.placement).extentsInto(_extents);
+            _kernel.shape.margin += pose.tolerance + Touching.marginOfSurface(model.boxTree.radius);
+            var shape:ConvexShape = _kernel.shape;
             var size:Number = 3 * shape.margin + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
             for (var i:int = 0; i < 6; i += 2)
             {
@@ -92,6 +91,7 @@ package starlogo.solid
             }
             var rounding:Number = Tolerances.EXTENTS * size;
             _radius = shape.radius + shape.margin + rounding;
+            _planeMargin = _radius + _mesh.flatness;
             _search.setExtents(_extents, shape.margin + rounding);
             _search.setMotion(motion);
             sweepExtents(0, motion.x);
@@ -112,8 +112,8 @@ package starlogo.solid
             var end:Number = travel * _motion.latest;
             var low:Number = begin < end ? begin : end;
             var high:Number = begin < end ? end : begin;
-            _extents[axis] += _pair.shape.radius + low;
-            _extents[int(axis + 1)] += high - _pair.shape.radius;
+            _extents[axis] += _kernel.shape.radius + low;
+            _extents[int(axis + 1)] += high - _kernel.shape.radius;
         }
 
         /** @inheritDoc */
@@ -128,20 +128,21 @@ package starlogo.solid
                     continue;
                 }
                 _sweep.latest = limit;
-                writeEarliest(i, _sweep);
+                _plane.read(_mesh.planes, 4 * i);
+                _sweep.earliest = Math.max(_motion.earliest, _plane.findEntry(_kernel.shape, _planeMargin, _motion));
                 if (_sweep.earliest > limit || !isStill && _separatingAxes.stayApart(_mesh.corners, 9 * i, _sweep))
                 {
                     continue;
                 }
                 _counts.triangleTests++;
-                _pair.setTriangle(_mesh.corners, 9 * i);
+                _kernel.setTriangle(_mesh.corners, 9 * i);
                 if (isStill)
                 {
-                    _sweep.time = _pair.areTouching() ? 0 : RelativeMotion.NEVER;
+                    _sweep.time = _kernel.areTouching() ? 0 : RelativeMotion.NEVER;
                 }
                 else
                 {
-                    _pair.findTime(_sweep);
+                    _kernel.findTime(_sweep);
                 }
                 if (keepEarlier(_sweep, _motion))
                 {
@@ -159,33 +160,8 @@ package starlogo.solid
          */
         public function findContact(slot:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            _pair.setTriangle(_mesh.corners, 9 * slot);
-            _pair.findContact(motion, out);
-        }
-
-        // Writes when the structure first comes to a triangle's plane, as the earliest time: it cannot touch the triangle before.
-        private function writeEarliest(slot:int, out:RelativeMotion):void
-        {
-            var planes:Vector.<Number> = _mesh.planes;
-            var at:int = 4 * slot;
-            _normal.x = planes[at];
-            _normal.y = planes[int(at + 1)];
-            _normal.z = planes[int(at + 2)];
-            var shape:ConvexShape = _pair.shape;
-            shape.project(_normal, _ofShape);
-            var radius:Number = _radius + _mesh.flatness;
-            var place:Number = _normal.x * shape.x + _normal.y * shape.y + _normal.z * shape.z - planes[int(at + 3)];
-            var low:Number = place + _ofShape.least - radius;
-            var speed:Number = _normal.x * _motion.x + _normal.y * _motion.y + _normal.z * _motion.z;
-            var distance:Number = low > 0 ? low : -(place + _ofShape.greatest + radius);
-            var closing:Number = low > 0 ? -speed : speed;
-            var earliest:Number = _motion.earliest;
-            if (distance > 0)
-            {
-                var time:Number = closing > 0 ? distance / closing : RelativeMotion.NEVER;
-                earliest = time > earliest ? time : earliest;
-            }
-            out.earliest = earliest;
+            _kernel.setTriangle(_mesh.corners, 9 * slot);
+            _kernel.findContact(motion, out);
         }
     }
 }

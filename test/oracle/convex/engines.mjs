@@ -55,7 +55,7 @@ export class Core {
 	constructor(engine) {
 		this.engine = engine;
 		this.hulls = new WeakMap();
-		this.pair = new engine.ConvexPair();
+		this.pair = new engine.ConvexKernel();
 		this.motion = new engine.RelativeMotion();
 		this.result = new engine.ClosestPoints();
 		this.touch = new engine.ContactPoint();

@@ -34,7 +34,7 @@ package starlogo.convex
         private static const CONTACT:Number = 1e-9;
         private static const CONTACT_POINT:Number = 1e-8;
 
-        private var _pair:ConvexPair = new ConvexPair();
+        private var _pair:ConvexKernel = new ConvexKernel();
         private var _draw:RandomConvex = new RandomConvex(new SeededRandom(7102));
         private var _wrong:Complaints = new Complaints();
 

@@ -34,7 +34,6 @@ package starlogo.intersection
 import starlogo.bounding.BoundingStructure;
 import starlogo.convex.CoreGap;
 import starlogo.convex.RelativeMotion;
-import starlogo.intersection.CoreMotion;
 import starlogo.intersection.GapFinder;
 
 class Halves extends GapFinder
@@ -42,16 +41,12 @@ class Halves extends GapFinder
     public var length:Number = 0;
     public var count:int = 0;
 
-    override public function begin(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, coreMotion:CoreMotion, out:CoreGap):void
+    override public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:CoreGap):void
     {
-        coreMotion.motionX = -1;
-        out.extent = 1e-300;
-    }
-
-    override public function findGap(b:BoundingStructure, coreMotion:CoreMotion, out:CoreGap):void
-    {
+        motion.x = count == 0 ? -1 : -length * 1e3;
         out.x = length;
-        coreMotion.motionX = count == 0 ? -1 : -length * 1e3;
+        out.measure(motion);
+        out.extent = 1e-300;
         length /= 2;
         count++;
     }

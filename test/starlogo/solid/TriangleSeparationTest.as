@@ -3,7 +3,7 @@ package starlogo.solid
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.convex.ConvexPair;
+    import starlogo.convex.ConvexKernel;
     import starlogo.convex.ConvexShape;
     import support.PlainDistance;
 
@@ -181,7 +181,7 @@ package starlogo.solid
             second.setTriangle(Vector.<Number>(b), 0);
             second.margin += TOLERANCE;
             var isRuledOut:Boolean = TriangleSeparation.areApart(Vector.<Number>([0, 0].concat(a)), 2, second);
-            var areTouching:Boolean = new ConvexPair().areTouching(first, second);
+            var areTouching:Boolean = new ConvexKernel().areTouching(first, second);
             sRuledOut += isRuledOut ? 1 : 0;
             sApart += areTouching ? 0 : 1;
             assertTrue("not both", !(isRuledOut && areTouching));

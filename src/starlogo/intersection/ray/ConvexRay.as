@@ -4,7 +4,7 @@ package starlogo.intersection.ray
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
     import starlogo.convex.ContactPoint;
-    import starlogo.convex.ConvexPair;
+    import starlogo.convex.ConvexKernel;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
 
@@ -16,7 +16,7 @@ package starlogo.intersection.ray
      */
     public final class ConvexRay
     {
-        private var _pair:ConvexPair = new ConvexPair();
+        private var _kernel:ConvexKernel = new ConvexKernel();
         private var _place:Sphere = new Sphere(new Vector3D(), 0);
         private var _point:ConvexShape = new ConvexShape();
         private var _shape:ConvexShape = new ConvexShape();
@@ -41,7 +41,7 @@ package starlogo.intersection.ray
             out.begin(ray);
             if (near > ray.from && near < Infinity)
             {
-                _pair.findContact(_point, _shape, _motion, _contact);
+                _kernel.findContact(_point, _shape, _motion, _contact);
                 out.distance = near;
                 out.setNormal(ray, _contact.normalX, _contact.normalY, _contact.normalZ);
             }
@@ -57,7 +57,7 @@ package starlogo.intersection.ray
             _motion.x = length * ray.directionX;
             _motion.y = length * ray.directionY;
             _motion.z = length * ray.directionZ;
-            _pair.findTime(_point, _shape, _motion);
+            _kernel.findTime(_point, _shape, _motion);
             return _motion.time;
         }
     }

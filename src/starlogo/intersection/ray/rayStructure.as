@@ -31,7 +31,8 @@ package starlogo.intersection.ray
             case BoundingStructure.BOX:
                 return rayBox(ray, Box(structure), out);
             case BoundingStructure.HULL:
-                // "is Hull" would bring the search for hulls into every game with rays
+                // "is Hull" would load Hull, and with it the search for convex hulls, into every game on the ES module that has rays. A type or a
+                // cast loads nothing.
                 if (structure.halfSpaces != null)
                 {
                     return rayHull(ray, Hull(structure), out);

@@ -5,9 +5,12 @@ package starlogo.convex
     /**
      * Answers four questions about any two convex shapes: whether they touch, where they are closest, when a moving one first touches the other,
      * and how far they overlap. A shape is a core of points with a radius (ConvexShape). CoreDistance finds the distance of two cores with the help
-     * of Simplex, ConvexSweep the time of impact, CoreOverlap the way out of an overlap, CommonPoint the point of a contact. Read ConvexShape first,
-     * then this class from the top, then CoreDistance. The records of questions and answers (RelativeMotion, ClosestPoints, ContactPoint) stand
-     * here for all packages, because this is the first of those that fill them. GroundDepth is a part of a contact that the ground alone fills.
+     * of Simplex, ConvexSweep the time of impact, CoreOverlap the shortest displacement out of an overlap, CommonPoint the point of a contact. Read
+     * ConvexShape first, then this class from the top, then CorePair and CoreDistance.
+     *
+     * <p>In all packages a kernel decides about two shapes or structures, and a pair is two of them. a and b are the two of a question, in the order
+     * of the call; a is the one that moves. The records of questions and answers (RelativeMotion, ClosestPoints, ContactPoint) stand here for all
+     * packages, because this is the first of those that fill them. GroundDepth is a part of a contact that the ground alone fills.</p>
      *
      * <p>areTouching and findTime agree about what touches: see Touching. findTime adds the margin of the motion. The distance and the depth leave
      * all margins out, so shapes that touch may have a distance as small as the margins, and the depth 0. The same two shapes in the other order
@@ -15,14 +18,17 @@ package starlogo.convex
      *
      * @private
      */
-    public final class ConvexPair
+    public final class ConvexKernel
     {
         private var _distance:CoreDistance = new CoreDistance();
         private var _overlap:CoreOverlap = new CoreOverlap();
         private var _common:CommonPoint = new CommonPoint();
+        private var _sweep:ConvexSweep = new ConvexSweep();
         private var _cores:CorePair = new CorePair();
         private var _witness:CoreWitness = new CoreWitness();
-        private var _sweep:ConvexSweep = new ConvexSweep();
+
+        // The normal of a contact, and how far the cores are apart along it.
+        private var _axis:CoreWitness = new CoreWitness();
 
         /** Whether two shapes touch or overlap. */
         public function areTouching(a:ConvexShape, b:ConvexShape):Boolean
@@ -85,16 +91,17 @@ package starlogo.convex
             _distance.find(_cores, _witness);
             if (_witness.distance > Tolerances.PERPENDICULAR_GAP * (a.extent + b.extent))
             {
-                out.setNormal(_witness.gap.x / _witness.distance, _witness.gap.y / _witness.distance, _witness.gap.z / _witness.distance);
-                // The depth is that of the cores, less than 0, until finishContact() adds the radii.
-                out.depth = -_witness.distance;
+                _axis.normalX = _witness.gap.x / _witness.distance;
+                _axis.normalY = _witness.gap.y / _witness.distance;
+                _axis.normalZ = _witness.gap.z / _witness.distance;
+                _axis.separation = _witness.distance;
             }
             else
             {
-                _overlap.find(_cores, out);
+                _overlap.find(_cores, _axis);
                 if (_witness.distance > 0)
                 {
-                    _overlap.tryGap(_cores, _witness.gap, out);
+                    _overlap.tryGap(_cores, _witness.gap, _axis);
                 }
             }
             finishContact(motion, out);
@@ -104,7 +111,7 @@ package starlogo.convex
         public function findOverlap(a:ConvexShape, b:ConvexShape, motion:RelativeMotion, out:ContactPoint):void
         {
             beginContact(a, b, motion);
-            _overlap.find(_cores, out);
+            _overlap.find(_cores, _axis);
             finishContact(motion, out);
         }
 
@@ -120,10 +127,11 @@ package starlogo.convex
             }
         }
 
-        // Adds the radii to the depth of the cores, and finds the point.
+        // Makes the contact of the axis of the cores, by their radii.
         private function finishContact(motion:RelativeMotion, out:ContactPoint):void
         {
-            var depth:Number = out.depth + (_cores.first.radius + _cores.second.radius);
+            out.setNormal(_axis.normalX, _axis.normalY, _axis.normalZ);
+            var depth:Number = _cores.first.radius + _cores.second.radius - _axis.separation;
             out.depth = depth > 0 ? depth : 0;
             _common.find(_cores, out);
             out.x += _cores.second.x;
@@ -138,16 +146,12 @@ package starlogo.convex
         // Writes the distance and the points of the surfaces.
         private function writePoints(out:ClosestPoints):void
         {
-            var first:ConvexShape = _cores.first;
             var gap:CoreGap = _witness.gap;
             if (!(_witness.distance > 0))
             {
                 gap.x = gap.y = gap.z = 0;
             }
-            gap.pointX += first.x;
-            gap.pointY += first.y;
-            gap.pointZ += first.z;
-            gap.radiusA = first.radius;
+            gap.radiusA = _cores.first.radius;
             gap.radiusB = _cores.second.radius;
             out.setFromGap(gap);
             if (_cores.isSwapped)

@@ -4,11 +4,11 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
-    import starlogo.convex.ConvexPair;
+    import starlogo.convex.ConvexKernel;
     import starlogo.convex.ConvexShape;
-    import starlogo.convex.FaceNormal;
     import starlogo.convex.Interval;
     import starlogo.convex.RelativeMotion;
+    import starlogo.convex.TrianglePlane;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
@@ -16,13 +16,13 @@ package starlogo.intersection
     use namespace engine;
 
     /**
-     * A convex shape and a triangle: whether the two touch, when and how they first touch, and how far they are apart. The shape is set once, and
-     * then one triangle after the other, each a part of a list. ConvexPair decides. This class adds a quick test that comes before it, and
-     * what depends on a triangle's two sides.
+     * The kernel of a convex shape and a triangle: whether the two touch, when and how they first touch, and how far they are apart. The shape is set
+     * once, and then one triangle after the other, each a part of a list. ConvexKernel decides. This class adds a quick test that comes before it,
+     * and what depends on a triangle's two sides.
      *
      * @private
      */
-    public final class ConvexTrianglePair
+    public final class TriangleKernel
     {
         // Points of the core are equally deep if their depths differ by less than this fraction of its extent along the normal.
         private static const LEVEL:Number = 1e-12;
@@ -30,24 +30,22 @@ package starlogo.intersection
         /** The shape, in the triangles' space. Only its margin may be changed. */
         public var shape:ConvexShape = new ConvexShape();
 
-        private var _pair:ConvexPair = new ConvexPair();
+        private var _kernel:ConvexKernel = new ConvexKernel();
 
         // The shape where it is placed: a structure for each kind, and a triangle's corners.
         private var _structures:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(BoundingStructure.KIND_COUNT, true);
         private var _placed:Vector.<Number> = new Vector.<Number>();
 
-        // The triangle: nine numbers of a list. Its shape and its face are set when they are needed. The normal is NaN if the triangle has no area or
-        // is a needle, because comparisons with NaN are false.
+        // The triangle: nine numbers of a list. Its shape and its plane are set when they are needed.
         private var _corners:Vector.<Number> = null;
         private var _at:int = 0;
         private var _isSet:Boolean = false;
         private var _triangle:ConvexShape = new ConvexShape();
-        private var _hasFace:Boolean = false;
-        private var _face:FaceNormal = new FaceNormal();
+        private var _isPlaneSet:Boolean = false;
+        private var _plane:TrianglePlane = new TrianglePlane();
 
         private var _deepest:Vector3D = new Vector3D();
         private var _ofShape:Interval = new Interval();
-        private var _ofTriangle:Interval = new Interval();
 
         /**
          * Sets the shape to a structure.
@@ -80,14 +78,14 @@ package starlogo.intersection
         {
             _corners = corners;
             _at = at;
-            _isSet = _hasFace = false;
+            _isSet = _isPlaneSet = false;
         }
 
         /** Whether the two touch. */
         public function areTouching():Boolean
         {
             prepare();
-            return _pair.areTouching(shape, _triangle);
+            return _kernel.areTouching(shape, _triangle);
         }
 
         /**
@@ -98,7 +96,7 @@ package starlogo.intersection
         public function findTime(motion:RelativeMotion):void
         {
             prepare();
-            _pair.findTime(shape, _triangle, motion);
+            _kernel.findTime(shape, _triangle, motion);
         }
 
         /**
@@ -110,7 +108,7 @@ package starlogo.intersection
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
             prepare();
-            _pair.findContact(shape, _triangle, motion, out);
+            _kernel.findContact(shape, _triangle, motion, out);
         }
 
         /**
@@ -127,9 +125,8 @@ package starlogo.intersection
                 && contact.normalX * motion.x + contact.normalY * motion.y + contact.normalZ * motion.z < 0;
             if (!isFirstTouch)
             {
-                prepareFace();
-                var face:FaceNormal = _face;
-                if (contact.normalX * face.x + contact.normalY * face.y + contact.normalZ * face.z < -Tolerances.DIRECTION)
+                preparePlane();
+                if (contact.along(_plane.normal) < -Tolerances.DIRECTION)
                 {
                     findBehind(motion, contact);
                 }
@@ -140,33 +137,53 @@ package starlogo.intersection
          * Finds how far the shape is behind the triangle's plane.
          *
          * @param motion of the shape; the shape is where it is at the motion's time
-         * @param out receives the depth, the triangle's normal, and the middle of the overlap at the shape's deepest point. All are NaN if the
-         *     triangle has no area
-         * @return whether the point of the plane that is nearest to the deepest point is in the triangle
+         * @param out receives the depth, the triangle's normal, and the middle of the overlap at the shape's deepest point. If the triangle is flat,
+         *     the normal is 0, and all else is NaN
          */
-        public function findBehind(motion:RelativeMotion, out:ContactPoint):Boolean
+        public function findBehind(motion:RelativeMotion, out:ContactPoint):void
         {
-            prepareFace();
-            out.setNormal(_face.x, _face.y, _face.z);
+            preparePlane();
+            out.setNormal(_plane.normal.x, _plane.normal.y, _plane.normal.z);
             findDeepestPoint();
             var deepest:Vector3D = _deepest;
             deepest.x += motion.startX + motion.time * motion.x;
             deepest.y += motion.startY + motion.time * motion.y;
             deepest.z += motion.startZ + motion.time * motion.z;
-            out.depth = _face.offset - out.along(deepest);
+            out.depth = _plane.offset - out.along(deepest);
             out.x = deepest.x + out.depth / 2 * out.normalX;
             out.y = deepest.y + out.depth / 2 * out.normalY;
             out.z = deepest.z + out.depth / 2 * out.normalZ;
-            return isOver(deepest);
         }
 
-        // Finds the point of the shape that is farthest against the triangle's normal. If there are several, it is their middle. NaN if the normal is.
+        /** Whether the point of a contact of <code>findBehind()</code> is over the triangle or behind it. False if the triangle is flat. */
+        public function isOverTriangle(contact:ContactPoint):Boolean
+        {
+            var p:Vector.<Number> = _corners;
+            var from:int = _at + 6;
+            for (var to:int = _at; to < _at + 9; to += 3)
+            {
+                var ux:Number = p[to] - p[from];
+                var uy:Number = p[int(to + 1)] - p[int(from + 1)];
+                var uz:Number = p[int(to + 2)] - p[int(from + 2)];
+                var vx:Number = contact.x - p[from];
+                var vy:Number = contact.y - p[int(from + 1)];
+                var vz:Number = contact.z - p[int(from + 2)];
+                if (!(contact.normalX * (uy * vz - uz * vy) + contact.normalY * (uz * vx - ux * vz) + contact.normalZ * (ux * vy - uy * vx) >= 0))
+                {
+                    return false;
+                }
+                from = to;
+            }
+            return true;
+        }
+
+        // Finds the point of the shape that is farthest against the triangle's normal. If there are several, it is their middle.
         private function findDeepestPoint():void
         {
-            var normal:FaceNormal = _face;
+            var normal:Vector3D = _plane.normal;
             var p:Vector.<Number> = shape.points;
             var end:int = shape.end;
-            normal.project(p, 0, end, _ofShape);
+            shape.project(normal, _ofShape);
             var most:Number = _ofShape.least + LEVEL * (_ofShape.greatest - _ofShape.least);
             var count:int = 0;
             var x:Number = 0;
@@ -195,9 +212,17 @@ package starlogo.intersection
          */
         public function isBehindPlane(corners:Vector.<Number>, slack:Number):Boolean
         {
-            prepareFace();
-            _face.project(corners, 0, 9, _ofTriangle);
-            return _ofTriangle.greatest <= _face.offset + slack;
+            preparePlane();
+            var normal:Vector3D = _plane.normal;
+            var most:Number = _plane.offset + slack;
+            for (var i:int = 0; i < 9; i += 3)
+            {
+                if (!(normal.x * corners[i] + normal.y * corners[int(i + 1)] + normal.z * corners[int(i + 2)] <= most))
+                {
+                    return false;
+                }
+            }
+            return true;
         }
 
         /**
@@ -209,49 +234,21 @@ package starlogo.intersection
         public function findCloser(out:ClosestPoints):Boolean
         {
             prepare();
-            return _pair.findCloser(shape, _triangle, out);
+            return _kernel.findCloser(shape, _triangle, out);
         }
 
         /**
-         * Whether the shape stays on one side of the triangle's plane until the motion's latest time. A quick test.
+         * Whether the shape is known to be apart from the triangle until the motion's latest time. A quick test, by the triangle's plane.
          *
          * @param motion of the shape; its start must be 0
          */
         public function stayApart(motion:RelativeMotion):Boolean
         {
-            prepare();
-            prepareFace();
-            var face:FaceNormal = _face;
-            var travel:Number = motion.latest * (face.x * motion.x + face.y * motion.y + face.z * motion.z);
-            var place:Number = face.x * (shape.x - _triangle.x) + face.y * (shape.y - _triangle.y) + face.z * (shape.z - _triangle.z);
-            face.project(_triangle.points, 0, 9, _ofTriangle);
-            face.project(shape.points, 0, shape.end, _ofShape);
-            var touchingDistance:Number = (shape.radius + shape.margin) * Tolerances.OUTER
-                + Tolerances.ROUNDING * (shape.extent + _triangle.extent + Math.abs(place) + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            return place + _ofShape.least + Math.min(travel, 0) - _ofTriangle.greatest > touchingDistance
-                || _ofTriangle.least - place - _ofShape.greatest - Math.max(travel, 0) > touchingDistance;
-        }
-
-        // Whether a place is over the triangle or behind it: its foot on the triangle's plane is in the triangle. False if the normal is NaN.
-        private function isOver(place:Vector3D):Boolean
-        {
-            var p:Vector.<Number> = _corners;
-            var from:int = _at + 6;
-            for (var to:int = _at; to < _at + 9; to += 3)
-            {
-                var ux:Number = p[to] - p[from];
-                var uy:Number = p[int(to + 1)] - p[int(from + 1)];
-                var uz:Number = p[int(to + 2)] - p[int(from + 2)];
-                var vx:Number = place.x - p[from];
-                var vy:Number = place.y - p[int(from + 1)];
-                var vz:Number = place.z - p[int(from + 2)];
-                if (!(_face.x * (uy * vz - uz * vy) + _face.y * (uz * vx - ux * vz) + _face.z * (ux * vy - uy * vx) >= 0))
-                {
-                    return false;
-                }
-                from = to;
-            }
-            return true;
+            preparePlane();
+            var size:Number = shape.extent + Math.abs(shape.x) + Math.abs(shape.y) + Math.abs(shape.z) + Math.abs(_plane.offset)
+                + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z);
+            var margin:Number = (shape.radius + shape.margin) * Tolerances.OUTER + Tolerances.EXTENTS * size;
+            return _plane.findEntry(shape, margin, motion) > motion.latest;
         }
 
         private function prepare():void
@@ -263,16 +260,12 @@ package starlogo.intersection
             }
         }
 
-        private function prepareFace():void
+        private function preparePlane():void
         {
-            if (!_hasFace)
+            if (!_isPlaneSet)
             {
-                _hasFace = true;
-                _face.setTriangle(_corners, _at);
-                if (_face.isFlat)
-                {
-                    _face.clear();
-                }
+                _isPlaneSet = true;
+                _plane.setTriangle(_corners, _at);
             }
         }
     }

@@ -13,7 +13,7 @@ package starlogo.convex
      * The four questions about convex shapes of all kinds and families. Distances prove themselves: both points are in their shapes, and a plane
      * between them keeps the shapes apart.
      */
-    public class ConvexPairTest
+    public class ConvexKernelTest
     {
         // of the sizes and the distance
         private static const PRECISION:Number = 2e-14;
@@ -21,7 +21,7 @@ package starlogo.convex
         private var _random:SeededRandom = new SeededRandom(7101);
         private var _draw:RandomConvex = new RandomConvex(_random);
         private var _structures:RandomStructures = new RandomStructures(_random);
-        private var _pair:ConvexPair = new ConvexPair();
+        private var _pair:ConvexKernel = new ConvexKernel();
         private var _points:ClosestPoints = new ClosestPoints();
         private var _contact:ContactPoint = new ContactPoint();
         private var _wrong:Complaints = new Complaints();

@@ -3,7 +3,7 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
-    import starlogo.convex.ConvexPair;
+    import starlogo.convex.ConvexKernel;
     import starlogo.convex.ConvexShape;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
@@ -11,14 +11,14 @@ package starlogo.intersection
     use namespace engine;
 
     /**
-     * The kernel of any two convex structures, in any order: ConvexPair decides. It answers for hulls, and for the other kernels what they do not
-     * answer themselves.
+     * The kernel of a hull and any other structure. It makes shapes of the two, about which ConvexKernel decides. So it can answer for any two
+     * convex structures, and does for the other kernels where they do not answer themselves.
      *
      * @private
      */
-    public final class ConvexKernel extends PairKernel
+    public final class HullKernel extends PairKernel
     {
-        private var _pair:ConvexPair = new ConvexPair();
+        private var _kernel:ConvexKernel = new ConvexKernel();
         private var _a:ConvexShape = new ConvexShape();
         private var _b:ConvexShape = new ConvexShape();
 
@@ -32,35 +32,35 @@ package starlogo.intersection
                 return false;
             }
             setShapes(a, b);
-            return _pair.areTouching(_a, _b);
+            return _kernel.areTouching(_a, _b);
         }
 
         /** @inheritDoc */
         override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             setShapes(a, b);
-            _pair.findTime(_a, _b, motion);
+            _kernel.findTime(_a, _b, motion);
         }
 
         /** @inheritDoc */
         override public function findContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
             setShapes(a, b);
-            _pair.findContact(_a, _b, motion, out);
+            _kernel.findContact(_a, _b, motion, out);
         }
 
         /** Finds the contact of two structures whose cores touch or overlap. It is faster than <code>findContact()</code>. */
         public function findOverlap(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
         {
             setShapes(a, b);
-            _pair.findOverlap(_a, _b, motion, out);
+            _kernel.findOverlap(_a, _b, motion, out);
         }
 
         /** @inheritDoc */
         override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPoints):void
         {
             setShapes(a, b);
-            _pair.findClosest(_a, _b, out);
+            _kernel.findClosest(_a, _b, out);
         }
 
         private function setShapes(a:BoundingStructure, b:BoundingStructure):void

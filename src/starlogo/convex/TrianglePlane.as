@@ -1,0 +1,115 @@
+package starlogo.convex
+{
+    import flash.geom.Vector3D;
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * The plane of a triangle, and a quick test by it. Its fields are read only.
+     *
+     * <p>Here alone it is decided which triangles are flat: needles and points, whose normal would be a rounding error (Tolerances.FLAT_TRIANGLE). A
+     * flat triangle has no plane. Its normal is 0 and its offset NaN, so all comparisons with places along the normal are false. ConvexKernel makes no
+     * difference: to it a triangle is the hull of its corners, however narrow that is.</p>
+     *
+     * @private
+     */
+    public final class TrianglePlane
+    {
+        /** The unit normal. It points to the side from which the corners are counter-clockwise. 0 if the triangle is flat. */
+        public var normal:Vector3D = new Vector3D();
+
+        /** Where the plane is: the component of its points along the normal. NaN if the triangle is flat. */
+        public var offset:Number = NaN;
+
+        /** The least and the greatest component of a corner along the normal. They differ only by rounding. */
+        public var least:Number = NaN;
+        public var greatest:Number = NaN;
+
+        /** Twice the triangle's area. Only <code>setTriangle()</code> sets it. */
+        public var doubleArea:Number = 0;
+
+        private var _ofShape:Interval = new Interval();
+
+        /** Whether the triangle is flat. */
+        public function get isFlat():Boolean
+        {
+            return isNaN(offset);
+        }
+
+        /** Sets it to the plane of a triangle: nine numbers of a list, from an index on. */
+        public function setTriangle(p:Vector.<Number>, at:int):void
+        {
+            var ux:Number = p[int(at + 3)] - p[at];
+            var uy:Number = p[int(at + 4)] - p[int(at + 1)];
+            var uz:Number = p[int(at + 5)] - p[int(at + 2)];
+            var vx:Number = p[int(at + 6)] - p[at];
+            var vy:Number = p[int(at + 7)] - p[int(at + 1)];
+            var vz:Number = p[int(at + 8)] - p[int(at + 2)];
+            var uu:Number = ux * ux + uy * uy + uz * uz;
+            var vv:Number = vx * vx + vy * vy + vz * vz;
+            var longest:Number = (ux - vx) * (ux - vx) + (uy - vy) * (uy - vy) + (uz - vz) * (uz - vz);
+            longest = longest > uu ? longest : uu;
+            longest = longest > vv ? longest : vv;
+            var x:Number = uy * vz - uz * vy;
+            var y:Number = uz * vx - ux * vz;
+            var z:Number = ux * vy - uy * vx;
+            doubleArea = Math.sqrt(x * x + y * y + z * z);
+            // the height over the longest edge is the double area divided by that edge
+            if (!(doubleArea * doubleArea > Tolerances.FLAT_TRIANGLE * longest * longest))
+            {
+                normal.setTo(0, 0, 0);
+                offset = least = greatest = NaN;
+                return;
+            }
+            x /= doubleArea;
+            y /= doubleArea;
+            z /= doubleArea;
+            normal.x = x;
+            normal.y = y;
+            normal.z = z;
+            offset = x * p[at] + y * p[int(at + 1)] + z * p[int(at + 2)];
+            var second:Number = x * p[int(at + 3)] + y * p[int(at + 4)] + z * p[int(at + 5)];
+            var third:Number = x * p[int(at + 6)] + y * p[int(at + 7)] + z * p[int(at + 8)];
+            least = offset < second ? offset : second;
+            least = least < third ? least : third;
+            greatest = offset > second ? offset : second;
+            greatest = greatest > third ? greatest : third;
+        }
+
+        /** Reads a plane from a list of planes: four numbers from an index on, the normal and the offset. */
+        public function read(planes:Vector.<Number>, at:int):void
+        {
+            normal.x = planes[at];
+            normal.y = planes[int(at + 1)];
+            normal.z = planes[int(at + 2)];
+            offset = least = greatest = planes[int(at + 3)];
+        }
+
+        /**
+         * Finds when a moving shape can first touch the triangle, as far as the plane knows: when the shape comes to the plane. A quick test: the shape
+         * is apart from the triangle until then.
+         *
+         * @param shape where it is at time 0
+         * @param margin how far from the plane the shape's core may be if it touches the triangle, with all that is rounded
+         * @param motion its vector; nothing else of it counts
+         * @return at least 0. 0 for a flat triangle too. RelativeMotion.NEVER if the shape moves away from the plane or beside it
+         */
+        public function findEntry(shape:ConvexShape, margin:Number, motion:RelativeMotion):Number
+        {
+            var across:Vector3D = normal;
+            shape.project(across, _ofShape);
+            var place:Number = across.x * shape.x + across.y * shape.y + across.z * shape.z;
+            var speed:Number = across.x * motion.x + across.y * motion.y + across.z * motion.z;
+            var above:Number = place - greatest + _ofShape.least - margin;
+            if (above > 0)
+            {
+                return speed < 0 ? above / -speed : RelativeMotion.NEVER;
+            }
+            var below:Number = -(place - least + _ofShape.greatest + margin);
+            if (below > 0)
+            {
+                return speed > 0 ? below / speed : RelativeMotion.NEVER;
+            }
+            return 0;
+        }
+    }
+}

@@ -24,6 +24,7 @@ package starlogo.collision
         private var _contacts:FrameContacts = new FrameContacts();
         private var _pairs:FoundPairs = null;
         private var _table:HandlerTable = null;
+        // Knows the touches; null if no handler is for starts or ends.
         private var _tracker:TouchTracker = null;
         private var _list:GameList = new GameList();
 
@@ -41,7 +42,7 @@ package starlogo.collision
         private var _isCalling:Boolean = false;
 
         /**
-         * Makes the calls of a frame.
+         * Makes the calls of a frame. Call <code>end()</code> afterwards.
          *
          * @param pairs the pairs of the frame, in the order of their calls
          * @param system has found them
@@ -55,8 +56,7 @@ package starlogo.collision
         {
             _pairs = pairs;
             _table = table;
-            _tracker = tracker;
-            _list.begin(agents, pairs);
+            _list.begin(agents, pairs.list);
             count = 0;
             _chosen = null;
             _areTouchesComplete = true;
@@ -67,18 +67,25 @@ package starlogo.collision
                 // before the touches, because a game's own contactOf may throw. Then no touch has changed
                 findContacts((table.contactKinds & EACH_FRAME) == 0 ? compared : null);
             }
-            var tracksTouches:Boolean = tracker.count > 0 || (table.kinds & ~EACH_FRAME) != 0;
-            if (tracksTouches)
+            if (tracker.count > 0 || (table.kinds & ~EACH_FRAME) != 0)
             {
+                _tracker = tracker;
                 tracker.begin(pairs, compared, table);
                 callEnds(errors);
                 _chosen = (table.kinds & EACH_FRAME) == 0 ? compared : null;
             }
             callPairs(errors);
-            if (tracksTouches)
+        }
+
+        /** Ends the calls of a frame, also if <code>make()</code> has thrown an error or was not called. */
+        public function end():void
+        {
+            if (_tracker != null)
             {
-                tracker.end(pairs, _areTouchesComplete);
+                _tracker.end(_pairs, _areTouchesComplete);
+                _tracker = null;
             }
+            _pairs = null;
             _contacts.end();
             _list.end();
         }
@@ -149,6 +156,7 @@ package starlogo.collision
         {
             if (!_isCalling)
             {
+                _areTouchesComplete = false;
                 throw error;
             }
             errors.push(error is Error ? error : new Error(String(error)));
@@ -196,8 +204,8 @@ package starlogo.collision
         {
             var firstRow:int = _pairs.rows[2 * pair];
             var secondRow:int = _pairs.rows[2 * pair + 1];
-            var first:Agent = _pairs.agents[firstRow];
-            var second:Agent = _pairs.agents[secondRow];
+            var first:Agent = _pairs.list.agents[firstRow];
+            var second:Agent = _pairs.list.agents[secondRow];
             if (_next == 0)
             {
                 _handlers = _table.handlersOf(first.breedNumber, second.breedNumber);

@@ -61,7 +61,7 @@ package starlogo.search
         public function begin(input:FrameInput, anySweeps:Boolean, out:FoundPairs):void
         {
             candidatePairs = 0;
-            out.begin(_table.list.agents, _table.list.ranks, _table.list.rows.count);
+            out.begin(_table.list);
             _input = input;
             _anySweeps = anySweeps;
             _areStandingSpheres = _table.areSpheres && !anySweeps;

@@ -34,14 +34,8 @@ package starlogo.search
         /** The time of each pair, if an agent sweeps. It is valid during the search only. */
         public var times:Vector.<Number> = new Vector.<Number>();
 
-        /** By row: the agent. Rows before ListedAgents.FIRST_LISTED have the ground and the edges of the world. */
-        public var agents:Vector.<Agent> = null;
-
-        /** By row: the index of its agent in the list. */
-        public var ranks:Vector.<int> = null;
-
-        /** The number of agents in the list. */
-        public var agentCount:int = 0;
+        /** The list of the frame, which has the agent of each row. */
+        public var list:ListedAgents = null;
 
         /** Other pairs have another revision, in this object or in another. */
         public var revision:int = 0;
@@ -61,13 +55,11 @@ package starlogo.search
         /**
          * Begins to write other pairs.
          *
-         * @param agents by row: the agent
-         * @param ranks by row: its index in the list
-         * @param agentCount the number of agents in the list
+         * @param list the list of the frame
          */
-        internal function begin(agents:Vector.<Agent>, ranks:Vector.<int>, agentCount:int):void
+        internal function begin(list:ListedAgents):void
         {
-            setColumns(agents, ranks, agentCount);
+            setList(list);
             count = 0;
             basis = NONE;
         }
@@ -92,6 +84,7 @@ package starlogo.search
                 times[int(count + k)] = ofPairs[k];
             }
             var to:int = 2 * count;
+            var ranks:Vector.<int> = list.ranks;
             var rank:int = ranks[row];
             for (var i:int = 0; i < othersCount; i++)
             {
@@ -109,7 +102,7 @@ package starlogo.search
         internal function drop(list:ListedAgents, marks:Vector.<int>, mark:int):void
         {
             var before:int = revision;
-            setColumns(list.agents, list.ranks, list.rows.count);
+            setList(list);
             basis = before;
             dropped.count = added.count = 0;
             var all:Vector.<int> = rows;
@@ -190,19 +183,19 @@ package starlogo.search
         /** The first agent of a pair. */
         public function firstOf(pair:int):Agent
         {
-            return agents[rows[2 * pair]];
+            return list.agents[rows[2 * pair]];
         }
 
         /** The second agent of a pair. */
         public function secondOf(pair:int):Agent
         {
-            return agents[rows[2 * pair + 1]];
+            return list.agents[rows[2 * pair + 1]];
         }
 
         /** Writes the pairs as agents: a0, b0, a1, b1, ... */
         public function write(out:Vector.<Agent>):void
         {
-            var byRow:Vector.<Agent> = agents;
+            var byRow:Vector.<Agent> = list.agents;
             var all:Vector.<int> = rows;
             var end:int = 2 * count;
             var row:int = -1;
@@ -220,11 +213,9 @@ package starlogo.search
             }
         }
 
-        private function setColumns(agents:Vector.<Agent>, ranks:Vector.<int>, agentCount:int):void
+        private function setList(list:ListedAgents):void
         {
-            this.agents = agents;
-            this.ranks = ranks;
-            this.agentCount = agentCount;
+            this.list = list;
             sLastRevision++;
             revision = sLastRevision;
         }
@@ -258,6 +249,7 @@ package starlogo.search
         // Whether a pair comes after the pair of two rows.
         private function isAfter(pair:int, a:int, b:int):Boolean
         {
+            var ranks:Vector.<int> = list.ranks;
             var ahead:int = ranks[rows[int(2 * pair)]] - ranks[a];
             return ahead > 0 || ahead == 0 && ranks[rows[int(2 * pair + 1)]] > ranks[b];
         }

@@ -8,6 +8,7 @@ package starlogo.handlers
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.search.FoundPairs;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
@@ -23,16 +24,16 @@ package starlogo.handlers
         [Before]
         public function makeAgents():void
         {
-            _found.agents = new Vector.<Agent>();
+            _found.list = new ListedAgents();
             for (var i:int = 0; i < 40; i++)
             {
                 _agents.push(new Agent("cube", i % 3 == 0 ? "sheep" : "wolves"));
-                _found.agents.push(_agents[i]);
+                _found.list.agents.push(_agents[i]);
             }
             _handlers.add(CollisionHandler.START, "*", "*", function(a:Agent, b:Agent):void
                 {
                 });
-            _handlers.begin(_found.agents);
+            _handlers.begin(Vector.<Agent>(_agents));
         }
 
         [Test]
@@ -231,8 +232,8 @@ package starlogo.handlers
 
         private function addPair(a:Agent, b:Agent):void
         {
-            _found.rows[2 * _found.count] = _found.agents.indexOf(a);
-            _found.rows[2 * _found.count + 1] = _found.agents.indexOf(b);
+            _found.rows[2 * _found.count] = _found.list.agents.indexOf(a);
+            _found.rows[2 * _found.count + 1] = _found.list.agents.indexOf(b);
             _found.count++;
         }
 

@@ -65,7 +65,7 @@ package starlogo.search.pairs
             var atZ:Number = zs[row];
             var radius:Number = radii[row];
             var pairs:Vector.<int> = out.rows;
-            var ranks:Vector.<int> = out.ranks;
+            var ranks:Vector.<int> = out.list.ranks;
             var rank:int = ranks[row];
             var to:int = 2 * out.count;
             _testCount += count;

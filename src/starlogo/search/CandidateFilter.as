@@ -23,10 +23,9 @@ package starlogo.search
         private var _motions:RowMotions;
         private var _order:PairOrder = new PairOrder();
 
-        // The input of the search under way, whether an agent sweeps, and whether all its shapes are spheres and stand.
+        // The input of the search under way, and whether an agent sweeps.
         private var _input:FrameInput = null;
         private var _anySweeps:Boolean = false;
-        private var _areStandingSpheres:Boolean = false;
 
         // Takes the pairs.
         private var _out:FoundPairs = null;
@@ -64,7 +63,6 @@ package starlogo.search
             out.begin(_table.list);
             _input = input;
             _anySweeps = anySweeps;
-            _areStandingSpheres = _table.areSpheres && !anySweeps;
             _out = out;
         }
 
@@ -85,11 +83,6 @@ package starlogo.search
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
             candidatePairs += count;
-            if (_areStandingSpheres)
-            {
-                _narrowPhase.sphereTests.writeTouching(_table, level.slack, row, others, count, _out);
-                return;
-            }
             addTouching(row, others, count, level);
         }
 

@@ -12,8 +12,7 @@ package starlogo.search
      * second's. The ground and the edges of the world come after all agents. If an agent sweeps, pairs that touch earlier come first.
      *
      * <p>CandidateFilter has pairs added, and PairOrder sorts them. KeptPairs makes the pairs of a frame from those of the last one. ForeignPairs
-     * adds the pairs of a collision system that is not the engine's, which come in its own order. Only SpherePairTests and PairOrder write to the
-     * columns themselves.</p>
+     * adds the pairs of a collision system that is not the engine's, which come in its own order. Only PairOrder writes to the columns itself.</p>
      *
      * @private
      */

@@ -14,6 +14,7 @@ package starlogo.search
     import starlogo.search.pairs.StructurePairTests;
     import starlogo.search.pairs.TreePairTests;
     import starlogo.search.table.AgentTable;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
@@ -72,6 +73,10 @@ package starlogo.search
          */
         public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
         {
+            if (table.areSpheres && row >= ListedAgents.FIRST_LISTED)
+            {
+                return sphereTests.keepTouching(table, slack, row, others, count);
+            }
             var body:Body = table.bodyOf(row);
             if (body.form == ModelShape.GROUND)
             {

@@ -47,7 +47,7 @@ package starlogo.search.pairs
         public function GroundPairTests(limits:TreeLimits)
         {
             _limits = limits;
-            _separation = new PenetrationSearch(this, limits, this);
+            _separation = new PenetrationSearch(new DisplacedGroundPair(this));
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -137,8 +137,8 @@ package starlogo.search.pairs
             _separation.find(a, b, motion, out);
         }
 
-        /** @inheritDoc */
-        override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
+        /** Finds the contact of the structure around a body and the ground, where it is. Its normal points to the body. */
+        internal function findOuterContact(a:Body, b:Body, out:ContactPoint):void
         {
             queryOf(a, b).depths.findOuterContact(out);
         }
@@ -151,7 +151,7 @@ package starlogo.search.pairs
          * @param exits receives the contacts, each with another direction
          * @return their number
          */
-        public function findExits(a:Body, b:Body, contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
+        internal function findExits(a:Body, b:Body, contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
             var count:int = queryOf(a, b).depths.findExits(contact, maxDistance, exits);
             if (a.form == ModelShape.TREE)

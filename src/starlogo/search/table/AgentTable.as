@@ -1,13 +1,13 @@
 package starlogo.search.table
 {
     import starlogo.agents.Agent;
-    import starlogo.broadphase.BinLevels;
+    import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
     import starlogo.data.NumberList;
     import starlogo.engine;
+    import starlogo.search.BaseShapeChoice;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.ModelShapes;
     import starlogo.search.WorldAgent;
 
     use namespace engine;
@@ -31,7 +31,7 @@ package starlogo.search.table
         public var list:ListedAgents = new ListedAgents();
 
         /** Where the agents are and were. */
-        public var places:PlaceHistory = new PlaceHistory();
+        public var places:PlaceHistory;
 
         /** By row: the number of the agent's breed. */
         engine var breeds:Vector.<int> = new Vector.<int>();
@@ -44,7 +44,6 @@ package starlogo.search.table
 
         /** By row: the extents of the shape. */
         engine var extents:Extents;
-        private var _rowExtents:RowExtents;
 
         // By row: the agent's bodyRevision at which its body was read. It is STALE if the row has no agent or a new one, if the model was replaced,
         // and while the model is loading.
@@ -66,17 +65,19 @@ package starlogo.search.table
         private var _reshaped:NumberList = new NumberList();
         private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
-        private var _modelShapes:ModelShapes;
+        // Has the shape of each model. The revision of all models up to which rows of replaced models are marked.
+        private var _choice:BaseShapeChoice;
+        private var _modelsRevision:int = -1;
 
         /**
-         * @param shapes has the shape of each model
-         * @param levels the levels of extents; null if none are needed
+         * @param choice has the shape of each model
+         * @param bins assign levels to extents; null if none are needed
          */
-        public function AgentTable(shapes:ModelShapes, levels:BinLevels)
+        public function AgentTable(choice:BaseShapeChoice, bins:Bins)
         {
-            _modelShapes = shapes;
-            _rowExtents = new RowExtents(levels);
-            extents = _rowExtents.extents;
+            _choice = choice;
+            places = new PlaceHistory(bins);
+            extents = places.extents;
             grow(ListedAgents.FIRST_LISTED);
         }
 
@@ -107,10 +108,8 @@ package starlogo.search.table
                 list.accept();
                 followList();
             }
-            loadingCount = takeShapes(_reshaped, _newShapes);
             places.acceptRead(list.rows.count);
-            _rowExtents.moveRows(places.changed, places.last, shapes);
-            _rowExtents.assignLevels(_reshaped, shapes);
+            loadingCount = takeShapes(_reshaped, _newShapes);
         }
 
         /**
@@ -131,15 +130,13 @@ package starlogo.search.table
                 findShapes(_reshaped, _newShapes);
                 takeShapes(_reshaped, _newShapes);
             }
-            places.last.read(row, agent);
-            places.previous.read(row, agent);
-            _rowExtents.moveRow(row, places.last);
+            places.readNow(row, agent);
         }
 
         /** Whether all shapes that rows have had are spheres. */
         public function get areSpheres():Boolean
         {
-            return _modelShapes.areSpheres;
+            return _choice.areSpheres;
         }
 
         /** Reads the agent of the ground or of the edges of the world into its row, or empties the row. */
@@ -205,7 +202,7 @@ package starlogo.search.table
             {
                 return bodyOf(row);
             }
-            made.readAgent(agent, _modelShapes.shapeOf(agent));
+            made.readAgent(agent, agent.isOfWorld ? WorldAgent(agent).requireSurface() : _choice.shapeOf(agent));
             if (row >= 0)
             {
                 made.rank = list.ranks[row];
@@ -308,7 +305,6 @@ package starlogo.search.table
             shapes.length = _bodies.length = length;
             breeds.length = _bodyRevisions.length = _shapeRevisions.length = length;
             places.grow(length);
-            _rowExtents.grow(length);
             for (; row < length; row++)
             {
                 _bodyRevisions[row] = STALE;
@@ -317,10 +313,12 @@ package starlogo.search.table
 
         private function forgetReplaced():void
         {
-            if (!_modelShapes.forgetReplaced())
+            if (_choice.revision == _modelsRevision)
             {
                 return;
             }
+            _modelsRevision = _choice.revision;
+            _choice.forgetReplaced();
             for (var row:int = 0; row < shapes.length; row++)
             {
                 if (shapes[row] != null && shapes[row].isVoid)
@@ -343,10 +341,7 @@ package starlogo.search.table
             {
                 // the agent has moved since. One more revision makes this a motion, even if the game has put the agent there by a jump
                 list.agents[row].revision++;
-                last.x[row] = x;
-                last.y[row] = y;
-                last.z[row] = z;
-                _rowExtents.moveRow(row, last);
+                places.setLast(row, x, y, z);
             }
             last.revisions[row] = hasMotion ? seen : RowPlaces.NOT_SEEN;
             unplace(row);
@@ -364,7 +359,7 @@ package starlogo.search.table
                 var row:int = reshaped.numbers[i];
                 if (needsShape(row))
                 {
-                    out[i] = _modelShapes.shapeOf(list.agents[row]);
+                    out[i] = _choice.shapeOf(list.agents[row]);
                 }
             }
         }
@@ -405,7 +400,7 @@ package starlogo.search.table
             var before:ModelShape = shapes[row];
             if (before == null || shape == null || shape.modelName != before.modelName)
             {
-                places.last.revisions[row] = RowPlaces.NOT_SEEN;
+                places.forgetMotion(row);
             }
             shapes[row] = shape;
             _shapeRevisions[row] = list.agents[row].shapeRevision;
@@ -428,7 +423,7 @@ package starlogo.search.table
             }
             body.readShape(agent, shape);
             body.rank = list.ranks[row];
-            _rowExtents.setLengths(row, body);
+            places.reshape(row, body);
             _bodyRevisions[row] = agent.bodyRevision;
             unplace(row);
         }

@@ -195,7 +195,7 @@ package starlogo.collision
         {
             _phase = HANDLING;
             takeContactsFromFrame();
-            search.table.holdWorld(true);
+            search.table.holdWorld();
         }
 
         /** @private The frame is over. */
@@ -203,7 +203,7 @@ package starlogo.collision
         {
             if (_phase == HANDLING)
             {
-                search.table.holdWorld(false);
+                search.table.releaseWorld();
             }
             _phase = IDLE;
         }

@@ -266,7 +266,7 @@ package starlogo.collision
         // The touch of a pair, which begins if there is none; null if there is none, and one of the agents has left the list.
         private function touchOf(pair:int, firstRow:int, secondRow:int):Touch
         {
-            var touch:Touch = _tracker.touchAt(pair);
+            var touch:Touch = _tracker.touchAt(_pairs, pair);
             if (touch == null && _list.hasBoth(firstRow, secondRow))
             {
                 touch = _tracker.touchOrStartAt(_pairs, pair);

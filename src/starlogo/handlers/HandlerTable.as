@@ -63,7 +63,7 @@ package starlogo.handlers
             {
                 throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + kind + "\"");
             }
-            var entry:PairHandlers = entryOf(BreedInterests.numberOf(breed), BreedInterests.numberOf(otherBreed));
+            var entry:PairHandlers = entryOf(BreedInterests.numberOfName(breed), BreedInterests.numberOfName(otherBreed));
             var removed:CollisionHandler = entry.find(callback, kind == null ? PairHandlers.ANY_KIND : wanted);
             if (removed == null)
             {

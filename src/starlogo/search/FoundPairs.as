@@ -18,7 +18,7 @@ package starlogo.search
      */
     public final class FoundPairs
     {
-        /** In place of a revision: there is none. */
+        /** In place of a revision, or of the number of a touch: there is none. */
         public static const NONE:int = -1;
 
         // The revision of the pairs that were written last, by any object.
@@ -40,13 +40,16 @@ package starlogo.search
         public var revision:int = 0;
 
         /**
-         * If these pairs are earlier pairs without <code>dropped</code> and with <code>added</code>: the revision of the earlier pairs. Otherwise
+         * If these pairs are earlier pairs, of which some were dropped, and with <code>added</code>: the revision of the earlier pairs. Otherwise
          * NONE.
          */
         public var basis:int = NONE;
 
-        /** The indices of the dropped pairs among the earlier pairs, in ascending order. */
-        public var dropped:NumberList = new NumberList();
+        /** By pair: the number of its touch, or NONE. TouchTracker sets it, and kept pairs keep it. */
+        public var touches:Vector.<int> = new Vector.<int>();
+
+        /** The numbers of touches that the dropped pairs had. */
+        public var droppedTouches:NumberList = new NumberList();
 
         /** The indices of the added pairs among these pairs, in ascending order. */
         public var added:NumberList = new NumberList();
@@ -103,7 +106,8 @@ package starlogo.search
             var before:int = revision;
             setList(list);
             basis = before;
-            dropped.count = added.count = 0;
+            droppedTouches.count = added.count = 0;
+            makeRoom(count);
             var all:Vector.<int> = rows;
             var end:int = 2 * count;
             var kept:int = 0;
@@ -115,11 +119,12 @@ package starlogo.search
                 {
                     all[kept] = a;
                     all[int(kept + 1)] = b;
+                    touches[kept >> 1] = touches[i >> 1];
                     kept += 2;
                 }
-                else
+                else if (touches[i >> 1] != NONE)
                 {
-                    dropped.add(i >> 1);
+                    droppedTouches.add(touches[i >> 1]);
                 }
             }
             count = kept >> 1;
@@ -151,9 +156,11 @@ package starlogo.search
                     to--;
                     rows[int(2 * to)] = rows[int(2 * from - 2)];
                     rows[int(2 * to + 1)] = rows[int(2 * from - 1)];
+                    touches[to] = touches[int(from - 1)];
                 }
                 to--;
                 added.numbers[i] = to;
+                touches[to] = NONE;
                 rows[int(2 * to)] = a;
                 rows[int(2 * to + 1)] = b;
             }
@@ -176,6 +183,20 @@ package starlogo.search
             if (rows.length < 2 * pairCount)
             {
                 rows.length = 2 * (pairCount + (pairCount >> 3));
+            }
+            if (touches.length < pairCount)
+            {
+                touches.length = pairCount + (pairCount >> 3);
+            }
+        }
+
+        /** Lets no pair have a touch. */
+        public function clearTouches():void
+        {
+            makeRoom(count);
+            for (var pair:int = 0; pair < count; pair++)
+            {
+                touches[pair] = NONE;
             }
         }
 

@@ -109,7 +109,7 @@ package starlogo.broadphase
             {
                 remove(row);
                 enter(row, level, cell);
-                level.addMember();
+                level.count++;
                 count++;
             }
             return true;
@@ -137,7 +137,7 @@ package starlogo.broadphase
                 _next[before] = _next[row];
             }
             _cells[row] = NONE;
-            _bins.byIndex[_levelIndices[row]].removeMember();
+            _bins.byIndex[_levelIndices[row]].count--;
             count--;
         }
 

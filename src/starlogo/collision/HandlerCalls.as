@@ -18,6 +18,9 @@ package starlogo.collision
         // The kind of handlers that are called in each frame of a touch, as in HandlerTable.kinds.
         private static const EACH_FRAME:int = 1 << CollisionHandler.COLLISION;
 
+        // In place of the index of a pair: a touch that has ended.
+        private static const NO_PAIR:int = -1;
+
         /** The number of handlers called. */
         public var count:int = 0;
 
@@ -71,10 +74,10 @@ package starlogo.collision
             {
                 _tracker = tracker;
                 tracker.begin(pairs, compared, table);
-                callEnds(errors);
+                callAll(true, tracker.endedCount, errors);
                 _chosen = (table.kinds & EACH_FRAME) == 0 ? compared : null;
             }
-            callPairs(errors);
+            callAll(false, _chosen == null ? pairs.count : _chosen.count, errors);
         }
 
         /** Ends the calls of a frame, also if <code>make()</code> has thrown an error or was not called. */
@@ -104,33 +107,10 @@ package starlogo.collision
             }
         }
 
-        // Makes the calls for ended touches. The try is here and in callPairs(), and not around each call, because a method with a try makes an
+        // Makes the calls for all ended touches, or for all pairs. The try is here and not around each call, because a method with a try makes an
         // object for each of its calls in Adobe's VM, and takes longer than most handlers.
-        private function callEnds(errors:Vector.<Error>):void
+        private function callAll(areEnded:Boolean, end:int, errors:Vector.<Error>):void
         {
-            _step = _next = 0;
-            while (_step < _tracker.endedCount)
-            {
-                _isCalling = false;
-                try
-                {
-                    for (; _step < _tracker.endedCount; _step++)
-                    {
-                        endTouch(_tracker.endedAt(_step));
-                        _next = 0;
-                    }
-                }
-                catch (error:*)
-                {
-                    keepError(error, errors);
-                }
-            }
-        }
-
-        // Makes the calls for the pairs.
-        private function callPairs(errors:Vector.<Error>):void
-        {
-            var end:int = _chosen == null ? _pairs.count : _chosen.count;
             _step = _next = 0;
             while (_step < end)
             {
@@ -139,7 +119,14 @@ package starlogo.collision
                 {
                     for (; _step < end; _step++)
                     {
-                        takePair(_chosen == null ? _step : _chosen.numbers[_step]);
+                        if (areEnded)
+                        {
+                            endTouch(_tracker.endedAt(_step));
+                        }
+                        else
+                        {
+                            takePair(_chosen == null ? _step : _chosen.numbers[_step]);
+                        }
                         _next = 0;
                     }
                 }
@@ -162,88 +149,70 @@ package starlogo.collision
             errors.push(error is Error ? error : new Error(String(error)));
         }
 
-        // The loop is like that of takePair(), because one more call for each pair takes a tenth of a frame in Adobe's VM.
-        // The handlers belong to the breeds that the two agents had when the touch began. An ended touch has no contact.
+        // The handlers belong to the breeds that the two agents had when the touch began.
         private function endTouch(touch:Touch):void
         {
             if (_next == 0)
             {
                 _handlers = _table.handlersOf(touch.firstBreed, touch.secondBreed);
             }
-            var handlers:Vector.<CollisionHandler> = _handlers.handlers;
-            var forwardCount:int = _handlers.forwardCount;
-            var end:int = touch.isBothWays ? handlers.length : forwardCount;
-            while (_next < end)
-            {
-                var handler:CollisionHandler = handlers[_next];
-                _next++;
-                if (handler.kind == CollisionHandler.END && !handler.isRemoved)
-                {
-                    count++;
-                    // a local, so that the handler is not called as a method of its CollisionHandler
-                    var toCall:Function = handler.callback;
-                    var isBack:Boolean = _next > forwardCount;
-                    var collider:Agent = isBack ? touch.second : touch.first;
-                    var collidee:Agent = isBack ? touch.first : touch.second;
-                    _isCalling = true;
-                    if (handler.takesContact)
-                    {
-                        toCall(collider, collidee, null);
-                    }
-                    else
-                    {
-                        toCall(collider, collidee);
-                    }
-                    _isCalling = false;
-                }
-            }
+            callHandlers(NO_PAIR, touch.first, touch.second, 1 << CollisionHandler.END, touch.isBothWays ? _handlers.handlers.length : _handlers.forwardCount);
         }
 
-        // In the first frame of a touch, its handlers for starts are called before those for every frame.
         private function takePair(pair:int):void
         {
-            var firstRow:int = _pairs.rows[2 * pair];
-            var secondRow:int = _pairs.rows[2 * pair + 1];
-            var first:Agent = _pairs.list.agents[firstRow];
-            var second:Agent = _pairs.list.agents[secondRow];
+            var first:Agent = _pairs.firstOf(pair);
+            var second:Agent = _pairs.secondOf(pair);
             if (_next == 0)
             {
                 _handlers = _table.handlersOf(first.breedNumber, second.breedNumber);
             }
+            var end:int = _handlers.handlers.length;
+            if (!_handlers.tracksTouches)
+            {
+                callHandlers(pair, first, second, EACH_FRAME, end);
+                return;
+            }
+            var touch:Touch = touchOf(pair);
+            if (touch == null)
+            {
+                _areTouchesComplete = false;
+                return;
+            }
+            var isStarting:Boolean = touch.beganIn == _tracker.frame;
+            callHandlers(pair, first, second, isStarting ? EACH_FRAME | 1 << CollisionHandler.START : EACH_FRAME, end);
+            if (isStarting)
+            {
+                touch.isBothWays = _next > _handlers.forwardCount || _next == end;
+                _areTouchesComplete &&= touch.isBothWays;
+            }
+        }
+
+        // Calls the handlers of two agents from _next on, up to an index. In the first frame of a touch, those for starts come before those for every
+        // frame. An ended touch has no contact, and its agents may have left the list: pass NO_PAIR. For a pair it stops when one of the two has left.
+        private function callHandlers(pair:int, first:Agent, second:Agent, kinds:int, end:int):void
+        {
             var handlers:Vector.<CollisionHandler> = _handlers.handlers;
             var forwardCount:int = _handlers.forwardCount;
-            var end:int = handlers.length;
-            var touch:Touch = null;
-            if (_handlers.tracksTouches)
+            while (_next < end)
             {
-                touch = touchOf(pair, firstRow, secondRow);
-                if (touch == null)
+                var handler:CollisionHandler = handlers[_next];
+                var isMeant:Boolean = (kinds & 1 << handler.kind) != 0;
+                if (isMeant && pair != NO_PAIR && !_list.hasBoth(_pairs.rows[2 * pair], _pairs.rows[2 * pair + 1]))
                 {
-                    _areTouchesComplete = false;
                     return;
                 }
-            }
-            var isStarting:Boolean = touch != null && touch.beganIn == _tracker.frame;
-            var next:int = _next;
-            while (next < end)
-            {
-                var handler:CollisionHandler = handlers[next];
-                var isMeant:Boolean = handler.kind == CollisionHandler.COLLISION || isStarting && handler.kind == CollisionHandler.START;
-                if (isMeant && !_list.hasBoth(firstRow, secondRow))
-                {
-                    break;
-                }
-                next++;
+                _next++;
                 if (!isMeant || handler.isRemoved)
                 {
                     continue;
                 }
-                _next = next;
-                var toCall:Function = handler.callback;
-                var isBack:Boolean = next > forwardCount;
+                var isBack:Boolean = _next > forwardCount;
                 var collider:Agent = isBack ? second : first;
                 var collidee:Agent = isBack ? first : second;
-                var contact:Contact = handler.takesContact ? _contacts.contactFor(pair, first, second, isBack) : null;
+                var contact:Contact = handler.takesContact && pair != NO_PAIR ? _contacts.contactFor(pair, first, second, isBack) : null;
+                // a local, so that the handler is not called as a method of its CollisionHandler
+                var toCall:Function = handler.callback;
                 count++;
                 _isCalling = true;
                 if (handler.takesContact)
@@ -256,18 +225,13 @@ package starlogo.collision
                 }
                 _isCalling = false;
             }
-            if (isStarting)
-            {
-                touch.isBothWays = next > forwardCount || next == end;
-                _areTouchesComplete &&= touch.isBothWays;
-            }
         }
 
         // The touch of a pair, which begins if there is none; null if there is none, and one of the agents has left the list.
-        private function touchOf(pair:int, firstRow:int, secondRow:int):Touch
+        private function touchOf(pair:int):Touch
         {
             var touch:Touch = _tracker.touchAt(_pairs, pair);
-            if (touch == null && _list.hasBoth(firstRow, secondRow))
+            if (touch == null && _list.hasBoth(_pairs.rows[2 * pair], _pairs.rows[2 * pair + 1]))
             {
                 touch = _tracker.touchOrStartAt(_pairs, pair);
             }

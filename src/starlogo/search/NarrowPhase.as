@@ -78,10 +78,6 @@ package starlogo.search
                 return sphereTests.keepTouching(table, slack, row, others, count);
             }
             var body:Body = table.bodyOf(row);
-            if (body.form == ModelShape.GROUND)
-            {
-                return groundTestsOf(body).keepTouching(table, body, others, count);
-            }
             var extents:Extents = table.extents;
             // two spheres or two boxes need no test of their extents, except for the heights
             var quickForm:int = body.form == BoundingStructure.SPHERE || body.form == BoundingStructure.BOX ? body.form : NONE;

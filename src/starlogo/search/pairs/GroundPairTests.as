@@ -1,7 +1,6 @@
 package starlogo.search.pairs
 {
     import flash.geom.Vector3D;
-    import starlogo.broadphase.Extents;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
@@ -18,7 +17,6 @@ package starlogo.search.pairs
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.PenetrationSearch;
-    import starlogo.search.table.AgentTable;
     import starlogo.search.TreeLimits;
 
     use namespace engine;
@@ -86,31 +84,6 @@ package starlogo.search.pairs
         public function isDeeper(a:Body, b:Body, depth:Number):Boolean
         {
             return queryOf(a, b).depths.isDeeper(depth);
-        }
-
-        /** Keeps those of some rows that touch the ground, and moves them to the beginning of the list. Returns how many they are. */
-        public function keepTouching(table:AgentTable, ground:Body, others:Vector.<int>, count:int):int
-        {
-            var extents:Extents = table.extents;
-            var kept:int = 0;
-            _earlyOut.begin(gridOf(ground));
-            for (var i:int = 0; i < count; i++)
-            {
-                var other:int = others[i];
-                _extents.x = extents.x[other];
-                _extents.y = extents.y[other];
-                _extents.z = extents.z[other];
-                _extents.halfX = extents.halfX[other];
-                _extents.halfY = extents.halfY[other];
-                _extents.halfZ = extents.halfZ[other];
-                var found:int = _earlyOut.decide(_extents, table.shapes[other].form);
-                if (found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && overlap(table.bodyOf(other), ground))
-                {
-                    others[kept] = other;
-                    kept++;
-                }
-            }
-            return kept;
         }
 
         /** @inheritDoc */

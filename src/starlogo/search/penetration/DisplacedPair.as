@@ -68,7 +68,7 @@ package starlogo.search.penetration
             nearby = Tolerances.SEPARATION / 4 * extent;
         }
 
-        /** Whether the second body is the ground. Then <code>findExits()</code> is asked, and otherwise what is about trees. */
+        /** Whether the second body is the ground. */
         public final function get isSecondGround():Boolean
         {
             return second.form == ModelShape.GROUND;
@@ -125,20 +125,22 @@ package starlogo.search.penetration
             throw new IllegalOperationError(this + " does not implement findOuterContact");
         }
 
-        /** For trees: whether their triangles decide. */
+        /** Whether the triangles of trees decide. */
         public function get haveTriangles():Boolean
         {
-            throw new IllegalOperationError(this + " does not implement haveTriangles");
-        }
-
-        /** For trees: sets whether their leaves decide in place of their triangles. Leaves find every touch that triangles find, in a tenth of the time. */
-        public function stopAtLeaves(value:Boolean):void
-        {
-            throw new IllegalOperationError(this + " does not implement stopAtLeaves");
+            return false;
         }
 
         /**
-         * For the ground: finds contacts with which other ways out may begin.
+         * Sets whether the leaves of trees decide in place of their triangles. They find every touch that triangles find, in a tenth of the time. Without
+         * triangles it changes nothing.
+         */
+        public function stopAtLeaves(value:Boolean):void
+        {
+        }
+
+        /**
+         * Finds contacts with which other ways out may begin. Only the ground has some.
          *
          * @param contact of the two, here or near here
          * @param maxDistance parts of the ground farther away do not count
@@ -147,7 +149,7 @@ package starlogo.search.penetration
          */
         public function findExits(contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
-            throw new IllegalOperationError(this + " does not implement findExits");
+            return 0;
         }
     }
 }

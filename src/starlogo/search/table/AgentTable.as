@@ -39,8 +39,9 @@ package starlogo.search.table
         /** By row: the shape of the agent's model, which is null while the model is loading. */
         engine var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
-        // By row: the body, which is as old as its revision.
+        // By row: the body, and the row's revision at whose place it is, or STALE.
         private var _bodies:Vector.<Body> = new Vector.<Body>();
+        private var _placedRevisions:Vector.<int> = new Vector.<int>();
 
         /** By row: the extents of the shape. */
         engine var extents:Extents;
@@ -213,7 +214,8 @@ package starlogo.search.table
             {
                 return bodyOf(row);
             }
-            made.readAgent(agent, agent.isOfWorld ? WorldAgent(agent).requireSurface() : _choice.shapeOf(agent));
+            var ofWorld:WorldAgent = agent as WorldAgent;
+            made.readAgent(agent, ofWorld == null ? _choice.shapeOf(agent) : ofWorld.requireSurface());
             if (row >= 0)
             {
                 made.rank = list.ranks[row];
@@ -226,9 +228,10 @@ package starlogo.search.table
         {
             var body:Body = _bodies[row];
             var revision:int = places.last.revisions[row];
-            if (body.revision != revision)
+            if (_placedRevisions[row] != revision)
             {
-                body.follow(places.last, row, revision);
+                _placedRevisions[row] = revision;
+                body.moveToRow(row, places.last);
             }
             return body;
         }
@@ -314,7 +317,7 @@ package starlogo.search.table
         {
             var row:int = shapes.length;
             shapes.length = _bodies.length = length;
-            breeds.length = _bodyRevisions.length = _shapeRevisions.length = length;
+            breeds.length = _bodyRevisions.length = _shapeRevisions.length = _placedRevisions.length = length;
             places.grow(length);
             for (; row < length; row++)
             {
@@ -355,7 +358,7 @@ package starlogo.search.table
                 places.setLast(row, x, y, z);
             }
             last.revisions[row] = hasMotion ? seen : RowPlaces.NOT_SEEN;
-            unplace(row);
+            _placedRevisions[row] = STALE;
         }
 
         // Finds the shapes of rows. All shapes are found before any row changes, because an error must change no row.
@@ -436,16 +439,7 @@ package starlogo.search.table
             body.rank = list.ranks[row];
             places.reshape(row, body);
             _bodyRevisions[row] = agent.bodyRevision;
-            unplace(row);
-        }
-
-        // Lets a row's body be placed again.
-        private function unplace(row:int):void
-        {
-            if (_bodies[row] != null)
-            {
-                _bodies[row].revision = STALE;
-            }
+            _placedRevisions[row] = STALE;
         }
     }
 }

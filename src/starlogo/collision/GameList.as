@@ -1,13 +1,14 @@
 package starlogo.collision
 {
     import starlogo.agents.Agent;
+    import starlogo.search.FoundPairs;
     import starlogo.search.table.ListedAgents;
 
     /** The game's own list of a frame, which handlers may change. It knows which agents are still in it. */
     internal final class GameList
     {
         private var _agents:Vector.<Agent> = null;
-        private var _listed:ListedAgents = null;
+        private var _pairs:FoundPairs = null;
 
         // Whether the list had its length, and each agent that was asked for its index. From the first change on, _indices has, by row, the last
         // known index, or -1 once the agent was missing.
@@ -18,12 +19,12 @@ package starlogo.collision
          * Begins a frame.
          *
          * @param agents the list
-         * @param listed has the rows of its agents
+         * @param pairs have the rows of its agents
          */
-        public function begin(agents:Vector.<Agent>, listed:ListedAgents):void
+        public function begin(agents:Vector.<Agent>, pairs:FoundPairs):void
         {
             _agents = agents;
-            _listed = listed;
+            _pairs = pairs;
             _isUnchanged = true;
         }
 
@@ -31,19 +32,21 @@ package starlogo.collision
         public function end():void
         {
             _agents = null;
-            _listed = null;
+            _pairs = null;
         }
 
         /** Whether both agents of a pair are in the list. The ground and the edges of the world always are. */
-        public function hasBoth(firstRow:int, secondRow:int):Boolean
+        public function hasBoth(pair:int):Boolean
         {
+            var firstRow:int = _pairs.rows[2 * pair];
+            var secondRow:int = _pairs.rows[2 * pair + 1];
             var agents:Vector.<Agent> = _agents;
-            var byRow:Vector.<Agent> = _listed.agents;
-            var ranks:Vector.<int> = _listed.ranks;
+            var byRow:Vector.<Agent> = _pairs.list.agents;
+            var ranks:Vector.<int> = _pairs.list.ranks;
             var isOfWorld:Boolean = secondRow < ListedAgents.FIRST_LISTED;
             if (_isUnchanged)
             {
-                if (agents.length == _listed.rows.count && agents[ranks[firstRow]] === byRow[firstRow]
+                if (agents.length == _pairs.list.rows.count && agents[ranks[firstRow]] === byRow[firstRow]
                         && (isOfWorld || agents[ranks[secondRow]] === byRow[secondRow]))
                 {
                     return true;
@@ -61,7 +64,7 @@ package starlogo.collision
         // list, so an agent is looked for there first.
         private function has(row:int):Boolean
         {
-            var agent:Agent = _listed.agents[row];
+            var agent:Agent = _pairs.list.agents[row];
             var index:int = _indices[row];
             if (index >= 0 && (index >= _agents.length || _agents[index] !== agent))
             {

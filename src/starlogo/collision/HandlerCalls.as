@@ -27,9 +27,10 @@ package starlogo.collision
         private var _contacts:FrameContacts = new FrameContacts();
         private var _pairs:FoundPairs = null;
         private var _table:HandlerTable = null;
-        // Knows the touches; null if no handler is for starts or ends.
-        private var _tracker:TouchTracker = null;
         private var _list:GameList = new GameList();
+
+        // Knows the touches; null if there are none and no handler is for starts or ends.
+        private var _tracker:TouchTracker = null;
 
         // The pairs whose handlers are called, by their indices; null for all pairs. Whether each pair has got its touch, with calls both ways.
         private var _chosen:NumberList;
@@ -59,7 +60,7 @@ package starlogo.collision
         {
             _pairs = pairs;
             _table = table;
-            _list.begin(agents, pairs.list);
+            _list.begin(agents, pairs);
             count = 0;
             _chosen = null;
             _areTouchesComplete = true;
@@ -198,7 +199,7 @@ package starlogo.collision
             {
                 var handler:CollisionHandler = handlers[_next];
                 var isMeant:Boolean = (kinds & 1 << handler.kind) != 0;
-                if (isMeant && pair != NO_PAIR && !_list.hasBoth(_pairs.rows[2 * pair], _pairs.rows[2 * pair + 1]))
+                if (isMeant && pair != NO_PAIR && !_list.hasBoth(pair))
                 {
                     return;
                 }
@@ -231,7 +232,7 @@ package starlogo.collision
         private function touchOf(pair:int):Touch
         {
             var touch:Touch = _tracker.touchAt(_pairs, pair);
-            if (touch == null && _list.hasBoth(_pairs.rows[2 * pair], _pairs.rows[2 * pair + 1]))
+            if (touch == null && _list.hasBoth(pair))
             {
                 touch = _tracker.touchOrStartAt(_pairs, pair);
             }

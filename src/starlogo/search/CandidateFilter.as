@@ -122,7 +122,7 @@ package starlogo.search
                 _out.addPairs(row, others, keepTouchingMotions(row, others, count, level, _times), _times);
                 return;
             }
-            _out.addPairs(row, others, _narrowPhase.keepTouching(_table, level == null ? 0 : level.slack, row, others, count));
+            _out.addPairs(row, others, _narrowPhase.keepTouching(_table, level, row, others, count));
         }
 
         // Keeps the rows that touch a row on their motions. The last argument receives the times.

@@ -2,6 +2,7 @@ package starlogo.search.pairs
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Sphere;
+    import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Extents;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
@@ -47,9 +48,9 @@ package starlogo.search.pairs
         /**
          * Keeps those of some rows that touch a row, and moves them to the beginning of the list. All must be spheres. Returns how many they are.
          *
-         * @param slack how far apart the circles of the candidates may be
+         * @param level says how far apart the circles of the candidates may be
          */
-        public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
+        public function keepTouching(table:AgentTable, level:BinLevel, row:int, others:Vector.<int>, count:int):int
         {
             var xs:Vector.<Number> = table.extents.x;
             var ys:Vector.<Number> = table.extents.y;
@@ -59,6 +60,7 @@ package starlogo.search.pairs
             var atY:Number = ys[row];
             var atZ:Number = zs[row];
             var radius:Number = radii[row];
+            var slack:Number = level.slack;
             var kept:int = 0;
             _testCount += count;
             for (var i:int = 0; i < count; i++)

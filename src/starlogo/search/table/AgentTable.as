@@ -310,6 +310,7 @@ package starlogo.search.table
         private function empty(row:int):void
         {
             shapes[row] = null;
+            extents.level[row] = 0;
             _bodyRevisions[row] = STALE;
         }
 

@@ -21,16 +21,6 @@ package starlogo.search.table
         /** By row: the extents of the shape at the place in the last search. */
         public var extents:Extents = new Extents();
 
-        // By row: the way from the agent's place to the middle of its extents.
-        private var _offsets:Points = new Points();
-
-        // Assign levels to extents; null if none are needed.
-        private var _bins:Bins;
-
-        // Whether a row ever had a coarser level because it was far out. From then on each row that moves is assigned a level, so it gets a finer one
-        // when it comes back.
-        private var _wasOneFarOut:Boolean = false;
-
         /** The places in the last search. */
         public var last:RowPlaces = new RowPlaces();
 
@@ -45,6 +35,16 @@ package starlogo.search.table
 
         /** The rows that the search before has read again. */
         public var previouslyChanged:NumberList = new NumberList();
+
+        // By row: the way from the agent's place to the middle of its extents.
+        private var _offsets:Points = new Points();
+
+        // Assign levels to extents; null if none are needed.
+        private var _bins:Bins;
+
+        // Whether a row ever had a coarser level because it was far out. From then on each row that moves is assigned a level, so it gets a finer one
+        // when it comes back.
+        private var _wasOneFarOut:Boolean = false;
 
         // The rows that a new search reads.
         private var _read:NumberList = new NumberList();
@@ -68,26 +68,6 @@ package starlogo.search.table
             previous.read(row, agent);
         }
 
-        /** Takes the extents of a row's body, which has another shape, turn or size than before. */
-        public function reshape(row:int, body:Body):void
-        {
-            _offsets.x[row] = body.offsetX;
-            _offsets.y[row] = body.offsetY;
-            _offsets.z[row] = body.offsetZ;
-            extents.halfX[row] = body.halfX;
-            extents.halfY[row] = body.halfY;
-            extents.halfZ[row] = body.halfZ;
-            extents.radius[row] = body.radius;
-            moveExtentsOf(row);
-            assignLevel(row);
-        }
-
-        /** Lets an agent have no motion from its place in the search before the last. */
-        public function forgetMotion(row:int):void
-        {
-            previous.revisions[row] = RowPlaces.NOT_SEEN;
-        }
-
         /**
          * Makes the places that were read the last ones.
          *
@@ -109,6 +89,20 @@ package starlogo.search.table
             moveExtents();
         }
 
+        /** Takes the extents of a row's body, which has another shape, turn or size than before. */
+        public function reshape(row:int, body:Body):void
+        {
+            _offsets.x[row] = body.offsetX;
+            _offsets.y[row] = body.offsetY;
+            _offsets.z[row] = body.offsetZ;
+            extents.halfX[row] = body.halfX;
+            extents.halfY[row] = body.halfY;
+            extents.halfZ[row] = body.halfZ;
+            extents.radius[row] = body.radius;
+            moveExtentsOf(row);
+            assignLevel(row);
+        }
+
         /** Reads the place of one agent as it is now. It has no motion then. */
         public function readNow(row:int, agent:Agent):void
         {
@@ -124,6 +118,30 @@ package starlogo.search.table
             last.y[row] = y;
             last.z[row] = z;
             moveExtentsOf(row);
+        }
+
+        /** Lets an agent have no motion from its place in the search before the last. */
+        public function forgetMotion(row:int):void
+        {
+            previous.revisions[row] = RowPlaces.NOT_SEEN;
+        }
+
+        /** Lets no agent have a motion from its place in the last search. */
+        public function forgetMotions():void
+        {
+            for (var row:int = 0; row < last.revisions.length; row++)
+            {
+                last.revisions[row] = RowPlaces.NOT_SEEN;
+            }
+        }
+
+        /** Makes sure that there are this many rows. */
+        public function grow(length:int):void
+        {
+            last.grow(length);
+            previous.grow(length);
+            extents.grow(length);
+            _offsets.grow(length);
         }
 
         private function moveExtentsOf(row:int):void
@@ -161,7 +179,8 @@ package starlogo.search.table
                 middleX[row] = atX;
                 middleY[row] = atY;
                 middleZ[row] = atZ;
-                if (atX * atX + atY * atY + atZ * atZ >= maxDistanceSquared)
+                // a new row has no level, and its extents are not known yet
+                if (atX * atX + atY * atY + atZ * atZ >= maxDistanceSquared && extents.level[row] != 0)
                 {
                     assignLevel(row);
                 }
@@ -188,24 +207,6 @@ package starlogo.search.table
                     last.copyRow(previous, row);
                 }
             }
-        }
-
-        /** Lets no agent have a motion from its place in the last search. */
-        public function forgetMotions():void
-        {
-            for (var row:int = 0; row < last.revisions.length; row++)
-            {
-                last.revisions[row] = RowPlaces.NOT_SEEN;
-            }
-        }
-
-        /** Makes sure that there are this many rows. */
-        public function grow(length:int):void
-        {
-            last.grow(length);
-            previous.grow(length);
-            extents.grow(length);
-            _offsets.grow(length);
         }
     }
 }

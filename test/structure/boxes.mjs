@@ -20,7 +20,6 @@ const HOT = ['starlogo.agents', 'starlogo.bounding', 'starlogo.broadphase', 'sta
 
 /** Classes of those packages that do not, and why. */
 const COLD = {
-	'starlogo.handlers.AddedHandlers': 'made when handlers change',
 	'starlogo.handlers.HandlerTable': 'made when handlers change',
 	'starlogo.handlers.PairHandlers': 'made when handlers change',
 	'starlogo.hierarchy.BoxTreeBuilder': 'when a model loads',
@@ -34,7 +33,7 @@ const COLD = {
 	'starlogo.solid.ShellFinder': 'when a model loads',
 	'starlogo.solid.SurfaceTopology': 'when a model loads',
 	'starlogo.solid.Welding': 'when a model loads',
-	'starlogo.search.ModelShapes': 'when agents get other models, and when models are replaced',
+	'starlogo.search.BaseShapeChoice': 'when agents get other models, and when models are replaced',
 	'starlogo.search.BreedInterests': 'made when handlers change',
 	'starlogo.terrain.TerrainSurface': 'when the ground is drawn anew',
 };

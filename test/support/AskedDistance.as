@@ -6,7 +6,6 @@ package support
     import starlogo.engine;
     import starlogo.search.BaseShapeChoice;
     import starlogo.search.Body;
-    import starlogo.search.ModelShapes;
     import starlogo.search.NarrowPhase;
     import starlogo.search.table.AgentTable;
 
@@ -30,7 +29,7 @@ package support
         public function AskedDistance(choice:BaseShapeChoice, pairs:NarrowPhase)
         {
             _pairs = pairs;
-            _table = new AgentTable(new ModelShapes(choice), null);
+            _table = new AgentTable(choice, null);
         }
 
         /** How far two agents are apart. */

@@ -83,18 +83,6 @@ package starlogo.broadphase
             return base + mask + 1;
         }
 
-        /** Counts a member that has come to the level. */
-        public function addMember():void
-        {
-            count++;
-        }
-
-        /** Counts a member that has left the level. */
-        public function removeMember():void
-        {
-            count--;
-        }
-
         /** Whether the lists of cells have cells of the level. */
         public function get hasCells():Boolean
         {

@@ -1,5 +1,5 @@
-// This room finds which agents are near each other on the ground plane, as rows of a table. Bins sort all rows into cells and find the pairs;
-// BinLevels says how wide the cells are; CellLists finds what is near single rows that have changed since. Read this file first, then CellLists.
+// This room finds which agents are near each other on the ground plane, as rows of a table. Bins sort all rows into cells and find the pairs,
+// in levels of cells of one width (BinLevel); CellLists finds what is near single rows that have changed since. Read this file first, then CellLists.
 package starlogo.broadphase
 {
     /**
@@ -34,8 +34,14 @@ package starlogo.broadphase
         // BinLevel.MAX_DISTANCE.
         internal static const BIAS:Number = 1 << 26;
 
-        /** The levels of the members. */
-        public var levels:BinLevels = new BinLevels();
+        // The width of the finest level, for points too. It is used up to 256 patches from the origin, so points of SpaceLand need no coarser level.
+        // A power of two.
+        private static const LEAST_WIDTH:Number = 1 / (1 << 16);
+
+        // There is one level for each width that extents have needed. The levels by index, as extents refer to them. The first is none. byWidth has
+        // them from the coarsest to the finest.
+        internal var byIndex:Vector.<BinLevel> = new <BinLevel>[null];
+        internal var byWidth:Vector.<BinLevel> = new Vector.<BinLevel>();
 
         // By slot: the member's row, its middle, and the radius of its circle.
         private var _rows:Vector.<int> = new Vector.<int>();
@@ -55,6 +61,43 @@ package starlogo.broadphase
         private var _candidates:Vector.<int> = new Vector.<int>();
 
         /**
+         * Finds the level for a row's extents and its distance from the world's origin.
+         *
+         * @return whether the level is coarser because of the distance
+         */
+        public function assignLevel(extents:Extents, row:int):Boolean
+        {
+            var half:Number = extents.halfX[row];
+            var other:Number = extents.halfY[row];
+            if (other > half)
+            {
+                half = other;
+            }
+            var level:BinLevel = byIndex[extents.level[row]];
+            var middleX:Number = extents.x[row];
+            var middleY:Number = extents.y[row];
+            var middleZ:Number = extents.z[row];
+            var distanceSquared:Number = middleX * middleX + middleY * middleY + middleZ * middleZ;
+            if (level != null && 2 * half <= level.width && (4 * half > level.width || level.width == LEAST_WIDTH) && distanceSquared < level.maxDistanceSquared)
+            {
+                return false;
+            }
+            var width:Number = widthFor(2 * half);
+            var distant:Number = widthFor(Math.sqrt(distanceSquared) / BinLevel.MAX_DISTANCE);
+            extents.level[row] = levelOf(Math.max(width, distant)).index;
+            return distant > width;
+        }
+
+        /**
+         * The square of the distance up to which all levels can be used. Rows farther out must be assigned a level again. Levels without
+         * members count too, because rows outside the search have levels, and a search of motions uses other levels.
+         */
+        public function get maxDistanceSquared():Number
+        {
+            return byWidth.length == 0 ? Infinity : byWidth[byWidth.length - 1].maxDistanceSquared;
+        }
+
+        /**
          * Finds the pairs whose circles on the ground overlap, or nearly so. Each pair is passed to the sink once.
          *
          * @param extents must fit their levels
@@ -64,7 +107,7 @@ package starlogo.broadphase
          */
         public function findPairs(extents:Extents, rows:Vector.<int>, count:int, sink:PairSink):void
         {
-            levels.countMembers(extents.level, rows, count);
+            countMembers(extents.level, rows, count);
             var counters:int = layOut(count);
             countCells(extents, rows, count);
             var slots:int = sumUp(counters);
@@ -75,21 +118,42 @@ package starlogo.broadphase
             sortByCells(rows, count);
             copyFirstCells();
             gather(extents, slots);
-            for (var i:int = 0; i < levels.byWidth.length; i++)
+            for (var i:int = 0; i < byWidth.length; i++)
             {
-                var level:BinLevel = levels.byWidth[i];
+                var level:BinLevel = byWidth[i];
                 if (level.count == 0)
                 {
                     continue;
                 }
                 for (var coarser:int = 0; coarser < i; coarser++)
                 {
-                    if (levels.byWidth[coarser].count > 0)
+                    if (byWidth[coarser].count > 0)
                     {
-                        findPairsBetween(level, levels.byWidth[coarser], sink);
+                        findPairsBetween(level, byWidth[coarser], sink);
                     }
                 }
                 findPairsWithin(level, sink);
+            }
+        }
+
+        // Counts the members of each level. indices: by row, the index of its level.
+        private function countMembers(indices:Vector.<int>, rows:Vector.<int>, count:int):void
+        {
+            var all:Vector.<BinLevel> = byIndex;
+            if (all.length == 2)
+            {
+                all[1].count = count;
+                return;
+            }
+            for (var i:int = 1; i < all.length; i++)
+            {
+                all[i].count = 0;
+            }
+            // A long loop is the last thing of its method. V8 does not optimise what it has not seen run, so code after the loop would end
+            // the optimised method in every frame.
+            for (i = 0; i < count; i++)
+            {
+                all[indices[rows[i]]].count++;
             }
         }
 
@@ -97,11 +161,11 @@ package starlogo.broadphase
         private function layOut(count:int):int
         {
             var counters:int = 0;
-            for (var i:int = 0; i < levels.byWidth.length; i++)
+            for (var i:int = 0; i < byWidth.length; i++)
             {
-                if (levels.byWidth[i].count > 0)
+                if (byWidth[i].count > 0)
                 {
-                    counters = levels.byWidth[i].makeRoom(counters);
+                    counters = byWidth[i].makeRoom(counters);
                 }
             }
             if (counters > _counts.length)
@@ -136,7 +200,7 @@ package starlogo.broadphase
                 if (indices[row] != index)
                 {
                     index = indices[row];
-                    var level:BinLevel = levels.byIndex[index];
+                    var level:BinLevel = byIndex[index];
                     cellsPerPatch = level.cellsPerPatch;
                     mask = level.mask;
                     stride = level.stride;
@@ -191,11 +255,11 @@ package starlogo.broadphase
         // Lists the members of the first cells of each level after its last cell once more.
         private function copyFirstCells():void
         {
-            for (var i:int = 0; i < levels.byWidth.length; i++)
+            for (var i:int = 0; i < byWidth.length; i++)
             {
-                if (levels.byWidth[i].count > 0)
+                if (byWidth[i].count > 0)
                 {
-                    copyFirstCellsOf(levels.byWidth[i]);
+                    copyFirstCellsOf(byWidth[i]);
                 }
             }
         }
@@ -315,6 +379,34 @@ package starlogo.broadphase
                 }
             }
             return found;
+        }
+
+        // The smallest power of two that is at least this large, and not less than LEAST_WIDTH.
+        private static function widthFor(least:Number):Number
+        {
+            var width:Number = LEAST_WIDTH;
+            while (width < least && width < Infinity)
+            {
+                width *= 2;
+            }
+            return width;
+        }
+
+        // The level of a width, which is a power of two.
+        private function levelOf(width:Number):BinLevel
+        {
+            var index:int = 0;
+            while (index < byWidth.length && byWidth[index].width > width)
+            {
+                index++;
+            }
+            if (index == byWidth.length || byWidth[index].width != width)
+            {
+                var level:BinLevel = new BinLevel(byIndex.length, width);
+                byWidth.splice(index, 0, level);
+                byIndex.push(level);
+            }
+            return byWidth[index];
         }
     }
 }

@@ -16,7 +16,7 @@ package starlogo.broadphase
         // The rows that are found near a row.
         private var _near:Vector.<int> = new Vector.<int>();
 
-        private var _levels:BinLevels;
+        private var _bins:Bins;
         private var _extents:Extents;
 
         // By counter: the first row of the cell's list. By row: the counter of its cell, or NONE; the level's index; the next row in the list.
@@ -25,10 +25,10 @@ package starlogo.broadphase
         private var _levelIndices:Vector.<int> = new Vector.<int>();
         private var _next:Vector.<int> = new Vector.<int>();
 
-        /** @param levels the levels of the bins */
-        public function CellLists(levels:BinLevels)
+        /** @param bins whose cells it takes over */
+        public function CellLists(bins:Bins)
         {
-            _levels = levels;
+            _bins = bins;
         }
 
         /**
@@ -44,9 +44,9 @@ package starlogo.broadphase
             _extents = extents;
             this.count = count;
             var end:int = 0;
-            for (var i:int = 0; i < _levels.byWidth.length; i++)
+            for (var i:int = 0; i < _bins.byWidth.length; i++)
             {
-                var level:BinLevel = _levels.byWidth[i];
+                var level:BinLevel = _bins.byWidth[i];
                 if (level.count == 0)
                 {
                     level.dropCells();
@@ -67,7 +67,7 @@ package starlogo.broadphase
             for (i = 0; i < count; i++)
             {
                 var row:int = rows[i];
-                level = _levels.byIndex[extents.level[row]];
+                level = _bins.byIndex[extents.level[row]];
                 enter(row, level, level.base + level.cellAt(extents.x[row], extents.y[row]));
             }
         }
@@ -99,7 +99,7 @@ package starlogo.broadphase
         /** Puts a row into the cell of its extents, and makes it a member if it is none. Returns false if its level has no cells. */
         public function place(row:int):Boolean
         {
-            var level:BinLevel = _levels.byIndex[_extents.level[row]];
+            var level:BinLevel = _bins.byIndex[_extents.level[row]];
             if (!level.hasCells)
             {
                 return false;
@@ -109,7 +109,7 @@ package starlogo.broadphase
             {
                 remove(row);
                 enter(row, level, cell);
-                level.addMember();
+                level.count++;
                 count++;
             }
             return true;
@@ -137,16 +137,16 @@ package starlogo.broadphase
                 _next[before] = _next[row];
             }
             _cells[row] = NONE;
-            _levels.byIndex[_levelIndices[row]].removeMember();
+            _bins.byIndex[_levelIndices[row]].count--;
             count--;
         }
 
         /** Whether each level with members has as many cells as the bins would give it now. */
         public function areCellsValid():Boolean
         {
-            for (var i:int = 0; i < _levels.byWidth.length; i++)
+            for (var i:int = 0; i < _bins.byWidth.length; i++)
             {
-                if (!_levels.byWidth[i].areCellsValid())
+                if (!_bins.byWidth[i].areCellsValid())
                 {
                     return false;
                 }
@@ -161,10 +161,10 @@ package starlogo.broadphase
          */
         public function findNear(row:int, marks:Vector.<int>, mark:int, sink:PairSink):void
         {
-            var own:BinLevel = _levels.byIndex[_extents.level[row]];
-            for (var i:int = 0; i < _levels.byWidth.length; i++)
+            var own:BinLevel = _bins.byIndex[_extents.level[row]];
+            for (var i:int = 0; i < _bins.byWidth.length; i++)
             {
-                var level:BinLevel = _levels.byWidth[i];
+                var level:BinLevel = _bins.byWidth[i];
                 var coarser:BinLevel = own.width > level.width ? own : level;
                 var found:int = level.count == 0 ? 0 : findOfLevel(row, level, own.width / 2 + level.width / 2 + coarser.slack);
                 found = keepNear(row, found, coarser.slack, marks, mark);

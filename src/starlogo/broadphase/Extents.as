@@ -2,7 +2,7 @@ package starlogo.broadphase
 {
     /**
      * Columns of axis-aligned extents: the middle and the half lengths of each row, in patches, and the level of bins that fits the row.
-     * BinLevels.assignLevel finds the level.
+     * Bins.assignLevel finds the level.
      *
      * @private
      */

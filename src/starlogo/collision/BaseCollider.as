@@ -51,19 +51,19 @@ package starlogo.collision
         /** @inheritDoc */
         public function get statistics():CollisionStatistics
         {
-            return _collisionSystem.statistics;
+            return inside.statistics;
         }
 
         /** @inheritDoc */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
-            return _collisionSystem.areColliding(a, b);
+            return inside.areColliding(a, b);
         }
 
         /** @inheritDoc */
         public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return _collisionSystem.findCollisions(agents, out);
+            return inside.findCollisions(agents, out);
         }
 
         /**
@@ -104,8 +104,8 @@ package starlogo.collision
         /** @private The engine's collider that this one is or contains, or null. It belongs to one Collision at most. */
         engine function get innerCollider():Collider
         {
-            var inside:BaseCollider = _collisionSystem as BaseCollider;
-            return inside == null ? null : inside.innerCollider;
+            var around:BaseCollider = _collisionSystem as BaseCollider;
+            return around == null ? null : around.innerCollider;
         }
 
         /** @private */
@@ -131,6 +131,7 @@ package starlogo.collision
          * @param foreign reads the pairs of a system that is not the engine's. Each Collision has its own, because Collisions may share such a system
          * @param counts takes the counts and the time
          * @return the pairs, until the next call
+         * @throws ArgumentError if an agent of the list is null or listed twice, or if the system finds an agent that is not in the list
          * @throws IllegalOperationError if there is ground or there are edges, but this is not one of the engine's systems
          */
         engine function findPairs(input:FrameInput, foreign:ForeignPairs, counts:CollisionStatistics):FoundPairs
@@ -142,8 +143,9 @@ package starlogo.collision
                 var what:String = hasGround ? "a terrain needs" : "bounds need";
                 throw new IllegalOperationError(what + " one of the engine's collision systems, not " + textOf(_collisionSystem || this, "a Collider"));
             }
+            foreign.begin(input.agents);
             var listed:Vector.<Agent> = input.takePart == null ? input.agents : chosen(input.agents, input.takePart);
-            var pairs:FoundPairs = foreign.read(findCollisionsAmong(listed, input.interests, _foundAgents), input.agents);
+            var pairs:FoundPairs = foreign.read(findCollisionsAmong(listed, input.interests, _foundAgents));
             counts.copyFrom(statistics);
             // the system may not count these
             counts.agents = input.agents.length;
@@ -155,6 +157,17 @@ package starlogo.collision
         /** @private Called when a Collision's frame is over, handlers included, with the Collision's statistics. */
         engine function onFrame(statistics:CollisionStatistics):void
         {
+        }
+
+        // The collision system that does the work.
+        private function get inside():CollisionSystem
+        {
+            if (_collisionSystem == null)
+            {
+                throw new IllegalOperationError(this + " must override areColliding, findCollisions and statistics, because there is no other collision system "
+                        + "in it");
+            }
+            return _collisionSystem;
         }
 
         private static function chosen(agents:Vector.<Agent>, takePart:Vector.<Boolean>):Vector.<Agent>

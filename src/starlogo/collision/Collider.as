@@ -44,7 +44,7 @@ package starlogo.collision
         engine var search:CollisionSearch;
 
         // The Collision that has it, or null; the search for other calls of findCollisions, or null.
-        private var _owner:Object = null;
+        private var _owner:Collision = null;
         private var _extraSearch:CollisionSearch = null;
 
         // What the Collision does with it. While it searches for a frame, a BaseCollider around this one may call findCollisions. While handlers
@@ -164,7 +164,7 @@ package starlogo.collision
         }
 
         /** @private Gives the collider to a Collision, or takes it back with null. For a new owner no agent has a motion. */
-        engine function giveTo(owner:Object):void
+        engine function giveTo(owner:Collision):void
         {
             if (owner != null && owner !== _owner)
             {
@@ -195,7 +195,7 @@ package starlogo.collision
         {
             _phase = HANDLING;
             takeContactsFromFrame();
-            search.table.holdWorld(true);
+            search.table.holdWorld();
         }
 
         /** @private The frame is over. */
@@ -203,7 +203,7 @@ package starlogo.collision
         {
             if (_phase == HANDLING)
             {
-                search.table.holdWorld(false);
+                search.table.releaseWorld();
             }
             _phase = IDLE;
         }

@@ -149,7 +149,7 @@ package starlogo.collision
          */
         public function get lastAgents():Vector.<Agent>
         {
-            return _lastFrame.lendAgents();
+            return _lastFrame.agents;
         }
 
         /**
@@ -298,6 +298,7 @@ package starlogo.collision
             finally
             {
                 _updatingSystem = null;
+                _calls.end();
                 if (collider != null)
                 {
                     collider.endFrame();

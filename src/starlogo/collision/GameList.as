@@ -19,7 +19,7 @@ package starlogo.collision
          * Begins a frame.
          *
          * @param agents the list
-         * @param pairs has the rows of its agents
+         * @param pairs have the rows of its agents
          */
         public function begin(agents:Vector.<Agent>, pairs:FoundPairs):void
         {
@@ -36,15 +36,17 @@ package starlogo.collision
         }
 
         /** Whether both agents of a pair are in the list. The ground and the edges of the world always are. */
-        public function hasBoth(firstRow:int, secondRow:int):Boolean
+        public function hasBoth(pair:int):Boolean
         {
+            var firstRow:int = _pairs.rows[2 * pair];
+            var secondRow:int = _pairs.rows[2 * pair + 1];
             var agents:Vector.<Agent> = _agents;
-            var byRow:Vector.<Agent> = _pairs.agents;
-            var ranks:Vector.<int> = _pairs.ranks;
+            var byRow:Vector.<Agent> = _pairs.list.agents;
+            var ranks:Vector.<int> = _pairs.list.ranks;
             var isOfWorld:Boolean = secondRow < ListedAgents.FIRST_LISTED;
             if (_isUnchanged)
             {
-                if (agents.length == _pairs.agentCount && agents[ranks[firstRow]] === byRow[firstRow]
+                if (agents.length == _pairs.list.rows.count && agents[ranks[firstRow]] === byRow[firstRow]
                         && (isOfWorld || agents[ranks[secondRow]] === byRow[secondRow]))
                 {
                     return true;
@@ -62,7 +64,7 @@ package starlogo.collision
         // list, so an agent is looked for there first.
         private function has(row:int):Boolean
         {
-            var agent:Agent = _pairs.agents[row];
+            var agent:Agent = _pairs.list.agents[row];
             var index:int = _indices[row];
             if (index >= 0 && (index >= _agents.length || _agents[index] !== agent))
             {

@@ -18,14 +18,19 @@ package starlogo.collision
         // The kind of handlers that are called in each frame of a touch, as in HandlerTable.kinds.
         private static const EACH_FRAME:int = 1 << CollisionHandler.COLLISION;
 
+        // In place of the index of a pair: a touch that has ended.
+        private static const NO_PAIR:int = -1;
+
         /** The number of handlers called. */
         public var count:int = 0;
 
         private var _contacts:FrameContacts = new FrameContacts();
         private var _pairs:FoundPairs = null;
         private var _table:HandlerTable = null;
-        private var _tracker:TouchTracker = null;
         private var _list:GameList = new GameList();
+
+        // Knows the touches; null if there are none and no handler is for starts or ends.
+        private var _tracker:TouchTracker = null;
 
         // The pairs whose handlers are called, by their indices; null for all pairs. Whether each pair has got its touch, with calls both ways.
         private var _chosen:NumberList;
@@ -41,7 +46,7 @@ package starlogo.collision
         private var _isCalling:Boolean = false;
 
         /**
-         * Makes the calls of a frame.
+         * Makes the calls of a frame. Call <code>end()</code> afterwards.
          *
          * @param pairs the pairs of the frame, in the order of their calls
          * @param system has found them
@@ -55,7 +60,6 @@ package starlogo.collision
         {
             _pairs = pairs;
             _table = table;
-            _tracker = tracker;
             _list.begin(agents, pairs);
             count = 0;
             _chosen = null;
@@ -67,18 +71,25 @@ package starlogo.collision
                 // before the touches, because a game's own contactOf may throw. Then no touch has changed
                 findContacts((table.contactKinds & EACH_FRAME) == 0 ? compared : null);
             }
-            var tracksTouches:Boolean = tracker.count > 0 || (table.kinds & ~EACH_FRAME) != 0;
-            if (tracksTouches)
+            if (tracker.count > 0 || (table.kinds & ~EACH_FRAME) != 0)
             {
+                _tracker = tracker;
                 tracker.begin(pairs, compared, table);
-                callEnds(errors);
+                callAll(true, tracker.endedCount, errors);
                 _chosen = (table.kinds & EACH_FRAME) == 0 ? compared : null;
             }
-            callPairs(errors);
-            if (tracksTouches)
+            callAll(false, _chosen == null ? pairs.count : _chosen.count, errors);
+        }
+
+        /** Ends the calls of a frame, also if <code>make()</code> has thrown an error or was not called. */
+        public function end():void
+        {
+            if (_tracker != null)
             {
-                tracker.end(pairs, _areTouchesComplete);
+                _tracker.end(_pairs, _areTouchesComplete);
+                _tracker = null;
             }
+            _pairs = null;
             _contacts.end();
             _list.end();
         }
@@ -97,33 +108,10 @@ package starlogo.collision
             }
         }
 
-        // Makes the calls for ended touches. The try is here and in callPairs(), and not around each call, because a method with a try makes an
+        // Makes the calls for all ended touches, or for all pairs. The try is here and not around each call, because a method with a try makes an
         // object for each of its calls in Adobe's VM, and takes longer than most handlers.
-        private function callEnds(errors:Vector.<Error>):void
+        private function callAll(areEnded:Boolean, end:int, errors:Vector.<Error>):void
         {
-            _step = _next = 0;
-            while (_step < _tracker.endedCount)
-            {
-                _isCalling = false;
-                try
-                {
-                    for (; _step < _tracker.endedCount; _step++)
-                    {
-                        endTouch(_tracker.endedAt(_step));
-                        _next = 0;
-                    }
-                }
-                catch (error:*)
-                {
-                    keepError(error, errors);
-                }
-            }
-        }
-
-        // Makes the calls for the pairs.
-        private function callPairs(errors:Vector.<Error>):void
-        {
-            var end:int = _chosen == null ? _pairs.count : _chosen.count;
             _step = _next = 0;
             while (_step < end)
             {
@@ -132,7 +120,14 @@ package starlogo.collision
                 {
                     for (; _step < end; _step++)
                     {
-                        takePair(_chosen == null ? _step : _chosen.numbers[_step]);
+                        if (areEnded)
+                        {
+                            endTouch(_tracker.endedAt(_step));
+                        }
+                        else
+                        {
+                            takePair(_chosen == null ? _step : _chosen.numbers[_step]);
+                        }
                         _next = 0;
                     }
                 }
@@ -149,93 +144,76 @@ package starlogo.collision
         {
             if (!_isCalling)
             {
+                _areTouchesComplete = false;
                 throw error;
             }
             errors.push(error is Error ? error : new Error(String(error)));
         }
 
-        // The loop is like that of takePair(), because one more call for each pair takes a tenth of a frame in Adobe's VM.
-        // The handlers belong to the breeds that the two agents had when the touch began. An ended touch has no contact.
+        // The handlers belong to the breeds that the two agents had when the touch began.
         private function endTouch(touch:Touch):void
         {
             if (_next == 0)
             {
                 _handlers = _table.handlersOf(touch.firstBreed, touch.secondBreed);
             }
-            var handlers:Vector.<CollisionHandler> = _handlers.handlers;
-            var forwardCount:int = _handlers.forwardCount;
-            var end:int = touch.isBothWays ? handlers.length : forwardCount;
-            while (_next < end)
-            {
-                var handler:CollisionHandler = handlers[_next];
-                _next++;
-                if (handler.kind == CollisionHandler.END && !handler.isRemoved)
-                {
-                    count++;
-                    // a local, so that the handler is not called as a method of its CollisionHandler
-                    var toCall:Function = handler.callback;
-                    var isBack:Boolean = _next > forwardCount;
-                    var collider:Agent = isBack ? touch.second : touch.first;
-                    var collidee:Agent = isBack ? touch.first : touch.second;
-                    _isCalling = true;
-                    if (handler.takesContact)
-                    {
-                        toCall(collider, collidee, null);
-                    }
-                    else
-                    {
-                        toCall(collider, collidee);
-                    }
-                    _isCalling = false;
-                }
-            }
+            callHandlers(NO_PAIR, touch.first, touch.second, 1 << CollisionHandler.END, touch.isBothWays ? _handlers.handlers.length : _handlers.forwardCount);
         }
 
-        // In the first frame of a touch, its handlers for starts are called before those for every frame.
         private function takePair(pair:int):void
         {
-            var firstRow:int = _pairs.rows[2 * pair];
-            var secondRow:int = _pairs.rows[2 * pair + 1];
-            var first:Agent = _pairs.agents[firstRow];
-            var second:Agent = _pairs.agents[secondRow];
+            var first:Agent = _pairs.firstOf(pair);
+            var second:Agent = _pairs.secondOf(pair);
             if (_next == 0)
             {
                 _handlers = _table.handlersOf(first.breedNumber, second.breedNumber);
             }
+            var end:int = _handlers.handlers.length;
+            if (!_handlers.tracksTouches)
+            {
+                callHandlers(pair, first, second, EACH_FRAME, end);
+                return;
+            }
+            var touch:Touch = touchOf(pair);
+            if (touch == null)
+            {
+                _areTouchesComplete = false;
+                return;
+            }
+            var isStarting:Boolean = touch.beganIn == _tracker.frame;
+            callHandlers(pair, first, second, isStarting ? EACH_FRAME | 1 << CollisionHandler.START : EACH_FRAME, end);
+            if (isStarting)
+            {
+                touch.isBothWays = _next > _handlers.forwardCount || _next == end;
+                _areTouchesComplete &&= touch.isBothWays;
+            }
+        }
+
+        // Calls the handlers of two agents from _next on, up to an index. In the first frame of a touch, those for starts come before those for every
+        // frame. An ended touch has no contact, and its agents may have left the list: pass NO_PAIR. For a pair it stops when one of the two has left.
+        private function callHandlers(pair:int, first:Agent, second:Agent, kinds:int, end:int):void
+        {
             var handlers:Vector.<CollisionHandler> = _handlers.handlers;
             var forwardCount:int = _handlers.forwardCount;
-            var end:int = handlers.length;
-            var touch:Touch = null;
-            if (_handlers.tracksTouches)
+            while (_next < end)
             {
-                touch = touchOf(pair, firstRow, secondRow);
-                if (touch == null)
+                var handler:CollisionHandler = handlers[_next];
+                var isMeant:Boolean = (kinds & 1 << handler.kind) != 0;
+                if (isMeant && pair != NO_PAIR && !_list.hasBoth(pair))
                 {
-                    _areTouchesComplete = false;
                     return;
                 }
-            }
-            var isStarting:Boolean = touch != null && touch.beganIn == _tracker.frame;
-            var next:int = _next;
-            while (next < end)
-            {
-                var handler:CollisionHandler = handlers[next];
-                var isMeant:Boolean = handler.kind == CollisionHandler.COLLISION || isStarting && handler.kind == CollisionHandler.START;
-                if (isMeant && !_list.hasBoth(firstRow, secondRow))
-                {
-                    break;
-                }
-                next++;
+                _next++;
                 if (!isMeant || handler.isRemoved)
                 {
                     continue;
                 }
-                _next = next;
-                var toCall:Function = handler.callback;
-                var isBack:Boolean = next > forwardCount;
+                var isBack:Boolean = _next > forwardCount;
                 var collider:Agent = isBack ? second : first;
                 var collidee:Agent = isBack ? first : second;
-                var contact:Contact = handler.takesContact ? _contacts.contactFor(pair, first, second, isBack) : null;
+                var contact:Contact = handler.takesContact && pair != NO_PAIR ? _contacts.contactFor(pair, first, second, isBack) : null;
+                // a local, so that the handler is not called as a method of its CollisionHandler
+                var toCall:Function = handler.callback;
                 count++;
                 _isCalling = true;
                 if (handler.takesContact)
@@ -248,18 +226,13 @@ package starlogo.collision
                 }
                 _isCalling = false;
             }
-            if (isStarting)
-            {
-                touch.isBothWays = next > forwardCount || next == end;
-                _areTouchesComplete &&= touch.isBothWays;
-            }
         }
 
         // The touch of a pair, which begins if there is none; null if there is none, and one of the agents has left the list.
-        private function touchOf(pair:int, firstRow:int, secondRow:int):Touch
+        private function touchOf(pair:int):Touch
         {
-            var touch:Touch = _tracker.touchAt(pair);
-            if (touch == null && _list.hasBoth(firstRow, secondRow))
+            var touch:Touch = _tracker.touchAt(_pairs, pair);
+            if (touch == null && _list.hasBoth(pair))
             {
                 touch = _tracker.touchOrStartAt(_pairs, pair);
             }

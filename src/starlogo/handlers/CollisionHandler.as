@@ -50,8 +50,8 @@ package starlogo.handlers
             this.kind = kind;
             this.callback = callback;
             this.order = order;
-            breedNumber = BreedInterests.numberOf(breed);
-            otherNumber = BreedInterests.numberOf(otherBreed);
+            breedNumber = BreedInterests.numberOfName(breed);
+            otherNumber = BreedInterests.numberOfName(otherBreed);
             takesContact = mayTakeContact(callback);
         }
 

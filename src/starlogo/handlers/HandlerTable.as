@@ -63,14 +63,14 @@ package starlogo.handlers
             {
                 throw new ArgumentError("kind must be \"collision\", \"start\", \"end\" or null, not \"" + kind + "\"");
             }
-            var added:AddedHandlers = entryOf(BreedInterests.numberOf(breed), BreedInterests.numberOf(otherBreed)).added;
-            var removed:CollisionHandler = added.find(callback, kind == null ? AddedHandlers.ANY_KIND : wanted);
+            var entry:PairHandlers = entryOf(BreedInterests.numberOfName(breed), BreedInterests.numberOfName(otherBreed));
+            var removed:CollisionHandler = entry.find(callback, kind == null ? PairHandlers.ANY_KIND : wanted);
             if (removed == null)
             {
                 return false;
             }
             _isOneRemoved = true;
-            added.remove(removed, _knownCount);
+            entry.remove(removed, _knownCount);
             return true;
         }
 
@@ -79,7 +79,7 @@ package starlogo.handlers
         {
             for each (var entry:PairHandlers in _all)
             {
-                entry.added.removeAll(_knownCount);
+                entry.removeAll(_knownCount);
             }
             _isOneRemoved = true;
         }
@@ -146,7 +146,7 @@ package starlogo.handlers
                 for each (var other:int in otherBreed > Breeds.ANY ? [otherBreed, Breeds.ANY] : [otherBreed])
                 {
                     var index:int = _indices.valueOf(number, other);
-                    for each (var handler:CollisionHandler in index < 0 ? null : _all[index].added.list)
+                    for each (var handler:CollisionHandler in index < 0 ? null : _all[index].added)
                     {
                         if (handler.order < _knownCount)
                         {
@@ -164,7 +164,7 @@ package starlogo.handlers
         private function enter(handler:CollisionHandler):void
         {
             _added.push(handler);
-            entryOf(handler.breedNumber, handler.otherNumber).added.list.push(handler);
+            entryOf(handler.breedNumber, handler.otherNumber).added.push(handler);
         }
 
         // Begins an empty table with the handlers that are not removed.
@@ -180,7 +180,7 @@ package starlogo.handlers
             _added.length = 0;
             for each (var entry:PairHandlers in before)
             {
-                for each (var handler:CollisionHandler in entry.added.list)
+                for each (var handler:CollisionHandler in entry.added)
                 {
                     if (!handler.isRemoved)
                     {

@@ -19,9 +19,6 @@ package starlogo.handlers
      */
     public final class TouchTracker
     {
-        // In place of the index of a touch: there is none.
-        private static const NONE:int = -1;
-
         /** The number of the frame, from 1 on. */
         public var frame:int = 0;
 
@@ -36,10 +33,6 @@ package starlogo.handlers
 
         // By the numbers of two agents, the lesser first: the index of their touch.
         private var _indices:HashTable = new HashTable();
-
-        // By pair of the frame: the index of its touch, or NONE. The list may be longer. The touches that dropped pairs had.
-        private var _byPair:Vector.<int> = new Vector.<int>();
-        private var _dropped:NumberList = new NumberList();
 
         // The indices of the objects for later touches.
         private var _free:NumberList = new NumberList();
@@ -73,12 +66,7 @@ package starlogo.handlers
             forgetEnded();
             if (compared == null)
             {
-                clearColumn(pairs.count);
-            }
-            else
-            {
-                takeDropped(pairs);
-                openForAdded(pairs);
+                pairs.clearTouches();
             }
             var end:int = compared == null ? pairs.count : compared.count;
             for (var i:int = 0; i < end; i++)
@@ -89,10 +77,10 @@ package starlogo.handlers
                     renew(pairs, pair);
                 }
             }
-            end = compared == null ? _all.length : _dropped.count;
+            end = compared == null ? _all.length : pairs.droppedTouches.count;
             for (i = 0; i < end; i++)
             {
-                var open:int = compared == null ? i : _dropped.numbers[i];
+                var open:int = compared == null ? i : pairs.droppedTouches.numbers[i];
                 endUnlessSeen(_all[open]);
             }
             _ended.sortFirst(_ended.count);
@@ -122,10 +110,10 @@ package starlogo.handlers
         }
 
         /** The touch of a pair; null if there is none. */
-        public function touchAt(pair:int):Touch
+        public function touchAt(pairs:FoundPairs, pair:int):Touch
         {
-            var index:int = _byPair[pair];
-            return index == NONE ? null : _all[index];
+            var index:int = pairs.touches[pair];
+            return index == FoundPairs.NONE ? null : _all[index];
         }
 
         /** Gives a pair the touch of its agents. If there is none, one begins, of the breeds that the two have now. */
@@ -134,7 +122,7 @@ package starlogo.handlers
             var first:Agent = pairs.firstOf(pair);
             var second:Agent = pairs.secondOf(pair);
             var touch:Touch = touchOrStart(first, second, first.breedNumber, second.breedNumber);
-            _byPair[pair] = touch.index;
+            pairs.touches[pair] = touch.index;
             return touch;
         }
 
@@ -176,64 +164,6 @@ package starlogo.handlers
             return ordered;
         }
 
-        private function clearColumn(pairCount:int):void
-        {
-            makeRoom(pairCount);
-            for (var pair:int = 0; pair < pairCount; pair++)
-            {
-                _byPair[pair] = NONE;
-            }
-        }
-
-        // Takes the touches of dropped pairs out of the column, and lists them.
-        private function takeDropped(pairs:FoundPairs):void
-        {
-            var byPair:Vector.<int> = _byPair;
-            var dropped:NumberList = pairs.dropped;
-            var before:int = pairs.count - pairs.added.count + dropped.count;
-            _dropped.count = 0;
-            for (var i:int = 0; i < dropped.count; i++)
-            {
-                var pair:int = dropped.numbers[i];
-                if (byPair[pair] != NONE)
-                {
-                    _dropped.add(byPair[pair]);
-                }
-                var end:int = i + 1 < dropped.count ? dropped.numbers[i + 1] : before;
-                for (var from:int = pair + 1; from < end; from++)
-                {
-                    byPair[int(from - i - 1)] = byPair[from];
-                }
-            }
-        }
-
-        // Makes room in the column for added pairs, which have no touch yet.
-        private function openForAdded(pairs:FoundPairs):void
-        {
-            makeRoom(pairs.count);
-            var byPair:Vector.<int> = _byPair;
-            var added:NumberList = pairs.added;
-            var to:int = pairs.count - 1;
-            for (var left:int = added.count; left > 0; left--)
-            {
-                for (var pair:int = added.numbers[left - 1]; to > pair; to--)
-                {
-                    byPair[to] = byPair[int(to - left)];
-                }
-                byPair[to] = NONE;
-                to--;
-            }
-        }
-
-        // Grows by an eighth, because a vector that grows a little in each frame is copied each time.
-        private function makeRoom(pairCount:int):void
-        {
-            if (_byPair.length < pairCount)
-            {
-                _byPair.length = pairCount + (pairCount >> 3);
-            }
-        }
-
         private function newTouch():Touch
         {
             var touch:Touch;
@@ -266,7 +196,7 @@ package starlogo.handlers
             if (touch.isBothWays && touch.firstBreed == touch.first.breedNumber && touch.secondBreed == touch.second.breedNumber)
             {
                 touch.seenIn = frame;
-                _byPair[pair] = index;
+                pairs.touches[pair] = index;
             }
         }
 

@@ -14,7 +14,6 @@ package starlogo.queries
     import starlogo.geometry.Placement;
     import starlogo.queries.trees.RowTree;
     import starlogo.search.Body;
-    import starlogo.search.ModelShapes;
     import starlogo.search.NarrowPhase;
     import starlogo.search.table.AgentTable;
     import starlogo.search.table.ListedAgents;
@@ -265,7 +264,7 @@ package starlogo.queries
 
         private static function newTable(found:NarrowPhase):AgentTable
         {
-            return new AgentTable(new ModelShapes(found.choice), null);
+            return new AgentTable(found.choice, null);
         }
     }
 }

@@ -4,13 +4,17 @@ package starlogo.search
     import starlogo.data.meantOf;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.requireInWorld;
     import starlogo.models.Model;
 
     use namespace engine;
 
     /**
-     * Chooses the shape of each agent's model for a Collider. Each of the engine's colliders has a subclass of its own. Games extend ShapeChoice.
+     * Chooses the shape of each agent's model for a Collider, and keeps it for all agents with the model. Each of the engine's colliders has a
+     * subclass of its own. Games extend ShapeChoice.
      */
     public class BaseShapeChoice
     {
@@ -29,8 +33,21 @@ package starlogo.search
         /** @private For <code>system</code>: a CombinationCollider. */
         engine static const COMBINATION:int = 4;
 
+        // A text stands before each key, because a model may be called "hasOwnProperty".
+        private static const PREFIX:String = ":";
+        private static const MOST_RECENT:int = 8;
+
         /** The models, or null if the shapes need no models. */
         public var greatLand:GreatLand;
+
+        /** @private Whether all shapes so far are spheres. */
+        engine var areSpheres:Boolean = true;
+
+        // The shapes of each model, by its name, as a chain. _recent has a few shapes that were needed last: finding one there needs no key. A
+        // shape that is found there moves towards the front. Shapes of models with an older revision are void.
+        private var _ofModels:Object = {};
+        private var _recent:Vector.<ModelShape> = new Vector.<ModelShape>();
+        private var _seenRevision:int = -1;
 
         /**
          * For subclasses only.
@@ -113,6 +130,96 @@ package starlogo.search
         public function bind(shape:ModelShape, agent:Agent):void
         {
             throw new IllegalOperationError(this + " does not implement bind");
+        }
+
+        /**
+         * @private The shape of an agent's model. All agents with the model and of the same kind share it.
+         *
+         * @return null while the model is loading
+         * @throws ArgumentError if the model is unknown or lacks data that is needed, or if <code>bind()</code> gives it no shape
+         * @throws RangeError if its structure is not in the world
+         */
+        engine function shapeOf(agent:Agent):ModelShape
+        {
+            var kind:int = kindOf(agent);
+            for (var i:int = 0; i < _recent.length; i++)
+            {
+                var shape:ModelShape = _recent[i];
+                if (shape.kind == kind && shape.modelName == agent.shape)
+                {
+                    _recent[i] = _recent[i >> 1];
+                    _recent[i >> 1] = shape;
+                    return shape;
+                }
+            }
+            shape = _ofModels[PREFIX + agent.shape];
+            while (shape != null && shape.kind != kind)
+            {
+                shape = shape.next;
+            }
+            shape ||= newShape(agent, kind);
+            if (shape != null)
+            {
+                _recent[Math.min(_recent.length, MOST_RECENT - 1)] = shape;
+            }
+            return shape;
+        }
+
+        private function newShape(agent:Agent, kind:int):ModelShape
+        {
+            if (isLoading(agent))
+            {
+                return null;
+            }
+            var shape:ModelShape = new ModelShape(agent.shape, kind, revisionOf(agent.shape));
+            shape.model = modelOf(agent.shape);
+            bind(shape, agent);
+            if (shape.form < 0)
+            {
+                throw new ArgumentError(agent + ": its model has no shape, because bind() of the shape choice has not called setStructure()");
+            }
+            requireExtents(shape, agent);
+            areSpheres = areSpheres && shape.form == BoundingStructure.SPHERE;
+            shape.next = _ofModels[PREFIX + shape.modelName];
+            _ofModels[PREFIX + shape.modelName] = shape;
+            return shape;
+        }
+
+        // A game's own choice, and a model as it was given, may be anywhere.
+        private static function requireExtents(shape:ModelShape, agent:Agent):void
+        {
+            var extents:Vector.<Number> = new Vector.<Number>(6, true);
+            shape.structure.rotatedBoxInto(new Placement(), extents);
+            requireInWorld(agent + ": the middle of its model's structure", extents[0], extents[1], extents[2]);
+            requireInWorld(agent + ": half of the length of its model's structure", extents[3], extents[4], extents[5]);
+        }
+
+        /** @private Forgets the shapes of models that were replaced, removed or posed. They are void then. */
+        engine function forgetReplaced():void
+        {
+            if (revision == _seenRevision)
+            {
+                return;
+            }
+            _seenRevision = revision;
+            var haveChanged:Boolean = false;
+            for (var key:String in _ofModels)
+            {
+                var shape:ModelShape = _ofModels[key];
+                if (shape.revision != revisionOf(shape.modelName))
+                {
+                    delete _ofModels[key];
+                    haveChanged = true;
+                    for (; shape != null; shape = shape.next)
+                    {
+                        shape.isVoid = true;
+                    }
+                }
+            }
+            if (haveChanged)
+            {
+                _recent.length = 0;
+            }
         }
     }
 }

@@ -15,7 +15,7 @@ package starlogo.search
      * A shape at a place in the world: what tests take. Each row of a table has a body. A question makes bodies: of an agent as it is now, of a
      * structure, or of another body at another place.
      *
-     * <p>The body of a row goes to the row's place with <code>follow()</code>, any other to a place with <code>moveTo()</code>.</p>
+     * <p>Only the table of a row moves the row's body.</p>
      *
      * @private
      */
@@ -53,9 +53,6 @@ package starlogo.search
         engine var offsetX:Number = 0;
         engine var offsetY:Number = 0;
         engine var offsetZ:Number = 0;
-
-        /** For the body of a row: the row's revision at which it has followed the row. */
-        engine var revision:int = 0;
 
         // The structure in the world, and whether it is at the body's place. By kind: structures of other shapes, for later use; shapes for
         // structures without a model; the structures that readPlaced() makes.
@@ -196,7 +193,7 @@ package starlogo.search
             readShrunk(other, null, 0);
         }
 
-        /** Turns a body that a question has made of an agent, never the body of a row, as if the agent's heading were greater by some degrees. */
+        /** Turns the body of an agent as if the agent's heading were greater by some degrees. */
         public function turn(agent:Agent, degrees:Number):void
         {
             if (!shape.isUpright)
@@ -206,17 +203,16 @@ package starlogo.search
             }
         }
 
-        /** For the body of a row: goes to the row's place. */
-        engine function follow(places:Points, row:int, revision:int):void
+        /** Moves the body to the place of a row. */
+        public function moveToRow(row:int, places:Points):void
         {
-            this.revision = revision;
             placement.x = places.x[row];
             placement.y = places.y[row];
             placement.z = places.z[row];
             _isPlaced = false;
         }
 
-        /** Moves a body that a question or a test has made to a place. It is never the body of a row. */
+        /** Moves the body to a place. */
         public function moveTo(place:Vector3D):void
         {
             if (place.x != placement.x || place.y != placement.y || place.z != placement.z)

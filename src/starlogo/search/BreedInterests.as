@@ -44,7 +44,7 @@ package starlogo.search
          */
         public function add(breed:String, otherBreed:String):void
         {
-            addNumbers(numberOf(breed), numberOf(otherBreed));
+            addNumbers(numberOfName(breed), numberOfName(otherBreed));
         }
 
         /** @private Adds a pair of breeds by their numbers. */
@@ -68,7 +68,7 @@ package starlogo.search
          */
         public function indexOf(breed:String):int
         {
-            return numberFor(Breeds.numberOf(breed));
+            return representativeOf(Breeds.numberOf(breed));
         }
 
         /** Whether a pair of breeds is of interest. Pass their numbers; the answer is false if one of them is -1. */
@@ -82,13 +82,16 @@ package starlogo.search
         }
 
         /** @private The number of a breed in the class Breeds, or Breeds.ANY for ANY_BREED. */
-        engine static function numberOf(name:String):int
+        engine static function numberOfName(name:String):int
         {
             return name == ANY_BREED ? Breeds.ANY : Breeds.numberOf(name);
         }
 
-        /** @private The same as <code>indexOf()</code> of a breed's name, from the breed's number in the class Breeds. */
-        engine function numberFor(breed:int):int
+        /**
+         * @private The breed that stands for a breed in the pairs, both by their numbers in the class Breeds: the breed itself if a pair names it,
+         *     Breeds.ANY if not and a pair has ANY_BREED, or -1.
+         */
+        engine function representativeOf(breed:int):int
         {
             if (isNamed(breed))
             {
@@ -127,7 +130,7 @@ package starlogo.search
          */
         internal function keepOfInterest(breeds:Vector.<int>, row:int, others:Vector.<int>, count:int):int
         {
-            var own:int = numberFor(breeds[row]);
+            var own:int = representativeOf(breeds[row]);
             if (has(own, Breeds.ANY))
             {
                 return count;

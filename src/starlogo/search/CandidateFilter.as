@@ -23,10 +23,9 @@ package starlogo.search
         private var _motions:RowMotions;
         private var _order:PairOrder = new PairOrder();
 
-        // The input of the search under way, whether an agent sweeps, and whether all its shapes are spheres and stand.
+        // The input of the search under way, and whether an agent sweeps.
         private var _input:FrameInput = null;
         private var _anySweeps:Boolean = false;
-        private var _areStandingSpheres:Boolean = false;
 
         // Takes the pairs.
         private var _out:FoundPairs = null;
@@ -61,10 +60,9 @@ package starlogo.search
         public function begin(input:FrameInput, anySweeps:Boolean, out:FoundPairs):void
         {
             candidatePairs = 0;
-            out.begin(_table.list.agents, _table.list.ranks, _table.list.rows.count);
+            out.begin(_table.list);
             _input = input;
             _anySweeps = anySweeps;
-            _areStandingSpheres = _table.areSpheres && !anySweeps;
             _out = out;
         }
 
@@ -85,11 +83,6 @@ package starlogo.search
                 count = interests.keepOfInterest(_table.breeds, row, others, count);
             }
             candidatePairs += count;
-            if (_areStandingSpheres)
-            {
-                _narrowPhase.sphereTests.writeTouching(_table, level.slack, row, others, count, _out);
-                return;
-            }
             addTouching(row, others, count, level);
         }
 
@@ -129,7 +122,7 @@ package starlogo.search
                 _out.addPairs(row, others, keepTouchingMotions(row, others, count, level, _times), _times);
                 return;
             }
-            _out.addPairs(row, others, _narrowPhase.keepTouching(_table, level == null ? 0 : level.slack, row, others, count));
+            _out.addPairs(row, others, _narrowPhase.keepTouching(_table, level, row, others, count));
         }
 
         // Keeps the rows that touch a row on their motions. The last argument receives the times.

@@ -56,10 +56,10 @@ package starlogo.search
         public function CollisionSearch(narrowPhase:NarrowPhase)
         {
             _narrowPhase = narrowPhase;
-            table = new AgentTable(new ModelShapes(narrowPhase.choice), _bins.levels);
-            _motions = new RowMotions(table, narrowPhase, _bins.levels);
+            table = new AgentTable(narrowPhase.choice, _bins);
+            _motions = new RowMotions(table, narrowPhase, _bins);
             _candidates = new CandidateFilter(table, narrowPhase, _motions);
-            _keptPairs = new KeptPairs(table, _candidates, _motions, _bins.levels, _pairs);
+            _keptPairs = new KeptPairs(table, _candidates, _motions, _bins, _pairs);
         }
 
         /** Whether two agents touch where they are now. See CollisionSystem.areColliding. */

@@ -1,64 +1,67 @@
 package starlogo.search
 {
     import starlogo.agents.Agent;
-    import starlogo.data.HashTable;
-    import starlogo.engine;
+    import starlogo.data.requireGiven;
     import starlogo.search.table.ListedAgents;
 
-    use namespace engine;
-
     /**
-     * Reads the pairs of a collision system that is not the engine's: pairs of agents become pairs of rows. The agents of the list have rows in its
-     * order.
+     * Reads the pairs of a collision system that is not the engine's: pairs of agents become pairs of rows. It checks the list of the frame, and what
+     * the system has found.
      *
      * @private
      */
     public final class ForeignPairs
     {
-        // The rows of agents by their ids; and by row the agents and their indices.
-        private var _rowsById:HashTable = new HashTable();
-        private var _agents:Vector.<Agent> = new Vector.<Agent>();
-        private var _ranks:Vector.<int> = new Vector.<int>();
-
+        private var _list:ListedAgents = new ListedAgents();
         private var _pairs:FoundPairs = new FoundPairs();
 
         /**
-         * Reads pairs. It leaves out a pair if one of its agents is not in the list.
+         * Begins with the list of a frame.
+         *
+         * @throws ArgumentError if an agent is null or listed twice
+         */
+        public function begin(list:Vector.<Agent>):void
+        {
+            _list.beginRead();
+            _list.propose(list);
+            _list.accept();
+        }
+
+        /**
+         * Reads pairs of listed agents. They keep their order.
          *
          * @param pairs the pairs: a0, b0, a1, b1, ...
-         * @param list the list of the frame
          * @return the pairs as rows. The next call overwrites them
+         * @throws ArgumentError if there are no pairs, a half pair, or an agent that is null or not in the list
          */
-        public function read(pairs:Vector.<Agent>, list:Vector.<Agent>):FoundPairs
+        public function read(pairs:Vector.<Agent>):FoundPairs
         {
-            readList(list);
-            _pairs.begin(_agents, _ranks, list.length);
-            for (var i:int = 0; i + 1 < pairs.length; i += 2)
+            requireGiven("what the collision system has found", pairs);
+            if (pairs.length % 2 != 0)
             {
-                var a:int = _rowsById.valueOf(pairs[i].id, 0);
-                var b:int = _rowsById.valueOf(pairs[i + 1].id, 0);
-                if (a >= 0 && b >= 0)
-                {
-                    _pairs.add(a, b);
-                }
+                throw new ArgumentError("the collision system has found pairs of " + pairs.length + " agents, which must be an even number: a0, b0, a1, b1, ...");
+            }
+            _pairs.begin(_list);
+            for (var i:int = 0; i < pairs.length; i += 2)
+            {
+                _pairs.add(rowAt(i, pairs), rowAt(i + 1, pairs));
             }
             return _pairs;
         }
 
-        private function readList(list:Vector.<Agent>):void
+        private function rowAt(index:int, pairs:Vector.<Agent>):int
         {
-            _rowsById.clear();
-            _agents.length = _ranks.length = ListedAgents.FIRST_LISTED + list.length;
-            for (var i:int = 0; i < list.length; i++)
+            var agent:Agent = pairs[index];
+            if (agent == null)
             {
-                var row:int = ListedAgents.FIRST_LISTED + i;
-                _agents[row] = list[i];
-                _ranks[row] = i;
-                if (list[i] != null)
-                {
-                    _rowsById.set (list[i].id, 0, row);
-                }
+                throw new ArgumentError("the collision system has found no agent: agents[" + index + "] is null");
             }
+            var row:int = _list.rowOf(agent);
+            if (row < 0)
+            {
+                throw new ArgumentError("the collision system has found " + agent + ", which is not in the list of the frame");
+            }
+            return row;
         }
     }
 }

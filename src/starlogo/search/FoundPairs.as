@@ -12,14 +12,13 @@ package starlogo.search
      * second's. The ground and the edges of the world come after all agents. If an agent sweeps, pairs that touch earlier come first.
      *
      * <p>CandidateFilter has pairs added, and PairOrder sorts them. KeptPairs makes the pairs of a frame from those of the last one. ForeignPairs
-     * adds the pairs of a collision system that is not the engine's, which come in its own order. Only SpherePairTests and PairOrder write to the
-     * columns themselves.</p>
+     * adds the pairs of a collision system that is not the engine's, which come in its own order. Only PairOrder writes to the columns itself.</p>
      *
      * @private
      */
     public final class FoundPairs
     {
-        /** In place of a revision: there is none. */
+        /** In place of a revision, or of the number of a touch: there is none. */
         public static const NONE:int = -1;
 
         // The revision of the pairs that were written last, by any object.
@@ -34,26 +33,23 @@ package starlogo.search
         /** The time of each pair, if an agent sweeps. It is valid during the search only. */
         public var times:Vector.<Number> = new Vector.<Number>();
 
-        /** By row: the agent. Rows before ListedAgents.FIRST_LISTED have the ground and the edges of the world. */
-        public var agents:Vector.<Agent> = null;
-
-        /** By row: the index of its agent in the list. */
-        public var ranks:Vector.<int> = null;
-
-        /** The number of agents in the list. */
-        public var agentCount:int = 0;
+        /** The list of the frame, which has the agent of each row. */
+        public var list:ListedAgents = null;
 
         /** Other pairs have another revision, in this object or in another. */
         public var revision:int = 0;
 
         /**
-         * If these pairs are earlier pairs without <code>dropped</code> and with <code>added</code>: the revision of the earlier pairs. Otherwise
+         * If these pairs are earlier pairs, of which some were dropped, and with <code>added</code>: the revision of the earlier pairs. Otherwise
          * NONE.
          */
         public var basis:int = NONE;
 
-        /** The indices of the dropped pairs among the earlier pairs, in ascending order. */
-        public var dropped:NumberList = new NumberList();
+        /** By pair: the number of its touch, or NONE. TouchTracker sets it, and kept pairs keep it. */
+        public var touches:Vector.<int> = new Vector.<int>();
+
+        /** The numbers of touches that the dropped pairs had. */
+        public var droppedTouches:NumberList = new NumberList();
 
         /** The indices of the added pairs among these pairs, in ascending order. */
         public var added:NumberList = new NumberList();
@@ -61,13 +57,11 @@ package starlogo.search
         /**
          * Begins to write other pairs.
          *
-         * @param agents by row: the agent
-         * @param ranks by row: its index in the list
-         * @param agentCount the number of agents in the list
+         * @param list the list of the frame
          */
-        internal function begin(agents:Vector.<Agent>, ranks:Vector.<int>, agentCount:int):void
+        internal function begin(list:ListedAgents):void
         {
-            setColumns(agents, ranks, agentCount);
+            setList(list);
             count = 0;
             basis = NONE;
         }
@@ -92,6 +86,7 @@ package starlogo.search
                 times[int(count + k)] = ofPairs[k];
             }
             var to:int = 2 * count;
+            var ranks:Vector.<int> = list.ranks;
             var rank:int = ranks[row];
             for (var i:int = 0; i < othersCount; i++)
             {
@@ -109,9 +104,10 @@ package starlogo.search
         internal function drop(list:ListedAgents, marks:Vector.<int>, mark:int):void
         {
             var before:int = revision;
-            setColumns(list.agents, list.ranks, list.rows.count);
+            setList(list);
             basis = before;
-            dropped.count = added.count = 0;
+            droppedTouches.count = added.count = 0;
+            makeRoom(count);
             var all:Vector.<int> = rows;
             var end:int = 2 * count;
             var kept:int = 0;
@@ -123,11 +119,12 @@ package starlogo.search
                 {
                     all[kept] = a;
                     all[int(kept + 1)] = b;
+                    touches[kept >> 1] = touches[i >> 1];
                     kept += 2;
                 }
-                else
+                else if (touches[i >> 1] != NONE)
                 {
-                    dropped.add(i >> 1);
+                    droppedTouches.add(touches[i >> 1]);
                 }
             }
             count = kept >> 1;
@@ -159,9 +156,11 @@ package starlogo.search
                     to--;
                     rows[int(2 * to)] = rows[int(2 * from - 2)];
                     rows[int(2 * to + 1)] = rows[int(2 * from - 1)];
+                    touches[to] = touches[int(from - 1)];
                 }
                 to--;
                 added.numbers[i] = to;
+                touches[to] = NONE;
                 rows[int(2 * to)] = a;
                 rows[int(2 * to + 1)] = b;
             }
@@ -185,24 +184,38 @@ package starlogo.search
             {
                 rows.length = 2 * (pairCount + (pairCount >> 3));
             }
+            if (touches.length < pairCount)
+            {
+                touches.length = pairCount + (pairCount >> 3);
+            }
+        }
+
+        /** Lets no pair have a touch. */
+        public function clearTouches():void
+        {
+            makeRoom(count);
+            for (var pair:int = 0; pair < count; pair++)
+            {
+                touches[pair] = NONE;
+            }
         }
 
         /** The first agent of a pair. */
         public function firstOf(pair:int):Agent
         {
-            return agents[rows[2 * pair]];
+            return list.agents[rows[2 * pair]];
         }
 
         /** The second agent of a pair. */
         public function secondOf(pair:int):Agent
         {
-            return agents[rows[2 * pair + 1]];
+            return list.agents[rows[2 * pair + 1]];
         }
 
         /** Writes the pairs as agents: a0, b0, a1, b1, ... */
         public function write(out:Vector.<Agent>):void
         {
-            var byRow:Vector.<Agent> = agents;
+            var byRow:Vector.<Agent> = list.agents;
             var all:Vector.<int> = rows;
             var end:int = 2 * count;
             var row:int = -1;
@@ -220,11 +233,9 @@ package starlogo.search
             }
         }
 
-        private function setColumns(agents:Vector.<Agent>, ranks:Vector.<int>, agentCount:int):void
+        private function setList(list:ListedAgents):void
         {
-            this.agents = agents;
-            this.ranks = ranks;
-            this.agentCount = agentCount;
+            this.list = list;
             sLastRevision++;
             revision = sLastRevision;
         }
@@ -258,6 +269,7 @@ package starlogo.search
         // Whether a pair comes after the pair of two rows.
         private function isAfter(pair:int, a:int, b:int):Boolean
         {
+            var ranks:Vector.<int> = list.ranks;
             var ahead:int = ranks[rows[int(2 * pair)]] - ranks[a];
             return ahead > 0 || ahead == 0 && ranks[rows[int(2 * pair + 1)]] > ranks[b];
         }

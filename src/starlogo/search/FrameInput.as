@@ -69,7 +69,7 @@ package starlogo.search
         /** Whether a row is a member of the search: it has a shape, its breed is of interest, and its agent takes part. */
         public function isMember(table:AgentTable, row:int):Boolean
         {
-            return table.shapes[row] != null && (interests == null || interests.numberFor(table.breeds[row]) >= 0)
+            return table.shapes[row] != null && (interests == null || interests.representativeOf(table.breeds[row]) >= 0)
                 && (takePart == null || takePart[table.list.ranks[row]]);
         }
 

@@ -1,6 +1,6 @@
 package starlogo.search
 {
-    import starlogo.broadphase.BinLevels;
+    import starlogo.broadphase.Bins;
     import starlogo.broadphase.CellLists;
     import starlogo.data.NumberList;
     import starlogo.engine;
@@ -66,16 +66,16 @@ package starlogo.search
          * @param table has the rows
          * @param candidates finds the pairs among candidates
          * @param motions of the rows, if an agent sweeps
-         * @param levels of the bins
+         * @param bins that a search of all rows uses
          * @param pairs has the pairs of the last search, and gets those of the next one
          */
-        public function KeptPairs(table:AgentTable, candidates:CandidateFilter, motions:RowMotions, levels:BinLevels, pairs:FoundPairs)
+        public function KeptPairs(table:AgentTable, candidates:CandidateFilter, motions:RowMotions, bins:Bins, pairs:FoundPairs)
         {
             _pairs = pairs;
             _table = table;
             _candidates = candidates;
             _motions = motions;
-            _cells = new CellLists(levels);
+            _cells = new CellLists(bins);
         }
 
         /** The number of members. */

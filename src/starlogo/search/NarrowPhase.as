@@ -1,6 +1,7 @@
 package starlogo.search
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Extents;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
@@ -14,6 +15,7 @@ package starlogo.search
     import starlogo.search.pairs.StructurePairTests;
     import starlogo.search.pairs.TreePairTests;
     import starlogo.search.table.AgentTable;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
@@ -64,20 +66,21 @@ package starlogo.search
         /**
          * Keeps the candidates that touch a row, and moves them to the beginning of the list.
          *
-         * @param slack how far apart the extents of touching rows may be
+         * @param level has the slack of the extents, in an object because V8 would box a Number; null for the ground and the edges of the world
          * @param row may be the ground or the edges of the world, whose extents say nothing
          * @param others the candidates. If the row is an agent, their circles on the ground overlap the row's circle
          * @param count the number of candidates
          * @return the number of candidates that it keeps
          */
-        public function keepTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int):int
+        public function keepTouching(table:AgentTable, level:BinLevel, row:int, others:Vector.<int>, count:int):int
         {
-            var body:Body = table.bodyOf(row);
-            if (body.form == ModelShape.GROUND)
+            if (table.areSpheres && row >= ListedAgents.FIRST_LISTED)
             {
-                return groundTestsOf(body).keepTouching(table, body, others, count);
+                return sphereTests.keepTouching(table, level, row, others, count);
             }
+            var body:Body = table.bodyOf(row);
             var extents:Extents = table.extents;
+            var slack:Number = level == null ? 0 : level.slack;
             // two spheres or two boxes need no test of their extents, except for the heights
             var quickForm:int = body.form == BoundingStructure.SPHERE || body.form == BoundingStructure.BOX ? body.form : NONE;
             var kept:int = 0;

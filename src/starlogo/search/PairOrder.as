@@ -39,7 +39,7 @@ package starlogo.search
             {
                 return;
             }
-            if (FEW * pairs.count < pairs.agentCount)
+            if (FEW * pairs.count < pairs.list.rows.count)
             {
                 sortByKeys(pairs, haveTimes);
             }
@@ -59,7 +59,7 @@ package starlogo.search
         private function areSorted(pairs:FoundPairs):Boolean
         {
             var rows:Vector.<int> = pairs.rows;
-            var ranks:Vector.<int> = pairs.ranks;
+            var ranks:Vector.<int> = pairs.list.ranks;
             var end:int = 2 * pairs.count;
             var row:int = -1;
             var first:int = -1;
@@ -88,7 +88,7 @@ package starlogo.search
         private function sortByKeys(pairs:FoundPairs, haveTimes:Boolean):void
         {
             var rows:Vector.<int> = pairs.rows;
-            var ranks:Vector.<int> = pairs.ranks;
+            var ranks:Vector.<int> = pairs.list.ranks;
             _order.count = 0;
             for (var i:int = 0; i < pairs.count; i++)
             {
@@ -103,7 +103,7 @@ package starlogo.search
         private function scatter(pairs:FoundPairs, side:int, next:Vector.<int>, haveTimes:Boolean):void
         {
             makeRoom(pairs);
-            var ranks:Vector.<int> = pairs.ranks;
+            var ranks:Vector.<int> = pairs.list.ranks;
             var from:Vector.<int> = pairs.rows;
             var to:Vector.<int> = _spare;
             var end:int = 2 * pairs.count;
@@ -126,7 +126,7 @@ package starlogo.search
         private function countRanks(pairs:FoundPairs):void
         {
             // the ground and the edges of the world have the ranks after those of the agents
-            var rankCount:int = pairs.agentCount + ListedAgents.FIRST_LISTED;
+            var rankCount:int = pairs.list.rows.count + ListedAgents.FIRST_LISTED;
             if (_firsts.length < rankCount)
             {
                 _firsts.length = _seconds.length = rankCount;
@@ -138,7 +138,7 @@ package starlogo.search
                 firsts[rank] = seconds[rank] = 0;
             }
             var rows:Vector.<int> = pairs.rows;
-            var ranks:Vector.<int> = pairs.ranks;
+            var ranks:Vector.<int> = pairs.list.ranks;
             var end:int = 2 * pairs.count;
             for (var i:int = 0; i < end; i += 2)
             {

@@ -2,7 +2,7 @@ package starlogo.search
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.BinLevel;
-    import starlogo.broadphase.BinLevels;
+    import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
     import starlogo.convex.ContactPoint;
@@ -34,7 +34,7 @@ package starlogo.search
 
         private var _table:AgentTable;
         private var _narrowPhase:NarrowPhase;
-        private var _levels:BinLevels;
+        private var _bins:Bins;
 
         // When the extents of a pair overlap.
         private var _interval:ContactInterval = new ContactInterval();
@@ -43,13 +43,13 @@ package starlogo.search
         /**
          * @param table has the rows
          * @param narrowPhase tests which rows touch
-         * @param levels of the bins
+         * @param bins assign levels to the extents of motions
          */
-        public function RowMotions(table:AgentTable, narrowPhase:NarrowPhase, levels:BinLevels)
+        public function RowMotions(table:AgentTable, narrowPhase:NarrowPhase, bins:Bins)
         {
             _table = table;
             _narrowPhase = narrowPhase;
-            _levels = levels;
+            _bins = bins;
         }
 
         /**
@@ -94,7 +94,7 @@ package starlogo.search
                 swept.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
                 if (_table.shapes[row] != null)
                 {
-                    _levels.assignLevel(swept, row);
+                    _bins.assignLevel(swept, row);
                 }
             }
         }

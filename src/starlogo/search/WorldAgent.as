@@ -24,6 +24,20 @@ package starlogo.search
         // The number of agents without a counted id: those of edges.
         private static var sUncounted:int = 0;
 
+        /**
+         * The ground or the edges as they are now.
+         *
+         * @throws ArgumentError if they are not known
+         */
+        public function requireSurface():ModelShape
+        {
+            if (surface == null)
+            {
+                throw new ArgumentError("the place of " + this + " is not known: it was exchanged before another Collision wrote the snapshot");
+            }
+            return surface;
+        }
+
         /** @param breed Breeds.TERRAIN or Breeds.EDGE */
         public function WorldAgent(breed:String)
         {

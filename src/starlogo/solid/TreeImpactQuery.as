@@ -25,7 +25,7 @@ package starlogo.solid
      */
     public final class TreeImpactQuery extends ImpactQuery
     {
-        private var _kernel:TreePair;
+        private var _pair:TreePair;
         private var _overlaps:TreeOverlapQuery;
 
         // The second model's motion in the first model's space, from the pair's pose on.
@@ -49,7 +49,7 @@ package starlogo.solid
          */
         public function TreeImpactQuery(pair:TreePair, overlaps:TreeOverlapQuery, counts:TreeCounts)
         {
-            _kernel = pair;
+            _pair = pair;
             _overlaps = overlaps;
             _traversal = new SweptBoxTraversal(counts);
             _trianglePairSweep = new TrianglePairSweep(counts);
@@ -60,8 +60,8 @@ package starlogo.solid
         /** @inheritDoc */
         override public function overlapsAt(motion:RelativeMotion, time:Number):Boolean
         {
-            _kernel.moveFirst(motion, time);
-            return _overlaps.areOverlapping(_kernel);
+            _pair.moveFirst(motion, time);
+            return _overlaps.areOverlapping(_pair);
         }
 
         /** @inheritDoc */
@@ -71,7 +71,7 @@ package starlogo.solid
             motion.time = _motion.time;
             if (out != null && motion.time != RelativeMotion.NEVER)
             {
-                moveToWorld(out, _kernel.placementA, motion);
+                moveToWorld(out, _pair.placementA, motion);
             }
         }
 
@@ -89,7 +89,7 @@ package starlogo.solid
                 _motion.time = 0;
                 findContactOfNodes(0, 0, out);
             }
-            moveToWorld(out, _kernel.placementA, motion);
+            moveToWorld(out, _pair.placementA, motion);
         }
 
         /**
@@ -104,8 +104,8 @@ package starlogo.solid
         public function findOuterContact(a:BoundingStructure, placementA:Placement, b:BoundingStructure, placementB:Placement,
                 out:ContactPoint):void
         {
-            _kernel.pose.relate(placementA, placementB);
-            PairTable.findContact(_kernel.pose.place(b), a, RelativeMotion.NONE, out);
+            _pair.pose.relate(placementA, placementB);
+            PairTable.findContact(_pair.pose.place(b), a, RelativeMotion.NONE, out);
             moveToWorld(out, placementA, RelativeMotion.NONE);
         }
 
@@ -113,7 +113,7 @@ package starlogo.solid
         // motion to that of the first touch, and finds the contact then, in the first model's space.
         private function sweep(motion:RelativeMotion, from:Number, out:ContactPoint):void
         {
-            var pair:TreePair = _kernel;
+            var pair:TreePair = _pair;
             var a:ModelTree = pair.a;
             var b:ModelTree = pair.b;
             pair.moveFirst(motion, from);
@@ -148,7 +148,7 @@ package starlogo.solid
 
         private function findContactOfBest(best:NodePairBounds, out:ContactPoint):void
         {
-            if (_kernel.isExact)
+            if (_pair.isExact)
             {
                 _trianglePairSweep.findContact(best, _motion, out);
             }
@@ -161,8 +161,8 @@ package starlogo.solid
         // The contact of two nodes, or of a node and the structure that stands for the second model.
         private function findContactOfNodes(a:int, b:int, out:ContactPoint):void
         {
-            var structureB:BoundingStructure = _kernel.b == null ? _kernel.structureB : _kernel.b.boxTree.writeBox(b, _boxB);
-            PairTable.findContact(_kernel.pose.place(structureB), _kernel.a.boxTree.writeBox(a, _boxA), _motion, out);
+            var structureB:BoundingStructure = _pair.b == null ? _pair.structureB : _pair.b.boxTree.writeBox(b, _boxB);
+            PairTable.findContact(_pair.pose.place(structureB), _pair.a.boxTree.writeBox(a, _boxA), _motion, out);
         }
 
         // Turns the contact of the second model with the first, in the first one's space, into the contact of the first with the second, in the world.

@@ -127,29 +127,44 @@ package starlogo.collision
         }
 
         [Test]
-        public function aSystemThatFindsAgentsThatAreNotListedMakesNoCalls():void
-        {
-            addAll("bears", "balls");
-            _collision.onCollision("bears", "balls", note("hit"));
-            _collision.collisionSystem = new OwnVectorSystem(new <Agent>[_agents[0], new Agent("sphere", "balls"), _agents[0], _agents[1]]);
-            _collision.update(_agents);
-            assertEquals("hit", names());
-            _agents.length = 0;
-            _collision.update(_agents);
-            assertEquals("hit", names());
-        }
-
-        [Test]
-        public function afterASystemThatFailsTheGameGoesOn():void
+        public function whatASystemFindsIsChecked():void
         {
             addAll("bears", "balls");
             _collision.onCollision("bears", "balls", note("hit"));
             var good:CollisionSystem = _collision.collisionSystem;
-            _collision.collisionSystem = new OwnVectorSystem(new <Agent>[_agents[0], null]);
-            assertThrows(Error, /1009|null/, _collision.update, _agents);
+            assertSystemRefused(/^what the collision system has found must not be null$/, null);
+            assertSystemRefused(/^the collision system has found no agent: agents\[1\] is null$/, new <Agent>[_agents[0], null]);
+            assertSystemRefused(/^the collision system has found agent \d+ .*, which is not in the list/, new <Agent>[_agents[0], new Agent("sphere", "balls")]);
+            assertSystemRefused(/^the collision system has found pairs of 3 agents/, new <Agent>[_agents[0], _agents[1], _agents[0]]);
             _collision.collisionSystem = good;
             _collision.update(_agents);
-            assertEquals("hit", names());
+            assertEquals("afterwards the game goes on", "hit", names());
+        }
+
+        [Test]
+        public function theListOfAGamesOwnSystemIsChecked():void
+        {
+            addAll("bears", "balls");
+            _collision.collisionSystem = new OwnVectorSystem(new <Agent>[_agents[0], _agents[1]]);
+            assertThrows(ArgumentError, /^agents\[1\] is null$/, _collision.update, new <Agent>[_agents[0], null]);
+            assertThrows(ArgumentError, /is listed twice/, _collision.update, new <Agent>[_agents[0], _agents[1], _agents[0]]);
+        }
+
+        [Test]
+        public function aBaseColliderAroundNothingSaysWhatIsMissing():void
+        {
+            addAll("bears", "balls");
+            var empty:BaseCollider = new BaseCollider();
+            assertThrows(IllegalOperationError, /must override areColliding, findCollisions and statistics/, empty.areColliding, _agents[0], _agents[1]);
+            assertThrows(IllegalOperationError, /must override/, empty.findCollisions, _agents);
+            _collision.collisionSystem = empty;
+            assertThrows(IllegalOperationError, /must override/, _collision.update, _agents);
+        }
+
+        private function assertSystemRefused(message:RegExp, pairs:Vector.<Agent>):void
+        {
+            _collision.collisionSystem = new OwnVectorSystem(pairs);
+            assertThrows(ArgumentError, message, _collision.update, _agents);
         }
 
         [Test]

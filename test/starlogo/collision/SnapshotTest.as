@@ -163,6 +163,46 @@ package starlogo.collision
         }
 
         [Test]
+        public function aTouchThatEndedInAFrameThatFailedIsInNoSnapshot():void
+        {
+            var system:MoodyBins = new MoodyBins(_greatLand);
+            var collision:Collision = new Collision(system);
+            var cat:Agent = agentAt("sphere", 0, 0, 0, "cats");
+            var dog:Agent = agentAt("sphere", 0.5, 0, 0, "dogs");
+            var cow:Agent = agentAt("sphere", 9, 0, 0, "cows");
+            var pig:Agent = agentAt("sphere", 9.5, 0, 0, "cows");
+            var agents:Vector.<Agent> = new <Agent>[cat, dog, cow, pig];
+            var end:Function = function(collider:Agent, collidee:Agent):void
+            {
+                // only now the pair of pigs needs a contact
+                cow.breed = pig.breed = "pigs";
+                system.refuses = true;
+            };
+            collision.onCollisionEnd("cats", "dogs", end);
+            collision.onCollision("cows", "cows", function(collider:Agent, collidee:Agent):void
+                {
+                });
+            collision.onCollision("pigs", "pigs", function(collider:Agent, collidee:Agent, contact:Contact):void
+                {
+                });
+            collision.update(agents);
+            cat.moveTo(5, 0, 0);
+            assertThrows(Error, /no contact/, collision.update, agents);
+            system.refuses = false;
+            collision.removeHandler("cats", "dogs", end);
+            collision.update(agents);
+            var again:Collision = new Collision(new BinCollider(_greatLand));
+            var ends:int = 0;
+            again.onCollisionEnd("cats", "dogs", function(collider:Agent, collidee:Agent):void
+                {
+                    ends++;
+                });
+            again.restore(collision.snapshot(), agents);
+            again.update(agents);
+            assertEquals(0, ends);
+        }
+
+        [Test]
         public function aFrameOfAnotherKindOfSystemHasNone():void
         {
             var agents:Vector.<Agent> = new <Agent>[new Agent("sphere"), new Agent("sphere")];

@@ -8,6 +8,7 @@ package starlogo.handlers
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.search.FoundPairs;
+    import starlogo.search.table.ListedAgents;
 
     use namespace engine;
 
@@ -23,16 +24,16 @@ package starlogo.handlers
         [Before]
         public function makeAgents():void
         {
-            _found.agents = new Vector.<Agent>();
+            _found.list = new ListedAgents();
             for (var i:int = 0; i < 40; i++)
             {
                 _agents.push(new Agent("cube", i % 3 == 0 ? "sheep" : "wolves"));
-                _found.agents.push(_agents[i]);
+                _found.list.agents.push(_agents[i]);
             }
             _handlers.add(CollisionHandler.START, "*", "*", function(a:Agent, b:Agent):void
                 {
                 });
-            _handlers.begin(_found.agents);
+            _handlers.begin(Vector.<Agent>(_agents));
         }
 
         [Test]
@@ -74,14 +75,14 @@ package starlogo.handlers
                     a = _found.firstOf(i);
                     b = _found.secondOf(i);
                     var name:String = nameOf(a, b);
-                    var known:Touch = _tracker.touchAt(i);
+                    var known:Touch = _tracker.touchAt(_found, i);
                     assertEquals(name, pairs.indexOf(name) >= 0, known != null);
                     if (known == null)
                     {
                         known = _tracker.touchOrStartAt(_found, i);
                         known.isBothWays = true;
                         assertStrictlyEquals("either way round it is the same", known, _tracker.touchOrStart(b, a, b.breedNumber, a.breedNumber, true));
-                        assertStrictlyEquals(known, _tracker.touchAt(i));
+                        assertStrictlyEquals(known, _tracker.touchAt(_found, i));
                         assertEquals(frame, known.beganIn);
                         if (left.indexOf(name) < 0)
                         {
@@ -112,17 +113,19 @@ package starlogo.handlers
                 _found.revision++;
                 var dropped:Array = [];
                 var left:Array = [];
-                _found.dropped.count = 0;
+                var touches:Array = [];
+                _found.droppedTouches.count = 0;
                 for (var i:int = 0; i < pairs.length; i++)
                 {
                     if (random.next() < (frame % 40 < 20 ? 0.1 : 0.4))
                     {
-                        _found.dropped.add(i);
+                        _found.droppedTouches.add(_found.touches[i]);
                         dropped.push(pairs[i]);
                     }
                     else
                     {
                         left.push(pairs[i]);
+                        touches.push(_found.touches[i]);
                     }
                 }
                 pairs = left.concat();
@@ -154,6 +157,7 @@ package starlogo.handlers
                 for (i = 0; i < places.length; i++)
                 {
                     pairs.splice(places[i], 0, found[i]);
+                    touches.splice(places[i], 0, FoundPairs.NONE);
                     _found.added.numbers[i] = places[i];
                 }
                 _found.added.count = found.length;
@@ -161,6 +165,7 @@ package starlogo.handlers
                 for (i = 0; i < pairs.length; i++)
                 {
                     addPair(agentOf(pairs[i], 0), agentOf(pairs[i], 1));
+                    _found.touches[i] = touches[i];
                 }
                 assertEquals("pairs were kept", frame > 1, _tracker.pairsToCompare(_found) != null);
                 _tracker.begin(_found, _tracker.pairsToCompare(_found), _handlers);
@@ -175,7 +180,7 @@ package starlogo.handlers
                     });
                 for (i = 0; i < pairs.length; i++)
                 {
-                    var touch:Touch = _tracker.touchAt(i);
+                    var touch:Touch = _tracker.touchAt(_found, i);
                     assertEquals(pairs[i], begun.indexOf(pairs[i]) >= 0, touch != null);
                     if (touch == null)
                     {
@@ -192,7 +197,7 @@ package starlogo.handlers
             }
             assertTrue("some remained", begun.length > 5);
             _found.basis = _found.revision;
-            _found.dropped.count = _found.added.count = 0;
+            _found.droppedTouches.count = _found.added.count = 0;
             _tracker.begin(_found, _tracker.pairsToCompare(_found), _handlers);
             _tracker.end(_found, false);
             assertNull("the frame before was not complete", _tracker.pairsToCompare(_found));
@@ -226,13 +231,13 @@ package starlogo.handlers
         {
             _tracker.end(_found, false);
             _tracker.begin(_found, _tracker.pairsToCompare(_found), _handlers);
-            return _tracker.touchAt(0);
+            return _tracker.touchAt(_found, 0);
         }
 
         private function addPair(a:Agent, b:Agent):void
         {
-            _found.rows[2 * _found.count] = _found.agents.indexOf(a);
-            _found.rows[2 * _found.count + 1] = _found.agents.indexOf(b);
+            _found.rows[2 * _found.count] = _found.list.agents.indexOf(a);
+            _found.rows[2 * _found.count + 1] = _found.list.agents.indexOf(b);
             _found.count++;
         }
 

@@ -4,6 +4,7 @@ package starlogo.search
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
+    import support.assertThrows;
 
     /** Pairs of a game's own collision system. */
     public class ForeignPairsTest
@@ -17,35 +18,39 @@ package starlogo.search
         [Test]
         public function pairsKeepTheirOrder():void
         {
-            _found = _foreign.read(new <Agent>[_c, _a, _b, _c], new <Agent>[_a, _b, _c]);
+            read([_a, _b, _c], [_c, _a, _b, _c]);
             assertPairs([_c, _a, _b, _c]);
-            assertEquals(3, _found.agentCount);
-            assertEquals("an agent's rank is its index", 2, _found.ranks[_found.rows[0]]);
+            assertEquals(3, _found.list.rows.count);
+            assertEquals("an agent's rank is its index", 2, _found.list.ranks[_found.rows[0]]);
         }
 
         [Test]
-        public function pairsOfOthersAreLeftOut():void
+        public function whatIsNoPairOfTheListIsRefused():void
         {
-            // the system has a list of its own, and an entry of the game's list may be missing
-            _found = _foreign.read(new <Agent>[_a, _b, _b, _c, _a, _c], new <Agent>[_a, null, _c]);
+            var list:Array = [_a, _b, _c];
+            assertThrows(ArgumentError, /has found pairs of 3 agents/, read, list, [_a, _b, _c]);
+            assertThrows(ArgumentError, /has found no agent: agents\[2\] is null/, read, list, [_a, _b, null, _c]);
+            assertThrows(ArgumentError, /which is not in the list/, read, [_a, _b], [_a, _b, _a, _c]);
+            assertThrows(ArgumentError, /is null/, read, [_a, null], []);
+            assertThrows(ArgumentError, /is listed twice/, read, [_a, _a], []);
+            read(list, [_a, _c]);
             assertPairs([_a, _c]);
-        }
-
-        [Test]
-        public function anAgentWithoutAnotherIsNoPair():void
-        {
-            _found = _foreign.read(new <Agent>[_a, _b, _c], new <Agent>[_a, _b, _c]);
-            assertPairs([_a, _b]);
         }
 
         [Test]
         public function eachListHasItsOwnRows():void
         {
-            _found = _foreign.read(new <Agent>[_a, _b], new <Agent>[_a, _b]);
+            read([_a, _b], [_a, _b]);
             var before:int = _found.revision;
-            _found = _foreign.read(new <Agent>[_a, _b, _c, _b], new <Agent>[_b, _c]);
+            read([_b, _c], [_c, _b]);
             assertPairs([_c, _b]);
             assertTrue("these are other pairs", _found.revision != before && _found.basis == -1);
+        }
+
+        private function read(list:Array, pairs:Array):void
+        {
+            _foreign.begin(Vector.<Agent>(list));
+            _found = _foreign.read(Vector.<Agent>(pairs));
         }
 
         private function assertPairs(expected:Array):void

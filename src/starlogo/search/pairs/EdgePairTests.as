@@ -70,7 +70,7 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
+        override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             var tolerance:Number = toleranceOf(a);
             read(a, b, motion, tolerance);
@@ -87,6 +87,10 @@ package starlogo.search.pairs
                 {
                     motion.time = Math.min(motion.time, start / (start - end));
                 }
+            }
+            if (out != null && motion.time != RelativeMotion.NEVER)
+            {
+                findContactOfParts(a, b, motion, out);
             }
         }
 

@@ -1,7 +1,6 @@
 package starlogo.search.pairs
 {
     import flash.geom.Vector3D;
-    import starlogo.broadphase.Extents;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
@@ -18,7 +17,6 @@ package starlogo.search.pairs
     import starlogo.search.ModelShape;
     import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.PenetrationSearch;
-    import starlogo.search.table.AgentTable;
     import starlogo.search.TreeLimits;
 
     use namespace engine;
@@ -47,7 +45,7 @@ package starlogo.search.pairs
         public function GroundPairTests(limits:TreeLimits)
         {
             _limits = limits;
-            _separation = new PenetrationSearch(this, limits, this);
+            _separation = new PenetrationSearch(new DisplacedGroundPair(this));
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -88,31 +86,6 @@ package starlogo.search.pairs
             return queryOf(a, b).depths.isDeeper(depth);
         }
 
-        /** Keeps those of some rows that touch the ground, and moves them to the beginning of the list. Returns how many they are. */
-        public function keepTouching(table:AgentTable, ground:Body, others:Vector.<int>, count:int):int
-        {
-            var extents:Extents = table.extents;
-            var kept:int = 0;
-            _earlyOut.begin(gridOf(ground));
-            for (var i:int = 0; i < count; i++)
-            {
-                var other:int = others[i];
-                _extents.x = extents.x[other];
-                _extents.y = extents.y[other];
-                _extents.z = extents.z[other];
-                _extents.halfX = extents.halfX[other];
-                _extents.halfY = extents.halfY[other];
-                _extents.halfZ = extents.halfZ[other];
-                var found:int = _earlyOut.decide(_extents, table.shapes[other].form);
-                if (found == GroundEarlyOut.TOUCHING || found == GroundEarlyOut.UNKNOWN && overlap(table.bodyOf(other), ground))
-                {
-                    others[kept] = other;
-                    kept++;
-                }
-            }
-            return kept;
-        }
-
         /** @inheritDoc */
         override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
@@ -137,8 +110,8 @@ package starlogo.search.pairs
             _separation.find(a, b, motion, out);
         }
 
-        /** @inheritDoc */
-        override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
+        /** Finds the contact of the structure around a body and the ground, where it is. Its normal points to the body. */
+        internal function findOuterContact(a:Body, b:Body, out:ContactPoint):void
         {
             queryOf(a, b).depths.findOuterContact(out);
         }
@@ -151,7 +124,7 @@ package starlogo.search.pairs
          * @param exits receives the contacts, each with another direction
          * @return their number
          */
-        public function findExits(a:Body, b:Body, contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
+        internal function findExits(a:Body, b:Body, contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
         {
             var count:int = queryOf(a, b).depths.findExits(contact, maxDistance, exits);
             if (a.form == ModelShape.TREE)

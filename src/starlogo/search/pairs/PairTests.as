@@ -5,7 +5,6 @@ package starlogo.search.pairs
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
-    import starlogo.geometry.Tolerances;
     import starlogo.search.Body;
     import starlogo.search.NarrowPhase;
     import starlogo.search.penetration.OverlapMiddle;
@@ -16,7 +15,7 @@ package starlogo.search.pairs
      * Tests two bodies: whether they touch, when they touch, and how. NarrowPhase has an object of a subclass for each kind of pairs.
      *
      * <p>The order of a pair: the ground or the edges of the world are the second body in all these methods. Other bodies may come in either
-     * order, except in <code>findClosest()</code>.</p>
+     * order, except in <code>findClosest()</code>. Every subclass answers all of them.</p>
      *
      * @private
      */
@@ -29,18 +28,8 @@ package starlogo.search.pairs
         }
 
         /**
-         * Finds the time at which two bodies first touch, while the first one moves. It is the first moment at which <code>areTouching()</code>
-         * would be true. Only <code>findFirst()</code> calls it: a subclass overrides one of the two.
-         *
-         * @param motion as in findFirst
-         */
-        public function findTime(a:Body, b:Body, motion:RelativeMotion):void
-        {
-            throw new IllegalOperationError(this + " does not implement findTime");
-        }
-
-        /**
-         * Finds the time at which two bodies first touch, while the first one moves, and their contact then.
+         * Finds the time at which two bodies first touch, while the first one moves, and their contact then. It is the first moment at which
+         * <code>areTouching()</code> would be true.
          *
          * @param motion the motion of the first body relative to the second. It ends where the first body is now. It receives the time, from 0 to
          *     1, or RelativeMotion.NEVER
@@ -48,11 +37,7 @@ package starlogo.search.pairs
          */
         public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
-            findTime(a, b, motion);
-            if (out != null && motion.time != RelativeMotion.NEVER)
-            {
-                findContactOfParts(a, b, motion, out);
-            }
+            throw new IllegalOperationError(this + " does not implement findFirst");
         }
 
         /**
@@ -90,28 +75,6 @@ package starlogo.search.pairs
             findFirst(a, b, motion, out);
         }
 
-        /** Whether two bodies touch if no triangles decide, but the leaves of their trees. For bodies without trees it is <code>areTouching()</code>. */
-        public function areLeavesTouching(a:Body, b:Body):Boolean
-        {
-            return areTouching(a, b);
-        }
-
-        /** Finds the time and the contact of the first touch as <code>findImpact()</code> does, if the leaves of trees decide and no triangles. */
-        public function findImpactOfLeaves(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
-        {
-            findImpact(a, b, motion, out);
-        }
-
-        /**
-         * Finds the contact of the structures around two bodies, where they are.
-         *
-         * @param out receives the contact. Its normal points from b to a
-         */
-        public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
-        {
-            findContactOfParts(a, b, RelativeMotion.NONE, out);
-        }
-
         /**
          * Finds the distance between two bodies. It is 0 if <code>areTouching()</code> is true for them, and otherwise greater.
          * NarrowPhase.isSecondFirst is false for the two.
@@ -119,7 +82,7 @@ package starlogo.search.pairs
          * @param withPoints whether the closest points are needed if the two touch
          * @param out receives the distance and the closest points, in the world
          */
-        public function findClosest(a:Body, b:Body, withPoints:Boolean, out:ClosestPoints):void
+        public final function findClosest(a:Body, b:Body, withPoints:Boolean, out:ClosestPoints):void
         {
             var areTouchingNow:Boolean = areTouching(a, b);
             if (areTouchingNow && !withPoints)
@@ -134,13 +97,6 @@ package starlogo.search.pairs
         public function findClosestPoints(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             throw new IllegalOperationError(this + " does not implement findClosestPoints");
-        }
-
-        /** Corrects a measured distance: makes it 0 if two bodies touch, and else more than 0. It tests only bodies that are near each other. */
-        protected final function settle(a:Body, b:Body, out:ClosestPoints):void
-        {
-            var size:Number = a.halfX + a.halfY + a.halfZ + b.halfX + b.halfY + b.halfZ;
-            out.settle(out.distance <= Tolerances.APART * size && areTouching(a, b));
         }
 
         /**

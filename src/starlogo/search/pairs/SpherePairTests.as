@@ -2,6 +2,7 @@ package starlogo.search.pairs
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Sphere;
+    import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Extents;
     import starlogo.convex.ClosestPoints;
     import starlogo.convex.ContactPoint;
@@ -13,7 +14,6 @@ package starlogo.search.pairs
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.SphereSphereKernel;
     import starlogo.search.Body;
-    import starlogo.search.FoundPairs;
     import starlogo.search.NarrowPhase;
     import starlogo.search.SearchCounts;
     import starlogo.search.table.AgentTable;
@@ -46,15 +46,11 @@ package starlogo.search.pairs
         }
 
         /**
-         * Writes the pairs of a row with its candidates that touch it. All must be spheres. It tests and writes in one loop, because in a dense
-         * crowd each pass over the pairs takes time.
+         * Keeps those of some rows that touch a row, and moves them to the beginning of the list. All must be spheres. Returns how many they are.
          *
-         * @param slack how far apart the circles of the candidates may be
-         * @param others the candidates
-         * @param count their number
-         * @param out takes the pairs
+         * @param level says how far apart the circles of the candidates may be
          */
-        public function writeTouching(table:AgentTable, slack:Number, row:int, others:Vector.<int>, count:int, out:FoundPairs):void
+        public function keepTouching(table:AgentTable, level:BinLevel, row:int, others:Vector.<int>, count:int):int
         {
             var xs:Vector.<Number> = table.extents.x;
             var ys:Vector.<Number> = table.extents.y;
@@ -64,10 +60,8 @@ package starlogo.search.pairs
             var atY:Number = ys[row];
             var atZ:Number = zs[row];
             var radius:Number = radii[row];
-            var pairs:Vector.<int> = out.rows;
-            var ranks:Vector.<int> = out.ranks;
-            var rank:int = ranks[row];
-            var to:int = 2 * out.count;
+            var slack:Number = level.slack;
+            var kept:int = 0;
             _testCount += count;
             for (var i:int = 0; i < count; i++)
             {
@@ -86,13 +80,10 @@ package starlogo.search.pairs
                         continue;
                     }
                 }
-                // as FoundPairs.addPairs() does
-                var change:int = (row ^ other) & ((ranks[other] - rank) >> 31);
-                pairs[to] = row ^ change;
-                pairs[int(to + 1)] = other ^ change;
-                to += 2;
+                others[kept] = other;
+                kept++;
             }
-            out.count = to >> 1;
+            return kept;
         }
 
         /** @inheritDoc */
@@ -103,10 +94,14 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findTime(a:Body, b:Body, motion:RelativeMotion):void
+        override public function findFirst(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             setTo(a, b);
             sweep(motion);
+            if (out != null && motion.time != RelativeMotion.NEVER)
+            {
+                findContactOfParts(a, b, motion, out);
+            }
         }
 
         /**
@@ -128,10 +123,10 @@ package starlogo.search.pairs
         }
 
         /** @inheritDoc */
-        override public function findClosest(a:Body, b:Body, withPoints:Boolean, out:ClosestPoints):void
+        override public function findClosestPoints(a:Body, b:Body, areTouching:Boolean, out:ClosestPoints):void
         {
             _kernel.findClosest(a.worldStructure(), b.worldStructure(), out);
-            settle(a, b, out);
+            out.settle(areTouching);
         }
 
         /** Writes the number of tests, and sets it to 0. */

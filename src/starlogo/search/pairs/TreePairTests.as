@@ -52,7 +52,7 @@ package starlogo.search.pairs
             this.limits = limits;
             _impacts = new TreeImpactQuery(_pair, _overlaps, _counts);
             _distances = new TreeDistanceQuery(_overlaps, _counts);
-            _separation = new PenetrationSearch(this, limits);
+            _separation = new PenetrationSearch(new DisplacedTreePair(this));
         }
 
         /** Gives these tests to a narrow phase that does not have them. */
@@ -67,8 +67,8 @@ package starlogo.search.pairs
             return areOverlapping(a, b, limits.exact);
         }
 
-        /** @inheritDoc */
-        override public function areLeavesTouching(a:Body, b:Body):Boolean
+        /** Whether two bodies touch if the leaves of trees decide and no triangles. */
+        internal function areLeavesTouching(a:Body, b:Body):Boolean
         {
             return areOverlapping(a, b, false);
         }
@@ -98,8 +98,8 @@ package starlogo.search.pairs
             findTreeImpact(a, b, motion, limits.exact, out);
         }
 
-        /** @inheritDoc */
-        override public function findImpactOfLeaves(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
+        /** Finds the first touch as <code>findImpact()</code> does, if the leaves of trees decide and no triangles. */
+        internal function findImpactOfLeaves(a:Body, b:Body, motion:RelativeMotion, out:ContactPoint):void
         {
             findTreeImpact(a, b, motion, false, out);
         }
@@ -110,8 +110,8 @@ package starlogo.search.pairs
             _separation.find(a, b, motion, out);
         }
 
-        /** @inheritDoc */
-        override public function findOuterContact(a:Body, b:Body, out:ContactPoint):void
+        /** Finds the contact of the structures around two bodies, where they are. Its normal points from b to a. */
+        internal function findOuterContact(a:Body, b:Body, out:ContactPoint):void
         {
             _impacts.findOuterContact(a.shape.structure, a.placement, b.shape.structure, b.placement, out);
         }

@@ -1,5 +1,6 @@
 package starlogo.search.penetration
 {
+    import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
@@ -7,12 +8,16 @@ package starlogo.search.penetration
     import starlogo.geometry.Tolerances;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.pairs.PairTests;
 
     use namespace engine;
 
-    /** Two bodies that touch, the first one at places that are tried. Says whether and when they touch there. Other classes only read the fields. */
-    internal final class DisplacedPair
+    /**
+     * Two bodies that touch, the first one at places that are tried. A subclass says whether, when and how they touch there: for each kind of pairs
+     * it has what the search for a way out asks. Other classes only read the fields.
+     *
+     * @private
+     */
+    public class DisplacedPair
     {
         // How much of a cell of the ground counts as its extent. It is small because agents may be small, and not 0 because they may be points.
         private static const CELL_SHARE:Number = 1e-4;
@@ -41,23 +46,12 @@ package starlogo.search.penetration
         /** The gap across which the two touch because places are rounded. */
         public var rounding:Number = 0;
 
-        private var _pairTests:PairTests;
-
-        // Whether the leaves of trees decide instead of their triangles.
-        private var _stopsAtLeaves:Boolean = false;
-
         // The first body's place at the touch, and the place that is tried.
         private var _from:Vector3D = new Vector3D();
         private var _place:Vector3D = new Vector3D();
 
-        /** @param pairTests decides whether the bodies touch */
-        public function DisplacedPair(pairTests:PairTests)
-        {
-            _pairTests = pairTests;
-        }
-
         /** Begins where the motion of the first body relative to the second is at its time. The motion ends where the first body is. */
-        public function begin(a:Body, b:Body, motion:RelativeMotion):void
+        public final function begin(a:Body, b:Body, motion:RelativeMotion):void
         {
             var time:Number = motion.time;
             second = b;
@@ -65,7 +59,6 @@ package starlogo.search.penetration
             _from.y = a.placement.y + (motion.startY + time * motion.y);
             _from.z = a.placement.z + (motion.startZ + time * motion.z);
             first.readShrunk(a, _from, 0);
-            _stopsAtLeaves = false;
             var share:Number = isSecondGround ? CELL_SHARE : 1;
             var half:Number = Math.max(share * b.largestHalf, a.largestHalf);
             rounding = a.margin + b.margin;
@@ -76,39 +69,33 @@ package starlogo.search.penetration
         }
 
         /** Whether the second body is the ground. */
-        public function get isSecondGround():Boolean
+        public final function get isSecondGround():Boolean
         {
             return second.form == ModelShape.GROUND;
         }
 
         /** Puts the first body where it was at the touch. */
-        public function putBack():void
+        public final function putBack():void
         {
             first.moveTo(_from);
         }
 
         /** Displaces the first body. */
-        public function displace(by:Displacement):void
+        public final function displace(by:Displacement):void
         {
             _place.setTo(_from.x + by.distance * by.x, _from.y + by.distance * by.y, _from.z + by.distance * by.z);
             first.moveTo(_place);
         }
 
         /** Displaces the first body by a vector. */
-        public function displaceBy(vector:Vector3D):void
+        public final function displaceBy(vector:Vector3D):void
         {
             _place.setTo(_from.x + vector.x, _from.y + vector.y, _from.z + vector.z);
             first.moveTo(_place);
         }
 
-        /** Sets whether the leaves of trees decide instead of their triangles. Leaves find every touch that triangles find, in a tenth of the time. */
-        public function stopAtLeaves(value:Boolean):void
-        {
-            _stopsAtLeaves = value;
-        }
-
         /** Displaces the first body. Returns whether it touches the second one there. */
-        public function testAt(displacement:Displacement):Boolean
+        public final function testAt(displacement:Displacement):Boolean
         {
             displace(displacement);
             return areTouching();
@@ -117,30 +104,52 @@ package starlogo.search.penetration
         /** Whether the two touch where the first one is. */
         public function areTouching():Boolean
         {
-            return _stopsAtLeaves ? _pairTests.areLeavesTouching(first, second) : _pairTests.areTouching(first, second);
+            throw new IllegalOperationError(this + " does not implement areTouching");
         }
 
         /** Finds the first touch on a motion that ends where the first body is. See PairTests.findImpact. */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            if (_stopsAtLeaves)
-            {
-                _pairTests.findImpactOfLeaves(first, second, motion, out);
-                return;
-            }
-            _pairTests.findImpact(first, second, motion, out);
+            throw new IllegalOperationError(this + " does not implement findImpact");
         }
 
         /** Finds the contact of two parts where the first body is. See PairTests.findContactOfParts. */
         public function findContactOfParts(out:ContactPoint):void
         {
-            _pairTests.findContactOfParts(first, second, RelativeMotion.NONE, out);
+            throw new IllegalOperationError(this + " does not implement findContactOfParts");
         }
 
         /** Finds the contact of the structures around the two where the first one is. */
         public function findOuterContact(out:ContactPoint):void
         {
-            _pairTests.findOuterContact(first, second, out);
+            throw new IllegalOperationError(this + " does not implement findOuterContact");
+        }
+
+        /** Whether the triangles of trees decide. */
+        public function get haveTriangles():Boolean
+        {
+            return false;
+        }
+
+        /**
+         * Sets whether the leaves of trees decide in place of their triangles. They find every touch that triangles find, in a tenth of the time. Without
+         * triangles it changes nothing.
+         */
+        public function stopAtLeaves(value:Boolean):void
+        {
+        }
+
+        /**
+         * Finds contacts with which other ways out may begin. Only the ground has some.
+         *
+         * @param contact of the two, here or near here
+         * @param maxDistance parts of the ground farther away do not count
+         * @param exits receives the contacts, each with another direction
+         * @return their number
+         */
+        public function findExits(contact:ContactPoint, maxDistance:Number, exits:Vector.<ContactPoint>):int
+        {
+            return 0;
         }
     }
 }

@@ -3,14 +3,13 @@ package starlogo.search.penetration
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
-    import starlogo.search.pairs.GroundPairTests;
 
     /**
      * Finds a short way out of the ground. An agent in the ground may have many. Its contact may have a lower bound of their lengths
      * (GroundDepth). If the first push is hardly longer, it is taken.
      *
      * <p>Otherwise each side of the ground that the deepest touched part is behind begins a push of its own
-     * (<code>GroundPairTests.findExits()</code>). The shortest push that frees the agent is taken. Contacts may contradict each other, as opposite
+     * (<code>DisplacedPair.findExits()</code>). The shortest push that frees the agent is taken. Contacts may contradict each other, as opposite
      * walls do, and the ground ends at edges, where a push out of the whole plane is longer than needed. So a push that does not free the agent is
      * changed: it goes as far along the ground, and from there as high as the agent has to be lifted. The shortest of these ways is taken if no push
      * is shorter. One sweep down finds each lift, because all places above a free one are free.</p>
@@ -29,7 +28,6 @@ package starlogo.search.penetration
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
         private var _pushOut:PushOut;
-        private var _ground:GroundPairTests;
 
         // The contacts with which other ways begin, and the displacement that is tried.
         private var _exits:Vector.<ContactPoint> = new Vector.<ContactPoint>();
@@ -46,14 +44,12 @@ package starlogo.search.penetration
          * @param pair a body and the ground; it has begun when a method is called
          * @param directions finds the length of a way that ends with a lift
          * @param pushOut pushes the body out of contacts
-         * @param ground finds contacts with which other ways out begin
          */
-        public function GroundExitSearch(pair:DisplacedPair, directions:DirectionSearch, pushOut:PushOut, ground:GroundPairTests)
+        public function GroundExitSearch(pair:DisplacedPair, directions:DirectionSearch, pushOut:PushOut)
         {
             _pair = pair;
             _directions = directions;
             _pushOut = pushOut;
-            _ground = ground;
         }
 
         /**
@@ -112,7 +108,7 @@ package starlogo.search.penetration
 
         private function addExits(maxDistance:Number):void
         {
-            var count:int = _ground.findExits(_pair.first, _pair.second, _pushOut.contact, maxDistance, _exits);
+            var count:int = _pair.findExits(_pushOut.contact, maxDistance, _exits);
             for (var i:int = 0; i < count; i++)
             {
                 _pushOut.add(_exits[i]);

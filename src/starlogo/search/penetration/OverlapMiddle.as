@@ -33,9 +33,13 @@ package starlogo.search.penetration
             out.z += by * out.normalZ;
         }
 
-        /** Moves a contact's point into the extents of a body, if it is outside. */
+        /** Moves a contact's point into the extents of a body, if it is outside. The ground has none. */
         public static function keepWithin(body:Body, out:ContactPoint):void
         {
+            if (body.form == ModelShape.GROUND)
+            {
+                return;
+            }
             out.x = Math.max(Math.min(out.x, body.x + body.halfX), body.x - body.halfX);
             out.y = Math.max(Math.min(out.y, body.y + body.halfY), body.y - body.halfY);
             out.z = Math.max(Math.min(out.z, body.z + body.halfZ), body.z - body.halfZ);

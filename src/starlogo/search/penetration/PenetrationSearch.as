@@ -3,9 +3,6 @@ package starlogo.search.penetration
     import starlogo.convex.ContactPoint;
     import starlogo.convex.RelativeMotion;
     import starlogo.search.Body;
-    import starlogo.search.pairs.GroundPairTests;
-    import starlogo.search.pairs.PairTests;
-    import starlogo.search.TreeLimits;
 
     /**
      * Finds a normal and a depth for a contact that separate its two bodies. If the first one moves along the normal by the depth, no part of it
@@ -18,7 +15,6 @@ package starlogo.search.penetration
      */
     public final class PenetrationSearch
     {
-        private var _limits:TreeLimits;
         private var _pair:DisplacedPair;
         private var _directions:DirectionSearch;
         private var _pushOut:PushOut;
@@ -29,18 +25,13 @@ package starlogo.search.penetration
         private var _outer:ContactPoint = new ContactPoint();
         private var _tried:Displacement = new Displacement();
 
-        /**
-         * @param pairTests decides whether bodies touch, and when. It is for pairs with a tree, or with the ground
-         * @param limits how far trees are tested
-         * @param ground the ground's own tests, if it is the second body; otherwise null
-         */
-        public function PenetrationSearch(pairTests:PairTests, limits:TreeLimits, ground:GroundPairTests = null)
+        /** @param pair knows whether its bodies touch, and when: a pair with a tree, or with the ground */
+        public function PenetrationSearch(pair:DisplacedPair)
         {
-            _limits = limits;
-            _pair = new DisplacedPair(pairTests);
+            _pair = pair;
             _directions = new DirectionSearch(_pair);
             _pushOut = new PushOut(_pair, _directions);
-            _groundExits = ground == null ? null : new GroundExitSearch(_pair, _directions, _pushOut, ground);
+            _groundExits = new GroundExitSearch(_pair, _directions, _pushOut);
         }
 
         /**
@@ -64,10 +55,7 @@ package starlogo.search.penetration
             _pair.putBack();
             OverlapMiddle.setAlong(_pair.first, b, out);
             OverlapMiddle.keepWithin(_pair.first, out);
-            if (!_pair.isSecondGround)
-            {
-                OverlapMiddle.keepWithin(b, out);
-            }
+            OverlapMiddle.keepWithin(b, out);
         }
 
         // Handles two bodies that do not touch at the time, because of rounding. The depth is 0. The normal points against the motion, unless the
@@ -111,7 +99,7 @@ package starlogo.search.penetration
             {
                 return;
             }
-            var areLeavesFirst:Boolean = _limits.exact && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent;
+            var areLeavesFirst:Boolean = _pair.haveTriangles && out.depth > DirectionSearch.IMPROVED_DEPTH * _pair.extent;
             _pair.stopAtLeaves(areLeavesFirst);
             tryOuter(out);
             if (areLeavesFirst)

@@ -1,13 +1,13 @@
 package starlogo.search.table
 {
     import starlogo.agents.Agent;
-    import starlogo.broadphase.BinLevels;
+    import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
     import starlogo.data.NumberList;
     import starlogo.engine;
+    import starlogo.search.BaseShapeChoice;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
-    import starlogo.search.ModelShapes;
     import starlogo.search.WorldAgent;
 
     use namespace engine;
@@ -31,7 +31,7 @@ package starlogo.search.table
         public var list:ListedAgents = new ListedAgents();
 
         /** Where the agents are and were. */
-        public var places:PlaceHistory = new PlaceHistory();
+        public var places:PlaceHistory;
 
         /** By row: the number of the agent's breed. */
         engine var breeds:Vector.<int> = new Vector.<int>();
@@ -39,12 +39,12 @@ package starlogo.search.table
         /** By row: the shape of the agent's model, which is null while the model is loading. */
         engine var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
-        // By row: the body, which is as old as its revision.
+        // By row: the body, and the row's revision at whose place it is, or STALE.
         private var _bodies:Vector.<Body> = new Vector.<Body>();
+        private var _placedRevisions:Vector.<int> = new Vector.<int>();
 
         /** By row: the extents of the shape. */
         engine var extents:Extents;
-        private var _rowExtents:RowExtents;
 
         // By row: the agent's bodyRevision at which its body was read. It is STALE if the row has no agent or a new one, if the model was replaced,
         // and while the model is loading.
@@ -66,17 +66,19 @@ package starlogo.search.table
         private var _reshaped:NumberList = new NumberList();
         private var _newShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
-        private var _modelShapes:ModelShapes;
+        // Has the shape of each model. The revision of all models up to which rows of replaced models are marked.
+        private var _choice:BaseShapeChoice;
+        private var _modelsRevision:int = -1;
 
         /**
-         * @param shapes has the shape of each model
-         * @param levels the levels of extents; null if none are needed
+         * @param choice has the shape of each model
+         * @param bins assign levels to extents; null if none are needed
          */
-        public function AgentTable(shapes:ModelShapes, levels:BinLevels)
+        public function AgentTable(choice:BaseShapeChoice, bins:Bins)
         {
-            _modelShapes = shapes;
-            _rowExtents = new RowExtents(levels);
-            extents = _rowExtents.extents;
+            _choice = choice;
+            places = new PlaceHistory(bins);
+            extents = places.extents;
             grow(ListedAgents.FIRST_LISTED);
         }
 
@@ -107,10 +109,8 @@ package starlogo.search.table
                 list.accept();
                 followList();
             }
-            loadingCount = takeShapes(_reshaped, _newShapes);
             places.acceptRead(list.rows.count);
-            _rowExtents.moveRows(places.changed, places.last, shapes);
-            _rowExtents.assignLevels(_reshaped, shapes);
+            loadingCount = takeShapes(_reshaped, _newShapes);
         }
 
         /**
@@ -131,15 +131,13 @@ package starlogo.search.table
                 findShapes(_reshaped, _newShapes);
                 takeShapes(_reshaped, _newShapes);
             }
-            places.last.read(row, agent);
-            places.previous.read(row, agent);
-            _rowExtents.moveRow(row, places.last);
+            places.readNow(row, agent);
         }
 
         /** Whether all shapes that rows have had are spheres. */
         public function get areSpheres():Boolean
         {
-            return _modelShapes.areSpheres;
+            return _choice.areSpheres;
         }
 
         /** Reads the agent of the ground or of the edges of the world into its row, or empties the row. */
@@ -181,12 +179,23 @@ package starlogo.search.table
             }
         }
 
-        /** Holds the ground and the edges of the world as they were read, or lets go of them. */
-        public function holdWorld(isHeld:Boolean):void
+        /** Holds the ground and the edges of the world as they were read, until <code>releaseWorld()</code>. */
+        public function holdWorld():void
+        {
+            _isWorldHeld = true;
+            countHolders(1);
+        }
+
+        /** Lets go of the ground and the edges of the world. */
+        public function releaseWorld():void
+        {
+            _isWorldHeld = false;
+            countHolders(-1);
+        }
+
+        private function countHolders(change:int):void
         {
             var ground:ModelShape = shapes[ListedAgents.GROUND_ROW];
-            var change:int = isHeld ? 1 : -1;
-            _isWorldHeld = isHeld;
             if (ground != null)
             {
                 ground.grid.holders += change;
@@ -205,7 +214,8 @@ package starlogo.search.table
             {
                 return bodyOf(row);
             }
-            made.readAgent(agent, _modelShapes.shapeOf(agent));
+            var ofWorld:WorldAgent = agent as WorldAgent;
+            made.readAgent(agent, ofWorld == null ? _choice.shapeOf(agent) : ofWorld.requireSurface());
             if (row >= 0)
             {
                 made.rank = list.ranks[row];
@@ -218,9 +228,10 @@ package starlogo.search.table
         {
             var body:Body = _bodies[row];
             var revision:int = places.last.revisions[row];
-            if (body.revision != revision)
+            if (_placedRevisions[row] != revision)
             {
-                body.follow(places.last, row, revision);
+                _placedRevisions[row] = revision;
+                body.moveToRow(row, places.last);
             }
             return body;
         }
@@ -299,6 +310,7 @@ package starlogo.search.table
         private function empty(row:int):void
         {
             shapes[row] = null;
+            extents.level[row] = 0;
             _bodyRevisions[row] = STALE;
         }
 
@@ -306,9 +318,8 @@ package starlogo.search.table
         {
             var row:int = shapes.length;
             shapes.length = _bodies.length = length;
-            breeds.length = _bodyRevisions.length = _shapeRevisions.length = length;
+            breeds.length = _bodyRevisions.length = _shapeRevisions.length = _placedRevisions.length = length;
             places.grow(length);
-            _rowExtents.grow(length);
             for (; row < length; row++)
             {
                 _bodyRevisions[row] = STALE;
@@ -317,10 +328,12 @@ package starlogo.search.table
 
         private function forgetReplaced():void
         {
-            if (!_modelShapes.forgetReplaced())
+            if (_choice.revision == _modelsRevision)
             {
                 return;
             }
+            _modelsRevision = _choice.revision;
+            _choice.forgetReplaced();
             for (var row:int = 0; row < shapes.length; row++)
             {
                 if (shapes[row] != null && shapes[row].isVoid)
@@ -343,13 +356,10 @@ package starlogo.search.table
             {
                 // the agent has moved since. One more revision makes this a motion, even if the game has put the agent there by a jump
                 list.agents[row].revision++;
-                last.x[row] = x;
-                last.y[row] = y;
-                last.z[row] = z;
-                _rowExtents.moveRow(row, last);
+                places.setLast(row, x, y, z);
             }
             last.revisions[row] = hasMotion ? seen : RowPlaces.NOT_SEEN;
-            unplace(row);
+            _placedRevisions[row] = STALE;
         }
 
         // Finds the shapes of rows. All shapes are found before any row changes, because an error must change no row.
@@ -364,7 +374,7 @@ package starlogo.search.table
                 var row:int = reshaped.numbers[i];
                 if (needsShape(row))
                 {
-                    out[i] = _modelShapes.shapeOf(list.agents[row]);
+                    out[i] = _choice.shapeOf(list.agents[row]);
                 }
             }
         }
@@ -405,7 +415,7 @@ package starlogo.search.table
             var before:ModelShape = shapes[row];
             if (before == null || shape == null || shape.modelName != before.modelName)
             {
-                places.last.revisions[row] = RowPlaces.NOT_SEEN;
+                places.forgetMotion(row);
             }
             shapes[row] = shape;
             _shapeRevisions[row] = list.agents[row].shapeRevision;
@@ -428,18 +438,9 @@ package starlogo.search.table
             }
             body.readShape(agent, shape);
             body.rank = list.ranks[row];
-            _rowExtents.setLengths(row, body);
+            places.reshape(row, body);
             _bodyRevisions[row] = agent.bodyRevision;
-            unplace(row);
-        }
-
-        // Lets a row's body be placed again.
-        private function unplace(row:int):void
-        {
-            if (_bodies[row] != null)
-            {
-                _bodies[row].revision = STALE;
-            }
+            _placedRevisions[row] = STALE;
         }
     }
 }

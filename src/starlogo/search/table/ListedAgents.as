@@ -67,12 +67,6 @@ package starlogo.search.table
         private var _proposals:int = 0;
         private var _lastProposals:Vector.<int> = new <int>[0, 0];
 
-        /** The number of the last list that was proposed: another number for each list. */
-        public function get listNumber():int
-        {
-            return _proposals;
-        }
-
         /** The row of an agent; -1 if it is not listed. The ground and the edges of the world have their rows from the last search on. */
         public function rowOf(agent:Agent):int
         {
@@ -101,19 +95,16 @@ package starlogo.search.table
         /** Whether the rows belong to the agents of a list, in its order. */
         public function isListed(list:Vector.<Agent>):Boolean
         {
-            var i:int = 0;
-            if (list.length == rows.count)
+            var i:int = list.length == rows.count ? rows.count - 1 : rows.count;
+            while (i >= 0 && i < rows.count && agents[rows.numbers[i]] === list[i])
             {
-                while (i < rows.count && agents[rows.numbers[i]] === list[i])
-                {
-                    i++;
-                }
+                i--;
             }
-            return i == rows.count && list.length == rows.count;
+            return i < 0;
         }
 
         /** Begins to read another list: no row has left it yet. */
-        internal function beginRead():void
+        public function beginRead():void
         {
             leftOrReordered.count = 0;
         }
@@ -159,7 +150,7 @@ package starlogo.search.table
         }
 
         /** Makes the agents of the proposed list the ones that are listed, and frees the rows of all others. */
-        internal function accept():void
+        public function accept():void
         {
             listReordered();
             for (var i:int = 0; i < rows.count; i++)

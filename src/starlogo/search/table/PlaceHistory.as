@@ -1,15 +1,26 @@
 package starlogo.search.table
 {
     import starlogo.agents.Agent;
+    import starlogo.broadphase.Bins;
+    import starlogo.broadphase.Extents;
+    import starlogo.broadphase.Points;
     import starlogo.data.NumberList;
+    import starlogo.engine;
+    import starlogo.search.Body;
+
+    use namespace engine;
 
     /**
      * Where the agents of a table were in the last two searches, and which of them have changed. An agent's motion goes from one place to the other.
+     * The extents of the shapes follow the places of the last search.
      *
      * @private
      */
     public final class PlaceHistory
     {
+        /** By row: the extents of the shape at the place in the last search. */
+        public var extents:Extents = new Extents();
+
         /** The places in the last search. */
         public var last:RowPlaces = new RowPlaces();
 
@@ -25,8 +36,24 @@ package starlogo.search.table
         /** The rows that the search before has read again. */
         public var previouslyChanged:NumberList = new NumberList();
 
+        // By row: the way from the agent's place to the middle of its extents.
+        private var _offsets:Points = new Points();
+
+        // Assign levels to extents; null if none are needed.
+        private var _bins:Bins;
+
+        // Whether a row ever had a coarser level because it was far out. From then on each row that moves is assigned a level, so it gets a finer one
+        // when it comes back.
+        private var _wasOneFarOut:Boolean = false;
+
         // The rows that a new search reads.
         private var _read:NumberList = new NumberList();
+
+        /** @param bins assign levels to extents; null if none are needed */
+        public function PlaceHistory(bins:Bins)
+        {
+            _bins = bins;
+        }
 
         /** Begins to read the places of a new search. The places of the search before last are lost. */
         public function beginRead():void
@@ -59,19 +86,44 @@ package starlogo.search.table
             {
                 copyStill();
             }
+            moveExtents();
         }
 
-        // Gives rows that changed before, and not now, their present place in both searches.
-        private function copyStill():void
+        /** Takes the extents of a row's body, which has another shape, turn or size than before. */
+        public function reshape(row:int, body:Body):void
         {
-            for (var i:int = 0; i < previouslyChanged.count; i++)
-            {
-                var row:int = previouslyChanged.numbers[i];
-                if (last.revisions[row] < previous.revisions[row])
-                {
-                    last.copyRow(previous, row);
-                }
-            }
+            _offsets.x[row] = body.offsetX;
+            _offsets.y[row] = body.offsetY;
+            _offsets.z[row] = body.offsetZ;
+            extents.halfX[row] = body.halfX;
+            extents.halfY[row] = body.halfY;
+            extents.halfZ[row] = body.halfZ;
+            extents.radius[row] = body.radius;
+            moveExtentsOf(row);
+            assignLevel(row);
+        }
+
+        /** Reads the place of one agent as it is now. It has no motion then. */
+        public function readNow(row:int, agent:Agent):void
+        {
+            last.read(row, agent);
+            previous.read(row, agent);
+            moveExtentsOf(row);
+        }
+
+        /** Sets the place of a row in the last search. */
+        public function setLast(row:int, x:Number, y:Number, z:Number):void
+        {
+            last.x[row] = x;
+            last.y[row] = y;
+            last.z[row] = z;
+            moveExtentsOf(row);
+        }
+
+        /** Lets an agent have no motion from its place in the search before the last. */
+        public function forgetMotion(row:int):void
+        {
+            previous.revisions[row] = RowPlaces.NOT_SEEN;
         }
 
         /** Lets no agent have a motion from its place in the last search. */
@@ -88,6 +140,73 @@ package starlogo.search.table
         {
             last.grow(length);
             previous.grow(length);
+            extents.grow(length);
+            _offsets.grow(length);
+        }
+
+        private function moveExtentsOf(row:int):void
+        {
+            extents.x[row] = last.x[row] + _offsets.x[row];
+            extents.y[row] = last.y[row] + _offsets.y[row];
+            extents.z[row] = last.z[row] + _offsets.z[row];
+        }
+
+        // Moves the extents of the rows that have changed.
+        private function moveExtents():void
+        {
+            var numbers:Vector.<int> = changed.numbers;
+            var xs:Vector.<Number> = last.x;
+            var ys:Vector.<Number> = last.y;
+            var zs:Vector.<Number> = last.z;
+            var fromX:Vector.<Number> = _offsets.x;
+            var fromY:Vector.<Number> = _offsets.y;
+            var fromZ:Vector.<Number> = _offsets.z;
+            var middleX:Vector.<Number> = extents.x;
+            var middleY:Vector.<Number> = extents.y;
+            var middleZ:Vector.<Number> = extents.z;
+            var maxDistanceSquared:Number = _bins == null ? Infinity : _bins.maxDistanceSquared;
+            if (_wasOneFarOut)
+            {
+                maxDistanceSquared = 0;
+            }
+            var end:int = changed.count;
+            for (var i:int = 0; i < end; i++)
+            {
+                var row:int = numbers[i];
+                var atX:Number = xs[row] + fromX[row];
+                var atY:Number = ys[row] + fromY[row];
+                var atZ:Number = zs[row] + fromZ[row];
+                middleX[row] = atX;
+                middleY[row] = atY;
+                middleZ[row] = atZ;
+                // a new row has no level, and its extents are not known yet
+                if (atX * atX + atY * atY + atZ * atZ >= maxDistanceSquared && extents.level[row] != 0)
+                {
+                    assignLevel(row);
+                }
+            }
+        }
+
+        // The ground and the edges of the world are in no bins.
+        private function assignLevel(row:int):void
+        {
+            if (_bins != null && row >= ListedAgents.FIRST_LISTED && _bins.assignLevel(extents, row))
+            {
+                _wasOneFarOut = true;
+            }
+        }
+
+        // Gives rows that changed before, and not now, their present place in both searches.
+        private function copyStill():void
+        {
+            for (var i:int = 0; i < previouslyChanged.count; i++)
+            {
+                var row:int = previouslyChanged.numbers[i];
+                if (last.revisions[row] < previous.revisions[row])
+                {
+                    last.copyRow(previous, row);
+                }
+            }
         }
     }
 }

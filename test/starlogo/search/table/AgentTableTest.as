@@ -10,7 +10,6 @@ package starlogo.search.table
     import starlogo.engine;
     import starlogo.models.BuiltInModel;
     import starlogo.queries.AgentQueries;
-    import starlogo.search.ModelShapes;
     import starlogo.search.TightestFitChoice;
     import support.EachCollider;
     import support.RandomWorlds;
@@ -23,7 +22,7 @@ package starlogo.search.table
     public class AgentTableTest
     {
         private var _land:GreatLand = landOf(BuiltInModel.cube());
-        private var _table:AgentTable = new AgentTable(new ModelShapes(new TightestFitChoice(_land)), new Bins().levels);
+        private var _table:AgentTable = new AgentTable(new TightestFitChoice(_land), new Bins());
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
         [Before]

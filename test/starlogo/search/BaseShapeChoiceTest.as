@@ -15,7 +15,7 @@ package starlogo.search
     import support.landOf;
 
     /** The structure that stands for a model has to be there, of a kind that is collided, and within the world. */
-    public class ModelShapesTest
+    public class BaseShapeChoiceTest
     {
         [Test]
         public function aStructureOutsideTheWorldIsRefused():void

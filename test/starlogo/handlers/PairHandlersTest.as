@@ -6,11 +6,11 @@ package starlogo.handlers
     import org.flexunit.asserts.assertTrue;
 
     /** The handlers of a pair of breeds that come and go. */
-    public class AddedHandlersTest
+    public class PairHandlersTest
     {
         private static const KINDS:Array = [CollisionHandler.START, CollisionHandler.COLLISION, CollisionHandler.END];
 
-        private var _added:AddedHandlers = new AddedHandlers();
+        private var _entry:PairHandlers = new PairHandlers(3, 4);
         private var _list:Array = [];
         private var _removed:Array = [];
         private var _order:int = 0;
@@ -35,7 +35,7 @@ package starlogo.handlers
             // the frame knows none of them, some or all
             for each (var known:int in [0, 60, 1000])
             {
-                _added = new AddedHandlers();
+                _entry = new PairHandlers(3, 4);
                 _list = [];
                 _removed = [];
                 _order = 0;
@@ -46,14 +46,14 @@ package starlogo.handlers
                         add(random.pick(KINDS), random.pick(functions));
                         continue;
                     }
-                    found += check(random.pick(functions), random.chance() ? AddedHandlers.ANY_KIND : random.pick(KINDS), known, random.chance());
+                    found += check(random.pick(functions), random.chance() ? PairHandlers.ANY_KIND : random.pick(KINDS), known, random.chance());
                 }
                 assertTrue(_removed.length > 60 && _removed.length < _order);
             }
             assertTrue(String(found), found > 300);
-            _added.removeAll(0);
-            assertEquals(0, _added.list.length);
-            assertNull(_added.find(functions[0], AddedHandlers.ANY_KIND));
+            _entry.removeAll(0);
+            assertEquals(0, _entry.added.length);
+            assertNull(_entry.find(functions[0], PairHandlers.ANY_KIND));
         }
 
         /** If handlers come and go between two frames, the list does not grow. */
@@ -63,15 +63,15 @@ package starlogo.handlers
             for (var i:int = 0; i < 100; i++)
             {
                 add(CollisionHandler.START, doNotPileUp);
-                _added.remove(_added.find(doNotPileUp, CollisionHandler.START), 0);
-                assertTrue(_added.list.length <= 1);
+                _entry.remove(_entry.find(doNotPileUp, CollisionHandler.START), 0);
+                assertTrue(_entry.added.length <= 1);
             }
         }
 
         private function add(kind:int, handler:Function):void
         {
             var added:CollisionHandler = new CollisionHandler(kind, "bears", "trees", handler, _order++);
-            _added.list.push(added);
+            _entry.added.push(added);
             _list.push(added);
         }
 
@@ -80,15 +80,15 @@ package starlogo.handlers
         {
             var matching:Array = _list.filter(function(one:CollisionHandler, index:int, all:Array):Boolean
                 {
-                    return one.callback == handler && (kind == AddedHandlers.ANY_KIND || one.kind == kind);
+                    return one.callback == handler && (kind == PairHandlers.ANY_KIND || one.kind == kind);
                 });
             var first:CollisionHandler = matching.length == 0 ? null : matching[0];
-            assertTrue(_added.find(handler, kind) === first);
+            assertTrue(_entry.find(handler, kind) === first);
             if (first == null || !isRemoved)
             {
                 return first == null ? 0 : 1;
             }
-            _added.remove(first, known);
+            _entry.remove(first, known);
             _list.splice(_list.indexOf(first), 1);
             _removed.push(first);
             assertTrue("a kept one is there", _list.every(isThere));
@@ -101,7 +101,7 @@ package starlogo.handlers
 
         private function isThere(one:CollisionHandler, index:int, all:Array):Boolean
         {
-            return _added.list.indexOf(one) >= 0;
+            return _entry.added.indexOf(one) >= 0;
         }
     }
 }

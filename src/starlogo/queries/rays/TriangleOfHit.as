@@ -35,7 +35,7 @@ package starlogo.queries.rays
         public function write(body:Body, hit:CastHit):void
         {
             hit.mesh = hit.material = -1;
-            hit.materialName = null;
+            hit.meshName = hit.materialName = null;
             hit.weights.setTo(0, 0, 0);
             if (hit.triangle < 0)
             {
@@ -43,8 +43,10 @@ package starlogo.queries.rays
             }
             if (body.shape.model != null)
             {
+                var meshes:TriangleLabels = body.shape.model.data.meshes;
                 var materials:TriangleLabels = body.shape.model.data.materials;
-                hit.mesh = TriangleLabels.numberOf(body.shape.model.data.meshes, hit.triangle);
+                hit.mesh = TriangleLabels.numberOf(meshes, hit.triangle);
+                hit.meshName = TriangleLabels.nameOf(meshes, hit.mesh);
                 hit.material = TriangleLabels.numberOf(materials, hit.triangle);
                 hit.materialName = TriangleLabels.nameOf(materials, hit.material);
             }

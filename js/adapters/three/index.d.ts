@@ -32,31 +32,31 @@ export function toScene<P extends PointTaker>(vector: Point, out: P): P;
 /** Options of modelFromObject. */
 export interface ModelOptions {
     /** The up axis of the source. The default is "y", as in three.js and glTF. */
-    up?: Up;
+    up?: Up | undefined;
     /** How the model is scaled: Model.FOOTPRINT (the default), Model.VOLUME or Model.AS_GIVEN. */
-    scaling?: Scaling;
+    scaling?: Scaling | undefined;
 }
 
 /** The up axes for a binding. */
 export interface BindingOptions {
     /** The up axis of the land. The default is "y". */
-    up?: Up;
+    up?: Up | undefined;
     /** The up axis of the model's source. The default is the axis that modelFromObject was given, otherwise the land's. */
-    modelUp?: Up;
+    modelUp?: Up | undefined;
 }
 
 /** Options of a binding to an object or an instance. */
 export interface ObjectBindingOptions extends BindingOptions {
     /** The index of the instance in an InstancedMesh. */
-    index?: number | null;
+    index?: number | null | undefined;
 }
 
 /** Options of a wireframe. */
 export interface WireframeOptions {
     /** The lines' colour: 0xrrggbb, or any colour that three.js accepts. The default is 0xffcc00. */
-    color?: number | string;
+    color?: number | string | undefined;
     /** The up axis of the land. The default is "y". */
-    up?: Up;
+    up?: Up | undefined;
 }
 
 /**
@@ -86,7 +86,7 @@ export function modelFromObject(name: string, source: Object3D | BufferGeometry,
 /** Options of levelFromObject. */
 export interface LevelOptions {
     /** The up axis of the land. The default is "y". */
-    up?: Up;
+    up?: Up | undefined;
 }
 
 /**
@@ -253,7 +253,7 @@ export class ThreeWireframe extends LineSegments<BufferGeometry, LineBasicMateri
 /** Options of a terrain's geometry, and of terrainFromMesh. */
 export interface TerrainOptions {
     /** The up axis of the land. The default is "y". */
-    up?: Up;
+    up?: Up | undefined;
 }
 
 /**

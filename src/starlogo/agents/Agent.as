@@ -143,7 +143,7 @@ package starlogo.agents
          * Creates an agent of size 1 at the origin.
          *
          * @param shape the name of its model; the colliders' GreatLand must have it
-         * @param breed the name of its breed
+         * @param breed the name of its breed, the group that handlers name; without it, the breed is "turtles"
          * @throws ArgumentError if either is null or empty
          */
         public function Agent(shape:String, breed:String = "turtles")

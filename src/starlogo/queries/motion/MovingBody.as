@@ -240,7 +240,7 @@ package starlogo.queries.motion
         {
             if (!isExitShort(row, contact))
             {
-                warnOfInside(_seen.table.list.agents[row]);
+                warnOfInside(_seen.table.list.agents, row, _source.shape.modelName, _source.placement, _source.halfZ - _source.offsetZ, contact.depth);
             }
         }
 

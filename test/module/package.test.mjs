@@ -1,7 +1,7 @@
 /** Tests of the npm package that the build makes: bin/module. */
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, symlinkSync, writeFileSync } from "node:fs";
+import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, symlinkSync, writeFileSync } from "node:fs";
 import { SourceMap, createRequire } from "node:module";
 import path from "node:path";
 import { after, before, test } from "node:test";
@@ -107,6 +107,22 @@ test("the package says what it is", () => {
 	assert.ok(manifest.keywords.length > 5 && /^https:/.test(manifest.homepage));
 	for (const file of [manifest.types, manifest.exports["."].default, "README.md", "CHANGELOG.md", "LICENSE"]) {
 		assert.ok(readFileSync(path.join(folder, file), "utf8").length > 500, file);
+	}
+});
+
+test("the pages of the package speak of JavaScript, and their links lead somewhere in it", () => {
+	const anchorsOf = (text) => [...text.matchAll(/^#+ (.*)$/gm)].map(([, title]) => title.toLowerCase().replaceAll(/[^\w -]/g, "").replaceAll(" ", "-"));
+	const pages = ["README.md", ...readdirSync(path.join(folder, "docs")).map((file) => `docs/${file}`)];
+	assert.ok(pages.length > 6 && manifest.files.includes("docs"));
+	for (const page of pages) {
+		const text = readFileSync(path.join(folder, page), "utf8");
+		assert.doesNotMatch(text, /```actionscript|\.as\b|:void|^Examples?: /m, page);
+		for (const [, to] of text.replaceAll(/```[^]*?```/g, "").matchAll(/\]\(([^)]+)\)/g)) {
+			const [file, anchor] = to.split("#");
+			const target = file === "" ? page : path.join(path.dirname(page), file);
+			assert.ok(existsSync(path.join(folder, target)), `${page}: ${to}`);
+			if (anchor) assert.ok(anchorsOf(readFileSync(path.join(folder, target), "utf8")).includes(anchor), `${page}: ${to}`);
+		}
 	}
 });
 

@@ -33,7 +33,10 @@ export function toScene<P extends PointTaker>(vector: Point, out: P): P;
 export interface ModelOptions {
     /** The up axis of the source. The default is "y", as in three.js and glTF. */
     up?: Up | undefined;
-    /** How the model is scaled: Model.FOOTPRINT (the default), Model.VOLUME or Model.AS_GIVEN. */
+    /**
+     * How the model is scaled. Model.FOOTPRINT, the default, makes it one unit wide, with its lowest point at the origin. Model.AS_GIVEN keeps
+     * the unit and the origin of the source: the middle, for most geometries of three.js.
+     */
     scaling?: Scaling | undefined;
 }
 

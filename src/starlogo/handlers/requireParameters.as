@@ -14,10 +14,14 @@ package starlogo.handlers
         var count:int = callback.length;
         if (count == 1 || count > 3)
         {
+            var allowed:String = "two agents, or two agents and a contact: function(collider:Agent, collidee:Agent):void or "
+                + "function(collider:Agent, collidee:Agent, contact:Contact):void";
+            if (kind == CollisionHandler.END)
+            {
+                allowed = "two agents: function(collider:Agent, collidee:Agent):void";
+            }
             throw new ArgumentError("the handler for \"" + breed + "\" and \"" + otherBreed + "\" has " + count + " parameter"
-                    + (count == 1 ? "" : "s") + ", and gets two agents"
-                    + (kind == CollisionHandler.END ? "" : ", or two agents and a contact") + ": function(collider:Agent, collidee:Agent):void"
-                    + (kind == CollisionHandler.END ? "" : " or function(collider:Agent, collidee:Agent, contact:Contact):void"));
+                    + (count == 1 ? "" : "s") + ", and gets " + allowed);
         }
     }
 }

@@ -27,6 +27,9 @@ const ANSWERED = new Set(["ByteArray", "String"]);
 const WARNING = new Map([
 	["starlogo.GreatLand.addModel", "$warnOfNames(this, true);"],
 	["starlogo.collision.Collision.update", "$warnOfSilence(this, agents);"],
+	["starlogo.queries.AgentQueries.update", "$warnOfStale(this, agents, null);"],
+	...["refresh", "moveUntilTouch", "slide", "walk"].map((name) => [`starlogo.queries.AgentQueries.${name}`, "$warnOfStale(this, null, agent);"]),
+	...["cast", "near", "nearest"].map((name) => [`starlogo.queries.AgentQueries.${name}`, "$warnOfStale(this, null, null);"]),
 ]);
 
 /** Functions that the engine calls in its loops. The module exports a checked function around them. */

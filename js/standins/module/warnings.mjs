@@ -8,6 +8,8 @@ const $warned = /* @__PURE__ */ new Set();
 const $checkedBreeds = /* @__PURE__ */ new Map();
 const $checkedObjects = /* @__PURE__ */ new WeakSet();
 const $silentFrames = /* @__PURE__ */ new WeakMap();
+const $updates = /* @__PURE__ */ new WeakMap();
+let $frames = 0;
 let $lookedAt = 0;
 
 /** What other libraries call traits of an agent, and the engine's names for them. */
@@ -113,6 +115,7 @@ function $readsBlindly(text, name) {
  */
 export function $warnOfSilence(collision, agents) {
 	if ($isForUsers) return;
+	$frames++;
 	const frames = $silentFrames.get(collision) ?? 0;
 	if (frames > $LONG_SILENCE) return;
 	$silentFrames.set(collision, collision.statistics.handlerCalls > 0 ? Infinity : frames + 1);
@@ -120,6 +123,30 @@ export function $warnOfSilence(collision, agents) {
 	const breeds = [...new Set(agents.map((agent) => agent?.breed))];
 	const missing = [...$checkedBreeds].filter(([name, found]) => found !== Infinity && !breeds.includes(name) && /^[^*]/.test(name)).map(([name]) => name);
 	if (missing.length > 0 && breeds.length > 0) $warn(`in ${frames} frames no handler was called, and no agent is of the breed ${missing.map((name) => JSON.stringify(name)).join(" or ")}. The agents' breeds are ${breeds.slice(0, 5).map((name) => JSON.stringify(name)).join(", ")}`);
+}
+
+/**
+ * Warns of questions whose update() is forgotten: if they are asked for hundreds of frames without it, and an agent has moved meanwhile. An
+ * agent that a question moves or refreshes is seen where it is.
+ *
+ * @param agents the list, if this is the update
+ * @param mover the agent that the question moves or refreshes, or null
+ */
+export function $warnOfStale(queries, agents, mover) {
+	if ($isForUsers) return;
+	let last = $updates.get(queries);
+	if (agents !== null) {
+		if (!last) $updates.set(queries, last = { agents: null, frameThen: 0, placesThen: null, movers: new WeakSet() });
+		last.agents = agents;
+		last.frameThen = $frames;
+		last.placesThen = null;
+	}
+	if (!last || !Array.isArray(last.agents)) return;
+	if (typeof mover?.shape === "string") last.movers.add(mover);
+	if ($frames - last.frameThen < $LONG_SILENCE) return;
+	last.placesThen ??= last.agents.slice(0, 100).filter((agent) => agent).map((agent) => ({ agent, x: agent.x, y: agent.y, z: agent.z }));
+	const moved = last.placesThen.find(({ agent, x, y, z }) => !last.movers.has(agent) && (agent.x !== x || agent.y !== y || agent.z !== z));
+	if (moved) $warn(`questions see ${moved.agent} where it was at the last queries.update(agents), ${$frames - last.frameThen} frames ago: call it once a frame, or refresh(agent)`, "stale");
 }
 
 /** Warns of a slope that is probably in radians. */

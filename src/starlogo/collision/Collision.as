@@ -206,7 +206,7 @@ package starlogo.collision
          *
          * @param breed as in onCollision
          * @param otherBreed as in onCollision
-         * @param handler <code>function(collider:Agent, collidee:Agent):void</code>; a third argument would be null
+         * @param handler <code>function(collider:Agent, collidee:Agent):void</code>. There is no contact any more: a third argument would be null
          * @throws ArgumentError as in onCollision
          */
         public function onCollisionEnd(breed:String, otherBreed:String, handler:Function):void

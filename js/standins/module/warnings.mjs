@@ -4,6 +4,7 @@ import { $isForUsers } from "./language.mjs";
 const $MOST_LOOKED_AT = 1000;
 const $LONG_SILENCE = 300;
 const $END = 2; // CollisionHandler.END
+const $STRUCTURE = "structure"; // what a cast structure is called: see Body.readStructure
 const $warned = /* @__PURE__ */ new Set();
 const $checkedBreeds = /* @__PURE__ */ new Map();
 const $checkedObjects = /* @__PURE__ */ new WeakSet();
@@ -83,7 +84,7 @@ export function $warnOfInside(agents, index, shape, place, below, depth) {
 	const level = agents[index];
 	const mover = agents.find((each) => each?.shape === shape && each.x === place.x && each.y === place.y && each.z === place.z);
 	const rounded = (number) => String(Number(number.toPrecision(3)));
-	const remedy = below > 0.01 * place.size
+	const remedy = below > 0.01 * place.size && shape !== $STRUCTURE
 		? `Its lowest point is ${rounded(below)} below its place: a model that is AS_GIVEN keeps its origin. If its place is on the ground, move it up by ${rounded(below)}, or give it a model whose origin is its lowest point.`
 		: "What is inside of a closed model collides; without exact, what is inside of a box of its tree. A room needs exact, and an opening or thick walls.";
 	$warn(`${mover ?? `the shape ${JSON.stringify(shape)}`} begins a motion at (${[place.x, place.y, place.z].map(rounded).join(", ")}), ${rounded(depth)} deep inside of ${level}, which does not stop it. ${remedy} See docs/questions.md in the package, "floats in a room"`, `inside ${level.shape} ${shape}`);

@@ -10,7 +10,7 @@ package starlogo.agents
      * @param index the index of the agent that does not stop the motion; it collides as its tree or its triangles
      * @param shape the name of the shape that moves
      * @param place where it begins
-     * @param below how far its lowest point is below its place
+     * @param below how far its lowest point is below its place; 0 if it leans
      * @param depth how deep inside it is
      * @private
      */

@@ -19,6 +19,6 @@ export const ADDED = {
 	 * @returns the model, which the receiver has by then
 	 * @throws ModelError, in the promise, if it can't be loaded; the signal's reason if that is aborted; an AbortError if cancel() is called
 	 */
-	loadAsync(name: string, url: string, options?: { upAxis?: UpAxis; scaling?: Scaling; signal?: ListenerOptions["signal"] }): Promise<Model>;`,
+	loadAsync(name: string, url: string, options?: { upAxis?: UpAxis | undefined; scaling?: Scaling | undefined; signal?: ListenerOptions["signal"] }): Promise<Model>;`,
 	},
 };

@@ -12,6 +12,7 @@ import { buildSync, transformSync } from "esbuild";
 import { ADDED } from "./added.mjs";
 import { standinsText, translate } from "./assemble.mjs";
 import { writeDeclarations } from "./declarations.mjs";
+import { writePages } from "./guide.mjs";
 import { ROOT, moduleRoots, publicSignatures } from "./names.mjs";
 
 const [transpiled, out] = process.argv.slice(2);
@@ -53,7 +54,7 @@ writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
 writeFileSync(join(out, "package.json"), `${JSON.stringify(manifest(), null, 2)}\n`);
 copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
 copyFileSync(join(ROOT, "js/module/cook.mjs"), join(out, "cook.mjs"));
-copyFileSync(join(ROOT, "js/module/README.md"), join(out, "README.md"));
+writePages(out);
 copyFileSync(join(ROOT, "CHANGELOG.md"), join(out, "CHANGELOG.md"));
 copyFileSync(join(ROOT, "js/module/picture.svg"), join(out, "picture.svg"));
 cpSync(join(ROOT, "js/adapters/three"), join(out, "three"), { recursive: true, filter: (file) => /(?:\.js|\.d\.ts|^three)$/.test(basename(file)) });
@@ -164,6 +165,6 @@ function manifest() {
 		peerDependencies: { three: ">=0.180.0" },
 		peerDependenciesMeta: { three: { optional: true } },
 		bin: { "starlogo-cook": "./cook.mjs" },
-		files: ["*.js", "*.mjs", "*.d.ts", "*.md", "*.svg", "maps", "three", "nova"],
+		files: ["*.js", "*.mjs", "*.d.ts", "*.md", "*.svg", "docs", "maps", "three", "nova"],
 	};
 }

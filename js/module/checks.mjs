@@ -23,8 +23,14 @@ const PLAIN = new Set([
 /** Types that the engine itself throws an error about null for, because it says more: of names, and of files. */
 const ANSWERED = new Set(["ByteArray", "String"]);
 
-/** Methods that look at their object's properties while a game is developed, because settings are often made just before. */
-const LOOKING = new Set(["starlogo.GreatLand.addModel"]);
+/** What methods call first while a game is developed: addModel looks at its object's properties, because settings are often made just before. */
+const WARNING = new Map([
+	["starlogo.GreatLand.addModel", "$warnOfNames(this, true);"],
+	["starlogo.collision.Collision.update", "$warnOfSilence(this, agents);"],
+	["starlogo.queries.AgentQueries.update", "$warnOfStale(this, agents, null);"],
+	...["refresh", "moveUntilTouch", "slide", "walk"].map((name) => [`starlogo.queries.AgentQueries.${name}`, "$warnOfStale(this, null, agent);"]),
+	...["cast", "near", "nearest"].map((name) => [`starlogo.queries.AgentQueries.${name}`, "$warnOfStale(this, null, null);"]),
+]);
 
 /** Functions that the engine calls in its loops. The module exports a checked function around them. */
 export const isWrapped = (type) => type?.kind === "function";
@@ -50,13 +56,13 @@ export class Checks {
 		const type = this.#signatures.get(qname);
 		const member = kind === "function" ? type : type?.members.find((each) => each.name === name && each.kind === kind && each.isPublic && !each.isPrivate);
 		const parameters = member?.parameters ?? [];
-		if (LOOKING.has(`${qname}.${name}`)) return ["$warnOfNames(this, true);", ...parameters.flatMap((parameter) => this.#check(type, member, parameter))];
 		const numbers = parameters.filter((parameter) => parameter.type === "Number").map((parameter) => parameter.name);
 		if (COMPACT.has(qname) && member?.kind === "method" && numbers.length > 1) {
 			const others = parameters.filter((parameter) => parameter.type !== "Number").flatMap((parameter) => this.#check(type, member, parameter));
 			return [`$checkNumbers("${type.name}.${name}: ${numbers.join(", ")}", ${numbers.join(", ")});`, ...others];
 		}
-		return parameters.flatMap((parameter) => this.#check(type, member, parameter));
+		const first = kind === "method" ? WARNING.get(`${qname}.${name}`) ?? [] : [];
+		return [first, parameters.flatMap((parameter) => this.#check(type, member, parameter))].flat();
 	}
 
 	/** The public fields of a class that only its users write: { name, type }. */
@@ -113,6 +119,7 @@ export class Checks {
 			case "WalkOptions": {
 				const options = this.#reference(`starlogo.queries.${parameter.type}`);
 				return [
+					...parameter.type === "WalkOptions" ? [`$warnOfUnits(${name});`] : [],
 					`if (${name} instanceof ${options}) $warnOfNames(${name});`,
 					`else if (${name} != null) ${name} = $options(${isNamed ? where : `null, ${where}`}, ${name}, new ${options}(), ${JSON.stringify(article(parameter.type))});`,
 				];

@@ -20,6 +20,9 @@ const BY_NAME = new Map([
 /** The values that a text lists: "x", "y" or "z". */
 const LISTED = /"\w+"(?:, "\w+")* or "\w+"/;
 
+/** What the documentation says of a handler. Its types are the two agents', which may be of different classes. */
+const HANDLER = /<code>function\(collider:Agent, collidee:Agent\):void<\/code>|@param handler\s+as in onCollision\b/;
+
 /** Sentences with these words do not concern a JavaScript developer. */
 const OF_PLAYERS = /Ruffle|Adobe|Flash|Away3D|SWF|SWC|avmshell|mxmlc|ASDoc|E4X/;
 const HEAD = `/** What is taken wherever numbers are listed. */
@@ -48,17 +51,34 @@ export type UpAxis = "x" | "y" | "z" | ModelTransform;
 /** How a model is scaled. */
 export type Scaling = typeof Model.FOOTPRINT | typeof Model.VOLUME | typeof Model.AS_GIVEN;
 
+/** What is taken for an AgentFilter: one, or a literal with some of its properties. */
+export interface AgentFilterInit<A extends Agent = Agent> {
+	/** See AgentFilter.breeds. */
+	readonly breeds?: readonly string[] | null | undefined;
+	/** See AgentFilter.exceptBreeds. */
+	readonly exceptBreeds?: readonly string[] | null | undefined;
+	/** See AgentFilter.except. */
+	readonly except?: readonly Agent[] | null | undefined;
+	/** See AgentFilter.accepts. */
+	readonly accepts?: { accept(agent: A): boolean }["accept"] | null | undefined;
+}
+
+/** What is taken for WalkOptions: an object of this class, or a literal with some of its properties. */
+export type WalkOptionsInit<A extends Agent = Agent> = {
+	readonly [K in keyof WalkOptions]?: (K extends "filter" ? AgentFilterInit<A> | null : WalkOptions[K]) | undefined;
+};
+
 /** What is called with an event, which may be of a class of its own. */
 export type Listener = { listen(event: Event): void }["listen"];
 
 /** How to listen: as to the platform's own events. */
 export interface ListenerOptions {
 	/** Whether the listener is called but once. */
-	once?: boolean;
+	once?: boolean | undefined;
 	/** Taken, and of no effect: events have no phases here. */
-	capture?: boolean;
+	capture?: boolean | undefined;
 	/** Listening ends when it is aborted. */
-	signal?: { readonly aborted: boolean; addEventListener(type: "abort", listener: () => void, options?: { once?: boolean }): void };
+	signal?: { readonly aborted: boolean; addEventListener(type: "abort", listener: () => void, options?: { once?: boolean }): void } | undefined;
 }
 `;
 const BY_HAND = `/** An argument is not what it has to be. */
@@ -164,7 +184,8 @@ class Writer {
 		// agents from a list of a client's agents have the client's class
 		const isPicking = this.#agent === "Agent" && member.kind === "method" && member.result === "Vector.<Agent>" && member.parameters.some((each) => each.type === "Vector.<Agent>" && each.name !== "out");
 		const isFilling = this.#agent === "A" && member.kind === "method" && member.parameters.some((each) => each.type === "Footing");
-		const generic = isPicking ? "<A extends Agent>" : isFilling ? "<O extends Agent = A>" : "";
+		const isHandling = this.#agent === "A" && member.kind === "method" && HANDLER.test(said);
+		const generic = isHandling ? "<C extends A, D extends A>" : isPicking ? "<A extends Agent>" : isFilling ? "<O extends Agent = A>" : "";
 		if (isPicking) this.#agent = "A";
 		const isNull = this.#mayBeNull({ ...member, doc: this.#referredDoc(said) });
 		const result = PLAIN_BYTES.has(`${type.qname}.${member.name}`) ? "Uint8Array" : BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said) ?? this.#resultType(member, said) + (isNull ? " | null" : "");
@@ -186,6 +207,10 @@ class Writer {
 				return `${visible}\t${isStatic}set ${member.name}(value: ${union ?? this.#parameterType(member.parameters[0]) + orNull});`;
 			}
 			default:
+				if (member.kind === "var" && /^Vector\.<(?!Number|u?int)/.test(member.result) && !member.isStatic) {
+					// what is set may be a list that its owner does not change
+					return `${text}\tget ${member.name}(): ${result};\n\tset ${member.name}(value: readonly ${result});`;
+				}
 				return `${text}\t${visible}${isStatic}${member.kind === "const" ? "readonly " : ""}${member.name}: ${result};`;
 		}
 	}
@@ -193,7 +218,12 @@ class Writer {
 	// "null for a mesh without a name" makes null an element
 	#resultType({ kind, result }, said) {
 		// what takes a filter takes a literal too
-		if (kind === "var" && result === "AgentFilter") return "Partial<AgentFilter>";
+		if (kind === "var" && result === "AgentFilter") return "AgentFilterInit";
+		// what a question returns has met an agent
+		const [, list, hit] = /^(Vector\.<)?(RayHit|ShapeHit)>?$/.exec(kind === "method" ? result : "") ?? [];
+		if (hit) {
+			return `(${this.#type(hit)} & { agent: ${this.#agent} })${list ? "[]" : ""}`;
+		}
 		return result === "Vector.<String>" && /\bnull for a\b/.test(said) ? "(string | null)[]" : this.#type(result);
 	}
 
@@ -273,12 +303,12 @@ class Writer {
 		if (/^Vector\.<(Number|int|uint)>$/.test(type) && name !== "out") return `Numbers${orNull}`;
 		if (type === "ByteArray") return `Bytes${orNull}`;
 		if (type === "String" && LISTED.test(said)) return LISTED.exec(said)[0].match(/"\w+"/g).join(" | ") + orNull;
-		if (/^(?:AgentFilter|WalkOptions)$/.test(type)) return `Partial<${type}>${orNull}`;
+		if (/^(?:AgentFilter|WalkOptions)$/.test(type)) return `${type}Init${this.#agent === "A" ? "<A>" : ""}${orNull}`;
 		if (type === "Vector3D") return `${isWritten({ name }, { doc: said }) ? "PointTaker" : "Point"}${orNull}`;
 		if (type === "Function") {
 			const written = new RegExp(String.raw`@param ${name}\s+(?:(?!\n@)[\s\S])*?<code>(?:function)?(\([^<]*)</code>`).exec(said)?.[1];
 			if (!written) return PRIMITIVES.Function + orNull;
-			const more = /<code>(contact:Contact)<\/code>/.exec(said)?.[1];
+			const more = /<code>(contact:Contact)<\/code>/.exec(said)?.[1] ?? (/third argument would be null/.test(said) ? "contact:null" : undefined);
 			return this.#functionType(more ? written.replace(")", `, ${more})`) : written);
 		}
 		return `${this.#type(type)}${orNull}`;
@@ -289,7 +319,8 @@ class Writer {
 		const [, list, result] = /^\(([^)]*)\):(\S+)/.exec(text) ?? [null, "", "unknown"];
 		const parameters = list.split(",").filter((word) => word.trim() !== "").map((word) => {
 			const [name, type] = word.trim().split(":");
-			return `${name}: ${this.#type(type)}`;
+			const own = this.#agent === "A" ? { collider: "C", collidee: "D" }[name] : undefined;
+			return `${name}: ${own ?? (type === "null" ? type : this.#type(type))}`;
 		});
 		return `(${parameters.join(", ")}) => ${this.#type(result)}`;
 	}

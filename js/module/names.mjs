@@ -22,7 +22,7 @@ export const EXTERNALS = {
 	"starlogo.agents.warnOfInside": ["warnings.mjs", "$warnOfInside"],
 	"starlogo.data.warnOfNames": ["warnings.mjs", "$warnOfNames"],
 	"starlogo.handlers.mayTakeContact": ["contacts.mjs", "mayTakeContact"],
-	"starlogo.handlers.requireParameters": ["contacts.mjs", "requireParameters"],
+	"starlogo.handlers.requireParameters": ["warnings.mjs", "$warnOfHandler"],
 	"standin.LocalStore.read": ["machine.mjs", "readLocal"],
 	"standin.LocalStore.remove": ["machine.mjs", "removeLocal"],
 	"standin.LocalStore.write": ["machine.mjs", "writeLocal"],

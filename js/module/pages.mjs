@@ -17,6 +17,7 @@ const app = await Application.bootstrapWithPlugins({
 	entryPoints: ["index.d.ts", "three/index.d.ts"].map((file) => join(from, file)),
 	tsconfig: join(import.meta.dirname ?? new URL(".", import.meta.url).pathname, "pages.json"),
 	readme: join(from, "README.md"),
+	projectDocuments: [join(from, "docs/*.md")],
 	// three.js's own types are not here, and the package's have been checked by its tests
 	skipErrorChecking: true,
 	excludePrivate: true,

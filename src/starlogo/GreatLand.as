@@ -199,7 +199,13 @@ package starlogo
         /** Whether a model of this name was added. */
         public function hasModel(name:String):Boolean
         {
-            return _models.entryOf(name).model != null;
+            return modelOf(name) != null;
+        }
+
+        /** The model with a name, or null if no model of this name was added. */
+        public function modelOf(name:String):Model
+        {
+            return _models.entryOf(name).model;
         }
 
         /**
@@ -248,12 +254,6 @@ package starlogo
         engine function get modelNames():Vector.<String>
         {
             return _models.names;
-        }
-
-        /** @private The model with a name; null if there is none. */
-        engine function modelOf(name:String):Model
-        {
-            return _models.entryOf(name).model;
         }
 
         /** @private The work that finds the results that the flags ask for. None of its steps is done yet. @param store null for none */

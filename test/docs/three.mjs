@@ -23,7 +23,7 @@ body.position.y = 8;
 gltf.scene.add(body);
 
 /** Whether the samples have done what the page says. */
-export async function check({ frame, bear, other, drawn, collision, wireframe, standing, terrain, ground, hit, level }) {
+export async function check({ frame, bear, other, drawn, collision, wireframe, standing, terrain, ground, hit, level, crate, crateMesh, greatLand }) {
 	let calls = 0;
 	collision.onCollision('bears', 'bears', () => calls++);
 	bear.heading = 90;
@@ -37,6 +37,8 @@ export async function check({ frame, bear, other, drawn, collision, wireframe, s
 	assert.equal(other.x, 0.5);
 	assert.equal(hit.agent, level);
 	assert.ok(mark.position.distanceTo(new THREE.Vector3(5, 0, 7)) < 1e-9);
+	assert.ok(crateMesh.position.distanceTo(new THREE.Vector3(0, 0.9, 0)) < 1e-9 && crateMesh.scale.x === 1 && crate.size === 1);
+	assert.equal(Math.min(...greatLand.modelOf('crate').vertices), -1);
 	assert.equal(collision.terrain, terrain);
 	assert.ok(terrain.heightAt(3, 4) > 1.99 && Math.abs(ground.boundingBox.max.y - terrain.heightAt(3, 4)) < 1e-6);
 }

@@ -2,6 +2,7 @@
 import {
 	Agent,
 	AgentFilter,
+	type AgentFilterInit,
 	AgentPredicate,
 	AgentQueries,
 	ArgumentError,
@@ -190,13 +191,14 @@ function ask(greatLand: GreatLand, agents: Agent[]): void {
 	const filter: AgentFilter = AgentFilter.ofBreeds("paintballs");
 	filter.accepts = (agent: Agent) => agent.size < 1;
 	const choice: AgentPredicate = filter;
+	const same: AgentFilterInit = filter;
 	collision.filter = choice;
 	queries.update(agents);
 	queries.moved(agents[1]);
 	const nearest: Agent | null = queries.nearest(agents[0], Infinity, filter);
 	const near: Agent[] = queries.near(agents[0], 3, null, []);
 	const touching: Agent[] = queries.touching(agents[0]);
-	const nearestTwo: Agent[] = queries.nearestOf(agents[0], 2, 9, filter);
+	const nearestTwo: Agent[] = queries.nearestOf(agents[0], 2, 9, same);
 	const overlapping: Agent[] = queries.overlapping(new Sphere(new Vector3D(0, 0, 1), 2));
 	const origin = new Vector3D(0, 0, 0);
 	const first: Agent | null = queries.nearestToPoint(origin, 9);

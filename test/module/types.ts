@@ -3,7 +3,7 @@ import {
 	Agent, AgentFilter, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, CollisionBlocks, Contact, Footing, GltfModel, GreatLand, HierarchicalCollider, Model, ModelEvent,
 	ModelLoader, ModelTransform, ObjModel, RayHit, TightestFitCollider, Vector3D,
 } from "starlogo-collision";
-import type { CollisionSystem, ModelLoaderEvents, Numbers, ShapeHit } from "starlogo-collision";
+import type { AgentFilterInit, CollisionSystem, ModelLoaderEvents, Numbers, ShapeHit, WalkOptionsInit } from "starlogo-collision";
 
 /** Fails unless the two are the same. */
 type Same<X, Y> = (<T>() => T extends X ? 1 : 2) extends <T>() => T extends Y ? 1 : 2 ? true : false;
@@ -39,8 +39,12 @@ plain.update([new Agent("cube"), new Hero("cube")]);
 collision.update([new Agent("cube")]);
 // @ts-expect-error no property of an Agent
 plain.onCollision("a", "b", (a) => a.life);
-// @ts-expect-error there is no contact at the end
-collision.onCollisionEnd("a", "b", (a, b, contact) => contact.depth);
+// @ts-expect-error there is no contact at the end: it is null
+collision.onCollisionEnd("a", "b", (a: Hero, b, contact) => contact.depth + a.life + b.life);
+// @ts-expect-error the same, said
+collision.onCollisionEnd("a", "b", (a, b, contact: Contact) => a.moveTo(b.x, contact.depth, 0));
+collision.onCollisionEnd("a", "b", (a, b) => a.life - b.life);
+collision.onCollisionEnd("a", "b", (...all) => all.length);
 // @ts-expect-error no function
 collision.onCollision("a", "b", "handler");
 // @ts-expect-error no array
@@ -135,6 +139,31 @@ new AgentQueries(plain).near(agent, 3, { breeds: "heroes" });
 class Coin extends Agent {
 	worth = 1;
 }
+// a handler says which of the game's agents its breeds are
+const mixed = new Collision<Hero | Coin>(bins);
+mixed.onCollision("heroes", "coins", (hero: Hero, coin: Coin) => (hero.life += coin.worth));
+mixed.onCollisionStart("coins", "heroes", (coin: Coin, hero: Hero, contact) => (hero.life += coin.worth * contact.depth));
+mixed.onCollisionEnd("heroes", "coins", (hero: Hero, coin: Coin) => (hero.life -= coin.worth));
+mixed.onCollision("heroes", "coins", (hero: Hero, other) => (other instanceof Coin ? other.worth : hero.life));
+mixed.onCollision("heroes", "coins", (hero: Agent) => hero.x);
+// @ts-expect-error no agent of the game
+mixed.onCollision("heroes", "coins", (hero: Hero, coin: Date) => 0);
+// @ts-expect-error it may be of either class
+mixed.onCollision("heroes", "coins", (hero) => hero.life);
+// a filter is for the game's own agents, and lists may be read only
+const mixedQueries = new AgentQueries(mixed);
+const breeds: readonly string[] = ["coins"];
+const friends: readonly Coin[] = [];
+mixedQueries.near(friends[0]!, 3, { breeds, except: friends, accepts: (other) => other instanceof Coin && other.worth > 1 });
+new AgentQueries(collision).nearest(agent, 3, { accepts: (hero) => hero.life > 1 });
+mixedQueries.near(friends[0]!, 3, { breeds: undefined, accepts: undefined });
+mixedQueries.walk(friends[0]!, 1, 0, { stepHeight: undefined, filter: { exceptBreeds: breeds } });
+filter.breeds = breeds;
+filter.except = friends;
+const init: AgentFilterInit<Coin> = { accepts: (coin) => coin.worth > 1 };
+const stride: WalkOptionsInit<Coin> = { filter: init, fall: 1 };
+new AgentQueries<Coin>(bins).walk(friends[0]!, 1, 0, stride);
+const seen: Model | null = land.modelOf("cube");
 const walks = new AgentQueries(collision);
 for (const footing of [new Footing(), new Footing<Hero>(), null]) is<Same<ReturnType<typeof walks.walk>, Footing<Hero>>>(), walks.walk(near[0]!, 1, 0, null, footing);
 // @ts-expect-error the hero stands on heroes, not on coins
@@ -146,12 +175,14 @@ collision.removeHandler("heroes", "heroes", () => 0, "begin");
 // what questions find are the game's own agents
 const questions = new AgentQueries(collision);
 const met = questions.cast(new Vector3D(), new Vector3D(1, 0, 0), 9, filter, hit);
-is<Same<typeof met, RayHit<Hero> | null>>();
-if (met?.agent) met.agent.life--;
+is<Same<typeof met, (RayHit<Hero> & { agent: Hero }) | null>>();
+if (met) met.agent.life--;
+const kept: RayHit<Hero> | null = met;
+is<Same<RayHit["meshName"], string | null>>();
 is<Same<RayHit<Hero>["agent"], Hero | null>>();
 is<Same<RayHit["agent"], Agent | null>>();
 const all = questions.castAll(new Vector3D(), new Vector3D(1, 0, 0), 9, null, [hit]);
-is<Same<typeof all, RayHit<Hero>[]>>();
+is<Same<typeof all, (RayHit<Hero> & { agent: Hero })[]>>();
 is<Same<typeof all, ReturnType<typeof questions.castAll>>>();
 questions.castAll(new Vector3D(), new Vector3D(1, 0, 0), 9, null, null, true);
 questions.cast(new Vector3D(), new Vector3D(1, 0, 0), 9, null, new RayHit<Hero>());
@@ -159,9 +190,9 @@ questions.cast({ x: 0, y: 0, z: 1 }, { x: 1, y: 0, z: 0 } as const, 9);
 // @ts-expect-error a point has three numbers
 questions.cast([0, 0, 1], { x: 1, y: 0, z: 0 });
 const bump = questions.castAgent(new Hero("cube"), 1, 0, 0);
-is<Same<typeof bump, ShapeHit<Hero> | null>>();
+is<Same<typeof bump, (ShapeHit<Hero> & { agent: Hero }) | null>>();
 // @ts-expect-error no property of an Agent
-new AgentQueries(plain).cast(new Vector3D(), new Vector3D(1, 0, 0))!.agent!.life;
+new AgentQueries(plain).cast(new Vector3D(), new Vector3D(1, 0, 0))!.agent.life;
 const nearest = questions.nearest(agent, 3, filter);
 is<Same<typeof nearest, Hero | null>>();
 new AgentQueries(new BinCollider());

@@ -3,6 +3,7 @@ package starlogo
     import flash.errors.IllegalOperationError;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
@@ -36,6 +37,7 @@ package starlogo
         {
             var table:ModelTable = _greatLand.boundingStructures.models;
             assertFalse(_greatLand.hasModel("a") || _greatLand.isLoading("a") || _greatLand.boundingStructures.has("a") || _greatLand.hierarchies.has("a"));
+            assertNull(_greatLand.modelOf("a"));
             assertFalse(_greatLand.removeModel("a"));
             assertStrictlyEquals(table.entryOf("a"), table.entryOf("b"));
             table.entryToWrite("a").beginLoading();
@@ -46,8 +48,10 @@ package starlogo
         [Test]
         public function addsWhatTheFlagsAskFor():void
         {
-            _greatLand.addModel(BuiltInModel.cube());
+            var cube:Model = BuiltInModel.cube();
+            _greatLand.addModel(cube);
             assertTrue(_greatLand.hasModel("cube"));
+            assertStrictlyEquals(cube, _greatLand.modelOf("cube"));
             assertEquals(BoundingStructure.BOX, _greatLand.boundingStructures.tightestFit("cube").kind);
             assertThrows(ArgumentError, /loadAllBoundingStructures/, _greatLand.boundingStructures.sphere, "cube");
 

@@ -38,7 +38,7 @@ export class ThreeAgentBinding {
 	 * the instance in an InstancedMesh
 	 */
 	constructor(agent, object, model = null, { up = "y", modelUp = upOf(model) ?? up, index = null, ...others } = {}) {
-		refuseOthers(others, "up", "modelUp", "index");
+		refuseOthers("ThreeAgentBinding", others, "up", "modelUp", "index");
 		if (!object?.isObject3D) throw new ArgumentError(`an Object3D is needed, not ${textOf(object)}`);
 		const isLandYUp = isYUp(up);
 		this.#place = new AgentPlace(agent, isLandYUp);

@@ -32,31 +32,34 @@ export function toScene<P extends PointTaker>(vector: Point, out: P): P;
 /** Options of modelFromObject. */
 export interface ModelOptions {
     /** The up axis of the source. The default is "y", as in three.js and glTF. */
-    up?: Up;
-    /** How the model is scaled: Model.FOOTPRINT (the default), Model.VOLUME or Model.AS_GIVEN. */
-    scaling?: Scaling;
+    up?: Up | undefined;
+    /**
+     * How the model is scaled. Model.FOOTPRINT, the default, makes it one unit wide, with its lowest point at the origin. Model.AS_GIVEN keeps
+     * the unit and the origin of the source: the middle, for most geometries of three.js.
+     */
+    scaling?: Scaling | undefined;
 }
 
 /** The up axes for a binding. */
 export interface BindingOptions {
     /** The up axis of the land. The default is "y". */
-    up?: Up;
+    up?: Up | undefined;
     /** The up axis of the model's source. The default is the axis that modelFromObject was given, otherwise the land's. */
-    modelUp?: Up;
+    modelUp?: Up | undefined;
 }
 
 /** Options of a binding to an object or an instance. */
 export interface ObjectBindingOptions extends BindingOptions {
     /** The index of the instance in an InstancedMesh. */
-    index?: number | null;
+    index?: number | null | undefined;
 }
 
 /** Options of a wireframe. */
 export interface WireframeOptions {
     /** The lines' colour: 0xrrggbb, or any colour that three.js accepts. The default is 0xffcc00. */
-    color?: number | string;
+    color?: number | string | undefined;
     /** The up axis of the land. The default is "y". */
-    up?: Up;
+    up?: Up | undefined;
 }
 
 /**
@@ -86,7 +89,7 @@ export function modelFromObject(name: string, source: Object3D | BufferGeometry,
 /** Options of levelFromObject. */
 export interface LevelOptions {
     /** The up axis of the land. The default is "y". */
-    up?: Up;
+    up?: Up | undefined;
 }
 
 /**
@@ -253,7 +256,7 @@ export class ThreeWireframe extends LineSegments<BufferGeometry, LineBasicMateri
 /** Options of a terrain's geometry, and of terrainFromMesh. */
 export interface TerrainOptions {
     /** The up axis of the land. The default is "y". */
-    up?: Up;
+    up?: Up | undefined;
 }
 
 /**

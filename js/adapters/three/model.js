@@ -19,7 +19,7 @@ const point = new Vector3();
  * @param {{up?: "y" | "z", scaling?: string}} options the up axis of the source, and how the model is scaled (Model's scalings)
  */
 export function modelFromObject(name, source, { up = "y", scaling = Model.FOOTPRINT, ...others } = {}) {
-	refuseOthers(others, "up", "scaling");
+	refuseOthers("modelFromObject", others, "up", "scaling");
 	return modelOf(name, source, surfaceOf(name, source, up), { up, isPlaced: false }, scaling);
 }
 
@@ -31,7 +31,7 @@ export function modelFromObject(name, source, { up = "y", scaling = Model.FOOTPR
  * @param {{up?: "y" | "z"}} options the up axis of the land
  */
 export function levelFromObject(name, object, { up = "y", ...others } = {}) {
-	refuseOthers(others, "up");
+	refuseOthers("levelFromObject", others, "up");
 	return modelOf(name, object, surfaceOf(name, object, up, true), { up, isPlaced: true }, Model.AS_GIVEN);
 }
 

@@ -17,7 +17,7 @@ export class TerrainGeometry extends BufferGeometry {
 	 * @param {{up?: "y" | "z"}} options the up axis of the land
 	 */
 	constructor(terrain, { up = "y", ...others } = {}) {
-		refuseOthers(others, "up");
+		refuseOthers("TerrainGeometry", others, "up");
 		super();
 		if (!(terrain instanceof Terrain)) throw new ArgumentError(`a Terrain is needed, not ${textOf(terrain)}`);
 		this.#terrain = terrain;
@@ -62,7 +62,7 @@ export class TerrainGeometry extends BufferGeometry {
  * @param {{up?: "y" | "z"}} options the up axis of the land
  */
 export function terrainFromMesh(source, columns, rows, cellWidth = 1, x = 0, y = 0, { up = "y", ...others } = {}) {
-	refuseOthers(others, "up");
+	refuseOthers("terrainFromMesh", others, "up");
 	const terrain = new Terrain(columns, rows, cellWidth, x, y);
 	const { vertices, triangles } = surfaceOf("terrain", source, up, true);
 	const heights = new Array(columns * rows).fill(-Infinity);

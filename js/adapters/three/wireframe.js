@@ -25,7 +25,7 @@ export class ThreeWireframe extends LineSegments {
 	 * @param {{color?: number | string, up?: "y" | "z"}} options the lines' colour, and the up axis of the land
 	 */
 	constructor({ color = 0xffcc00, up = "y", ...others } = {}) {
-		refuseOthers(others, "color", "up");
+		refuseOthers("ThreeWireframe", others, "color", "up");
 		super(new BufferGeometry(), new LineBasicMaterial({ color }));
 		this.#isYUp = isYUp(up);
 		this.frustumCulled = false;

@@ -1,11 +1,4 @@
 /** The third argument of handlers in JavaScript. There a function need not declare how many arguments it takes. */
-import { $warn } from "./warnings.mjs";
-
-/** Warns of a handler with more parameters than it gets arguments. Fewer are as common as a method without any. */
-export function requireParameters(breed, otherBreed, handler) {
-	if (handler.length > 3) $warn(`the handler ${handler.name || "without a name"} has ${handler.length} parameters, and gets three arguments: the two agents and the contact`);
-}
-
 /** Whether a handler may read a third argument. */
 export function mayTakeContact(handler) {
 	return handler.length >= 3 || mayTakeMore(handler);

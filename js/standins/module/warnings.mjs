@@ -2,9 +2,15 @@
 import { $isForUsers } from "./language.mjs";
 
 const $MOST_LOOKED_AT = 1000;
+const $LONG_SILENCE = 300;
+const $END = 2; // CollisionHandler.END
+const $STRUCTURE = "structure"; // what a cast structure is called: see Body.readStructure
 const $warned = /* @__PURE__ */ new Set();
 const $checkedBreeds = /* @__PURE__ */ new Map();
 const $checkedObjects = /* @__PURE__ */ new WeakSet();
+const $silentFrames = /* @__PURE__ */ new WeakMap();
+const $updates = /* @__PURE__ */ new WeakMap();
+let $frames = 0;
 let $lookedAt = 0;
 
 /** What other libraries call traits of an agent, and the engine's names for them. */
@@ -13,10 +19,10 @@ const $OTHER_WORDS = {
 	scale: "size", position: "moveTo(x, y, z)", radius: "size", colour: "color",
 };
 
-/** Writes a warning to the console, once. */
-export function $warn(message) {
-	if ($isForUsers || $warned.has(message)) return;
-	$warned.add(message);
+/** Writes a warning to the console, once: a warning with numbers that change has a key that does not. */
+export function $warn(message, key) {
+	if ($isForUsers || $warned.has(key ?? message)) return;
+	$warned.add(key ?? message);
 	globalThis.console?.warn?.(`starlogo-collision: ${message}`);
 }
 
@@ -33,7 +39,7 @@ export function $warnOfNames(object, isChanging) {
 		if (/^[_$]/.test(name) || name.length < 4) continue;
 		const type = object.constructor.name;
 		if (name === "exact" || name === "maxDepth") $warn(`${name} does nothing on a ${type}: it is for a HierarchicalCollider or a CombinationCollider`);
-		const names = $settableNames(object);
+		const names = $settableNames(object).filter((each) => each === name || each !== name.replace(/\d+$/, ""));
 		const other = "sweeps" in object && (type === "Agent" || !/^(?:position|rotation|quaternion|scale|radius)$/.test(name)) ? $OTHER_WORDS[name] : undefined;
 		const meant = names.find((each) => each === name) ?? names.find((each) => each.toLowerCase() === name.toLowerCase() || $changesBetween(name, each) <= 1) ?? other;
 		if (meant === name) $warn(`${name} is a field of ${type} that hides the engine's: set it in the constructor`);
@@ -52,8 +58,11 @@ export function $warnOfBreeds(names, agents) {
 		const breeds = [...new Set(agents.map((agent) => agent?.breed))].filter((breed) => typeof breed === "string" && !/^\*/.test(breed));
 		if (breeds.length === 0) continue;
 		$checkedBreeds.set(name, breeds.includes(name) ? Infinity : Breeds.count);
+		if (breeds.includes(name)) continue;
 		const meant = breeds.find((breed) => $areSimilar(name, breed));
-		if (meant !== undefined && !breeds.includes(name)) $warn(`no agent is of the breed ${JSON.stringify(name)}; is ${JSON.stringify(meant)} meant?`);
+		const shaped = agents.find((agent) => agent?.shape === name);
+		if (meant === undefined && shaped) $warn(`no agent is of the breed ${JSON.stringify(name)}, which is the shape of ${shaped}: new Agent(${JSON.stringify(name)}, "BREED") gives it a breed`);
+		if (meant !== undefined) $warn(`no agent is of the breed ${JSON.stringify(name)}; is ${JSON.stringify(meant)} meant?`);
 	}
 }
 
@@ -67,9 +76,84 @@ export function $warnOfEvent(object, type) {
 	if (types && !types.includes(type)) $warn(`a ModelLoader sends no event ${JSON.stringify(type)}; it sends ${types.join(", ")}`);
 }
 
-/** Warns of an agent that does not stop a motion, because the motion begins deep inside of its tree or its triangles. */
-export function $warnOfInside(agent) {
-	$warn(`the shape ${JSON.stringify(agent.shape)} does not stop this motion, because the motion begins deep inside of it. What is inside of a closed model collides; without exact, what is inside of a box of its tree. A room needs exact, and an opening or thick walls: see docs/questions.md`);
+/**
+ * Warns of an agent that does not stop a motion, because the motion begins deep inside of its tree or its triangles. See warnOfInside.as. What
+ * moves is an agent if one of the shape is at the place.
+ */
+export function $warnOfInside(agents, index, shape, place, below, depth) {
+	const level = agents[index];
+	const mover = agents.find((each) => each?.shape === shape && each.x === place.x && each.y === place.y && each.z === place.z);
+	const rounded = (number) => String(Number(number.toPrecision(3)));
+	const remedy = below > 0.01 * place.size && shape !== $STRUCTURE
+		? `Its lowest point is ${rounded(below)} below its place: a model that is AS_GIVEN keeps its origin. If its place is on the ground, move it up by ${rounded(below)}, or give it a model whose origin is its lowest point.`
+		: "What is inside of a closed model collides; without exact, what is inside of a box of its tree. A room needs exact, and an opening or thick walls.";
+	$warn(`${mover ?? `the shape ${JSON.stringify(shape)}`} begins a motion at (${[place.x, place.y, place.z].map(rounded).join(", ")}), ${rounded(depth)} deep inside of ${level}, which does not stop it. ${remedy} See docs/questions.md in the package, "floats in a room"`, `inside ${level.shape} ${shape}`);
+}
+
+/**
+ * Warns of a handler with more parameters than it gets arguments, with the contact before the agents, or of one that uses the contact
+ * at the end of a touch, where it is null. Handlers with fewer parameters are as common as methods without any.
+ */
+export function $warnOfHandler(breed, otherBreed, handler, kind) {
+	if ($isForUsers) return;
+	const name = `the handler ${handler.name || "without a name"} for ${JSON.stringify(breed)} and ${JSON.stringify(otherBreed)}`;
+	if (handler.length > 3) $warn(`${name} has ${handler.length} parameters, and gets three arguments: the two agents and the contact`);
+	const text = Function.prototype.toString.call(handler);
+	const [first, second, third] = (/^[^(]*\(([^)]*)\)/.exec(text)?.[1] ?? "").split(",").map((each) => each.trim());
+	if (first === "contact" || second === "contact") $warn(`${name} has its contact too early: it gets the two agents first, (a, b, contact)`);
+	if (kind === $END && third && $readsBlindly(text, third)) $warn(`${name} is for the end of a touch, where its third argument is null: there it is without contact. Copy what you need of the contact in onCollisionStart`);
+}
+
+/** Whether a function reads properties of a parameter, and asks nowhere whether there is an object. */
+function $readsBlindly(text, name) {
+	if (!/^\w+$/.test(name)) return /^[{[]/.test(name);
+	return new RegExp(`\\b${name}\\s*[.[]`).test(text) && !new RegExp(`\\b${name}\\s*(?:\\?|&&|\\|\\||[!=]=)|!\\s*${name}\\b|\\(\\s*${name}\\s*\\)`).test(text);
+}
+
+/**
+ * Warns of a Collision that has called no handler in its first frames, if a breed that is named has no agents. A breed may come late. So
+ * a game whose handlers run hears nothing.
+ */
+export function $warnOfSilence(collision, agents) {
+	if ($isForUsers) return;
+	$frames++;
+	const frames = $silentFrames.get(collision) ?? 0;
+	if (frames > $LONG_SILENCE) return;
+	$silentFrames.set(collision, collision.statistics.handlerCalls > 0 ? Infinity : frames + 1);
+	if (frames < $LONG_SILENCE || !Array.isArray(agents)) return;
+	const breeds = [...new Set(agents.map((agent) => agent?.breed))];
+	const missing = [...$checkedBreeds].filter(([name, found]) => found !== Infinity && !breeds.includes(name) && /^[^*]/.test(name)).map(([name]) => name);
+	if (missing.length > 0 && breeds.length > 0) $warn(`in ${frames} frames no handler was called, and no agent is of the breed ${missing.map((name) => JSON.stringify(name)).join(" or ")}. The agents' breeds are ${breeds.slice(0, 5).map((name) => JSON.stringify(name)).join(", ")}`);
+}
+
+/**
+ * Warns of questions whose update() is forgotten: if they are asked for hundreds of frames without it, and an agent has moved meanwhile. An
+ * agent that a question moves or refreshes is seen where it is.
+ *
+ * @param agents the list, if this is the update
+ * @param mover the agent that the question moves or refreshes, or null
+ */
+export function $warnOfStale(queries, agents, mover) {
+	if ($isForUsers) return;
+	let last = $updates.get(queries);
+	if (agents !== null) {
+		if (!last) $updates.set(queries, last = { agents: null, frameThen: 0, placesThen: null, movers: new WeakSet() });
+		last.agents = agents;
+		last.frameThen = $frames;
+		last.placesThen = null;
+	}
+	if (!last || !Array.isArray(last.agents)) return;
+	if (typeof mover?.shape === "string") last.movers.add(mover);
+	if ($frames - last.frameThen < $LONG_SILENCE) return;
+	last.placesThen ??= last.agents.slice(0, 100).filter((agent) => agent).map((agent) => ({ agent, x: agent.x, y: agent.y, z: agent.z }));
+	const moved = last.placesThen.find(({ agent, x, y, z }) => !last.movers.has(agent) && (agent.x !== x || agent.y !== y || agent.z !== z));
+	if (moved) $warn(`questions see ${moved.agent} where it was at the last queries.update(agents), ${$frames - last.frameThen} frames ago: call it once a frame, or refresh(agent)`, "stale");
+}
+
+/** Warns of a slope that is probably in radians. */
+export function $warnOfUnits(options) {
+	if ($isForUsers || !(options?.slopeDegrees > 0 && options.slopeDegrees < 1.6)) return;
+	$warn(`slopeDegrees is ${options.slopeDegrees}, so ground that is steeper than this many degrees is a wall. If these are radians, take ${Math.round(options.slopeDegrees * 180 / Math.PI)}`);
 }
 
 /** What an error says about a name that is not known: the name that is probably meant. Of hints the minified module has nothing. */
@@ -102,13 +186,18 @@ function $settableNames(object) {
 	return names;
 }
 
-/** How many letters have to be inserted, removed or replaced (Levenshtein, 1966). */
+/** How many letters have to be inserted, removed, replaced, or exchanged with the next (Damerau, 1964; Levenshtein, 1966). */
 function $changesBetween(name, other) {
+	let earlier = [];
 	let counts = [...other, ""].map((_, i) => i);
 	[...name].forEach((letter, i) => {
 		const before = counts;
 		counts = [i + 1];
-		for (let j = 0; j < other.length; j++) counts.push(Math.min(before[j + 1] + 1, counts[j] + 1, before[j] + (letter === other[j] ? 0 : 1)));
+		for (let j = 0; j < other.length; j++) {
+			const isExchanged = i > 0 && j > 0 && letter === other[j - 1] && name[i - 1] === other[j];
+			counts.push(Math.min(before[j + 1] + 1, counts[j] + 1, before[j] + (letter === other[j] ? 0 : 1), isExchanged ? earlier[j - 1] + 1 : Infinity));
+		}
+		earlier = before;
 	});
 	return counts[other.length];
 }

@@ -16,7 +16,7 @@ package starlogo.agents
      * <p>The world is right-handed with z up. Lengths are in patches, angles in degrees. To place an agent, its model is scaled by
      * <code>size</code>, then turned about the world's axes: by <code>roll</code> about x, <code>pitch</code> about y and
      * <code>heading</code> about z. Then it is moved to (x, y, z). All this is relative to the model's origin, which is its centre in x and
-     * y and its lowest point in z (thesis §2.2, §3.5).</p>
+     * y and its lowest point in z (thesis §2.2, §3.5). A model that is AS_GIVEN has the origin of its vertices, which may be anywhere.</p>
      *
      * <p>If you set a trait to a value that is not allowed, it throws an error that names the agent. The trait then keeps its old
      * value.</p>
@@ -143,7 +143,7 @@ package starlogo.agents
          * Creates an agent of size 1 at the origin.
          *
          * @param shape the name of its model; the colliders' GreatLand must have it
-         * @param breed the name of its breed
+         * @param breed the name of its breed, the group that handlers name; without it, the breed is "turtles"
          * @throws ArgumentError if either is null or empty
          */
         public function Agent(shape:String, breed:String = "turtles")
@@ -244,7 +244,7 @@ package starlogo.agents
 
         /**
          * The place of the model's origin along z, which is up, from -LARGEST_COORDINATE to LARGEST_COORDINATE. For an upright
-         * agent, the origin is its lowest point.
+         * agent, the origin is its lowest point, unless its model is AS_GIVEN.
          */
         public function get z():Number
         {

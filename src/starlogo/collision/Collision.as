@@ -173,8 +173,7 @@ package starlogo.collision
          *     <code>contact:Contact</code>. The engine computes contacts only for handlers that take them. A parameter counts whether it has
          *     a default value or not. A handler <code>function(...all):void</code> gets the two agents. A handler that takes no arguments
          *     at all passes here, but Adobe's player throws an ArgumentError when it is called
-         * @throws ArgumentError if one is null, a breed has no name, or the handler has one parameter or more than three. In JavaScript a
-         *     handler may have any number
+         * @throws ArgumentError if one is null or a breed has no name. In Flash also if the handler has one parameter, or more than three
          */
         public function onCollision(breed:String, otherBreed:String, handler:Function):void
         {
@@ -207,7 +206,7 @@ package starlogo.collision
          *
          * @param breed as in onCollision
          * @param otherBreed as in onCollision
-         * @param handler <code>function(collider:Agent, collidee:Agent):void</code>; a third argument would be null
+         * @param handler <code>function(collider:Agent, collidee:Agent):void</code>. There is no contact any more: a third argument would be null
          * @throws ArgumentError as in onCollision
          */
         public function onCollisionEnd(breed:String, otherBreed:String, handler:Function):void

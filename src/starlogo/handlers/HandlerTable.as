@@ -49,7 +49,7 @@ package starlogo.handlers
         public function add(kind:int, breed:String, otherBreed:String, callback:Function):void
         {
             require(breed, otherBreed, callback);
-            requireParameters(breed, otherBreed, callback);
+            requireParameters(breed, otherBreed, callback, kind);
             enter(new CollisionHandler(kind, breed, otherBreed, callback, _count));
             _count++;
         }

@@ -2,20 +2,26 @@ package starlogo.handlers
 {
     /**
      * Checks that a handler can be called with two agents, or with two agents and a contact. A function without named parameters passes: it
-     * may have a rest parameter. In JavaScript a function takes any number of arguments. The ES module has its own version.
+     * may have a rest parameter. In JavaScript a function takes any number of arguments. The ES module has its own version, which warns.
      *
+     * @param kind CollisionHandler.COLLISION, START or END
      * @throws ArgumentError if the function has one parameter, or more than three
      *
      * @private
      */
-    public function requireParameters(breed:String, otherBreed:String, callback:Function):void
+    public function requireParameters(breed:String, otherBreed:String, callback:Function, kind:int):void
     {
         var count:int = callback.length;
         if (count == 1 || count > 3)
         {
+            var allowed:String = "two agents, or two agents and a contact: function(collider:Agent, collidee:Agent):void or "
+                + "function(collider:Agent, collidee:Agent, contact:Contact):void";
+            if (kind == CollisionHandler.END)
+            {
+                allowed = "two agents: function(collider:Agent, collidee:Agent):void";
+            }
             throw new ArgumentError("the handler for \"" + breed + "\" and \"" + otherBreed + "\" has " + count + " parameter"
-                    + (count == 1 ? "" : "s") + ", and gets two agents, or two agents and a contact: "
-                    + "function(collider:Agent, collidee:Agent):void or function(collider:Agent, collidee:Agent, contact:Contact):void");
+                    + (count == 1 ? "" : "s") + ", and gets " + allowed);
         }
     }
 }

@@ -40,7 +40,8 @@ package starlogo.models
         public static const VOLUME:String = "volume";
 
         /**
-         * No scaling, for vertices that are already in the agent's unit and place. A ModelTransform turns, scales and moves them. A COLLADA
+         * No scaling, for vertices that are already in the agent's unit and place. Their origin is the model's: it need not be the lowest
+         * point, and the agent's place is where it is. A ModelTransform turns, scales and moves them. A COLLADA
          * document says how long its unit is: without a ModelTransform its vertices come in metres, a metre for a patch.
          */
         public static const AS_GIVEN:String = "as given";

@@ -25,10 +25,13 @@ package starlogo.queries
         public var triangle:int = -1;
 
         /**
-         * The number of the mesh that the triangle belongs to: <code>Model.meshes</code>, and its name in <code>Model.meshNames</code>. It is -1
-         * if triangle is -1, or if the model does not say.
+         * The number of the mesh that the triangle belongs to: <code>Model.meshes</code>. It is -1 if triangle is -1, or if the model
+         * does not say.
          */
         public var mesh:int = -1;
+
+        /** The name of the mesh, or null. */
+        public var meshName:String = null;
 
         /** The number of the triangle's material: <code>Model.materials</code>. It is -1 if triangle is -1, or if the model does not say. */
         public var material:int = -1;

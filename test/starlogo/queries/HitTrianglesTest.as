@@ -152,10 +152,10 @@ package starlogo.queries
             // a model may get them later
             model.setMeshes(new <int>[0, 1], new <String>["left", "right"]);
             queries.cast(new Vector3D(-0.25, 0.25, 3), new Vector3D(0, 0, -1), Infinity, null, hit);
-            assertEquals(1, hit.mesh);
+            assertEquals("1,right", [hit.mesh, hit.meshName].join());
             queries = queriesOf(model, agent, "tightest fits");
             queries.cast(new Vector3D(0.25, -0.25, 3), new Vector3D(0, 0, -1), Infinity, null, hit);
-            assertTrue("a structure", hit.triangle == -1 && hit.mesh == -1 && hit.material == -1 && hit.materialName == null && hit.weights.length == 0);
+            assertTrue("a structure", hit.triangle == -1 && hit.mesh == -1 && hit.meshName == null && hit.material == -1 && hit.materialName == null && hit.weights.length == 0);
         }
 
         [Test]

@@ -35,7 +35,7 @@ package starlogo.queries.rays
         public function write(body:Body, hit:CastHit):void
         {
             hit.mesh = hit.material = -1;
-            hit.materialName = null;
+            hit.meshName = hit.materialName = null;
             hit.weights.setTo(0, 0, 0);
             if (hit.triangle < 0)
             {
@@ -43,8 +43,10 @@ package starlogo.queries.rays
             }
             if (body.shape.model != null)
             {
+                var meshes:TriangleLabels = body.shape.model.data.meshes;
                 var materials:TriangleLabels = body.shape.model.data.materials;
-                hit.mesh = body.shape.model.data.meshes.numberOf(hit.triangle);
+                hit.mesh = meshes.numberOf(hit.triangle);
+                hit.meshName = meshes.nameOf(hit.mesh);
                 hit.material = materials.numberOf(hit.triangle);
                 hit.materialName = materials.nameOf(hit.material);
             }

@@ -297,8 +297,8 @@ package starlogo.queries.motion
         {
             if (!isExitShort(row, contact))
             {
-                var below:Number = _source.placement.r22 == 1 ? _source.halfZ - _source.offsetZ : 0;
-                warnOfInside(_seen.table.list.agents, row, _source.shape.modelName, _source.placement, below, contact.depth);
+                var below:Number = source.placement.r22 == 1 ? source.halfZ - source.offsetZ : 0;
+                warnOfInside(_seen.table.list.agents, row, source.shape.modelName, source.placement, below, contact.depth);
             }
         }
 

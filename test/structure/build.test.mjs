@@ -38,6 +38,7 @@ test('a build that fails says why last, without the lines of Ant around it', () 
 		'/c/src/A.as: Error: more than one definition', '', 'Total time: 8 seconds'];
 	const { stdout, status } = runAnt(['-compile:', 'FAILED ATest.is: 1, not 2', '  (no stack)', 'Java Result: 1', '', ...around], 3);
 	assert.equal(status, 3);
+	assert.doesNotMatch(stdout.split('Total time: 8 seconds\n')[0], /BUILD FAILED|more than one/);
 	assert.equal(stdout.split('Total time: 8 seconds\n')[1], '\nFAILED ATest.is: 1, not 2\ncompc (Flex):\n/c/src/A.as: Error: more than one definition\n');
 	const good = runAnt(['BUILD SUCCESSFUL', 'Total time: 8 seconds'], 0);
 	assert.equal(good.status, 0);

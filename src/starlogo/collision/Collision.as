@@ -161,6 +161,12 @@ package starlogo.collision
             return _handlerErrors;
         }
 
+        /** The counts of its last frame, for a trace. */
+        public function toString():String
+        {
+            return "Collision: " + _statistics;
+        }
+
         /**
          * Adds a function that is called in every frame for each agent of a breed that collides with an agent of another breed.
          *

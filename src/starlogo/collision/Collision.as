@@ -154,7 +154,7 @@ package starlogo.collision
 
         /**
          * The errors that handlers threw in the last frame, in order. The next frame empties the list. If a handler throws something else, it
-         * becomes the message of an Error.
+         * becomes the message of an Error. At the end of each message stand the breeds for which the handler was added.
          */
         public function get handlerErrors():Vector.<Error>
         {

@@ -8,6 +8,7 @@ package starlogo.collision
     import starlogo.handlers.PairHandlers;
     import starlogo.handlers.Touch;
     import starlogo.handlers.TouchTracker;
+    import starlogo.handlers.nameBreeds;
     import starlogo.search.FoundPairs;
 
     use namespace engine;
@@ -151,7 +152,7 @@ package starlogo.collision
             {
                 throw error;
             }
-            errors.push(error is Error ? error : new Error(String(error)));
+            errors.push(nameBreeds(error is Error ? error : new Error(String(error)), _handlers.handlers[_next - 1]));
         }
 
         // The loop is like that of takePair(), because one more call for each pair takes a tenth of a frame in Adobe's VM.

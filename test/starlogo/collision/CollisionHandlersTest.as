@@ -93,6 +93,28 @@ package starlogo.collision
         }
 
         [Test]
+        public function anErrorNamesTheBreedsOfItsHandlerOnce():void
+        {
+            addAll("bears", "balls");
+            var same:Error = new Error("again");
+            var fail:Function = function(collider:Agent, collidee:Agent):void
+            {
+                throw same;
+            };
+            _collision.onCollisionStart(Collision.ANY_BREED, "balls", fail);
+            assertThrows(Error, /^again \(in the handler for "\*" and "balls"\)$/, _collision.update, _agents);
+            _collision.removeHandler(Collision.ANY_BREED, "balls", fail);
+            same.message = "again";
+            _collision.onCollision("balls", "bears", fail);
+            _collision.onCollisionEnd("balls", "bears", fail);
+            for (var i:int = 0; i < 3; i++)
+            {
+                assertThrows(Error, /^again \(in the handler for "balls" and "bears"\)$/, _collision.update, _agents);
+                _agents[0].x += i;
+            }
+        }
+
+        [Test]
         public function everyErrorOfAFrameIsKept():void
         {
             addAll("bears", "bears", "bears");
@@ -101,7 +123,7 @@ package starlogo.collision
                     _calls.push("a");
                     throw _calls.length == 1 ? new RangeError("first") : new ArgumentError("later " + _calls.length);
                 });
-            assertThrows(RangeError, /^first$/, _collision.update, _agents);
+            assertThrows(RangeError, /^first \(in the handler for "bears" and "bears"\)$/, _collision.update, _agents);
             assertEquals("first,later 2,later 3,later 4,later 5,later 6", messages());
             _collision.collisionSystem = new OwnVectorSystem(new <Agent>[]);
             _collision.update(_agents);
@@ -121,7 +143,7 @@ package starlogo.collision
                     throw null;
                 });
             _collision.onCollision("bears", "bears", note("after"));
-            assertThrows(Error, /^a string$/, _collision.update, _agents);
+            assertThrows(Error, /^a string \(in the handler for "bears" and "bears"\)$/, _collision.update, _agents);
             assertEquals("after,after", names());
             assertEquals("a string,null,a string,null", messages());
         }
@@ -311,7 +333,7 @@ package starlogo.collision
             }
             catch (error:Error)
             {
-                assertEquals("now and then", error.message);
+                assertTrue(error.message, error.message.indexOf("now and then (in the handler for ") == 0);
             }
         }
 
@@ -346,7 +368,7 @@ package starlogo.collision
             var texts:Array = [];
             for each (var error:Error in _collision.handlerErrors)
             {
-                texts.push(error.message);
+                texts.push(error.message.split(" (in the handler")[0]);
             }
             return texts.join();
         }

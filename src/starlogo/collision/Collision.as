@@ -161,6 +161,15 @@ package starlogo.collision
             return _handlerErrors;
         }
 
+        /**
+         * The breeds that handlers name and that no agent of the last frame had. One of them may be misspelt. They are found when you ask, so a
+         * frame pays nothing.
+         */
+        public function get breedsWithoutAgents():Vector.<String>
+        {
+            return _handlers.breedsWithout(_lastFrame.agents);
+        }
+
         /** The counts of its last frame, for a trace. */
         public function toString():String
         {

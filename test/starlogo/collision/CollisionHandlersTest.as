@@ -93,6 +93,21 @@ package starlogo.collision
         }
 
         [Test]
+        public function breedsThatNoAgentHasAreTold():void
+        {
+            addAll("bears", "balls");
+            _collision.onCollision("bears", "bals", note("x"));
+            _collision.onCollisionEnd(Collision.ANY_BREED, "traps", note("x"));
+            _collision.onCollision("bears", Collision.EDGE, note("x"));
+            assertEquals("before the first frame", "", _collision.breedsWithoutAgents.join());
+            _collision.update(_agents);
+            assertEquals("bals,traps", _collision.breedsWithoutAgents.sort(Array.CASEINSENSITIVE).join());
+            addAll("traps");
+            _collision.update(_agents);
+            assertEquals("bals", _collision.breedsWithoutAgents.join());
+        }
+
+        [Test]
         public function anErrorNamesTheBreedsOfItsHandlerOnce():void
         {
             addAll("bears", "balls");

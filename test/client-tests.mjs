@@ -25,6 +25,23 @@ if (classes.length === 0) {
 	process.exit(64);
 }
 
+/** What FlexUnit would leave out, or would fail without a place: [a line that names it, whether it is an error]. */
+function oddFunctions(name) {
+	const source = readFileSync(files.get(name), 'utf8').replace(/\/\*[^]*?\*\/|\/\/.*/g, (comment) => comment.replace(/[^\n]/g, ' '));
+	const isOld = /\bextends\s+TestCase\b/.test(source);
+	return [...source.matchAll(/((?:\[[^\]]*\]\s*)*)((?:\w+\s+)*)function\s+(\w+)\s*\([^)]*\)\s*(?::\s*(\w+))?/g)].flatMap((found) => {
+		const [, metadata, words, called, type = 'void'] = found;
+		const line = source.slice(0, found.index + found[0].indexOf('function')).split('\n').length;
+		const tag = /\[(Test|Before|After)\b/.exec(metadata)?.[1];
+		const say = (what, isError) => [[`${files.get(name)}:${line}: ${called}() ${what}`, isError]];
+		if (tag) {
+			return !/\bpublic\b/.test(words) ? say(`has [${tag}] and is not public, so FlexUnit does not run it`, true)
+				: type !== 'void' ? say(`has [${tag}] and gives ${type}: FlexUnit runs no test of a class that has such a function. It must be void`, true) : [];
+		}
+		return !isOld && metadata === '' && /\bpublic\b/.test(words) && /^test[A-Z]/.test(called) ? say('has no [Test], so FlexUnit does not run it', false) : [];
+	});
+}
+
 /** Where each function of a class begins, as lines of ActionScript: the player's stack traces have no lines. */
 function placesIn(name) {
 	const lines = readFileSync(files.get(name), 'utf8').split('\n');
@@ -32,6 +49,11 @@ function placesIn(name) {
 	return places.map(([called, line]) => `            "${name}.${called}": "${files.get(name)}:${line}"`);
 }
 
+const odd = classes.flatMap(oddFunctions);
+odd.forEach(([line]) => console.error(line));
+if (odd.some(([, isError]) => isError)) {
+	process.exit(64);
+}
 mkdirSync(out, { recursive: true });
 writeFileSync(path.join(out, 'ClientTests.as'), `package
 {

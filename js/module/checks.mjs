@@ -90,8 +90,9 @@ export class Checks {
 		const member = { ...given, doc: `${this.#docOf(type, given)}\n${getter?.doc ?? ""}` };
 		const isNullable = mayBeNull(parameter, member, type);
 		const isStatic = member.isStatic || member.kind === "function";
+		// a trace of a model, a Collision or a terrain says more than an error needs;
 		// in a constructor there is no this before super(), and nothing in it that toString() could read
-		const isNamed = !isStatic && !type.qname.startsWith("flash.") && type.members.some((each) => each.name === "toString") && member.kind !== "constructor";
+		const isNamed = !isStatic && !/^flash\.|\.(Model|Collision|Terrain)$/.test(type.qname) && type.members.some((each) => each.name === "toString") && member.kind !== "constructor";
 		const path = member.kind === "constructor" ? `new ${type.name}` : member.kind === "function" ? type.name : `${type.name}.${member.name}`;
 		const what = member.kind === "set" ? member.name : name;
 		const where = isNamed ? `this, "${what}"` : `"${member.kind === "set" ? path : `${path}: ${name}`}"`;

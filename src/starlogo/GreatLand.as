@@ -250,8 +250,8 @@ package starlogo
             return _boundingStructures.ofKind(name, kind, _models.entryOf(name).model.vertices);
         }
 
-        /** @private The names of the models that were added. */
-        engine function get modelNames():Vector.<String>
+        /** The names of the models that were added, in no order: a new list. */
+        public function get modelNames():Vector.<String>
         {
             return _models.names;
         }

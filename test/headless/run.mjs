@@ -8,7 +8,8 @@
  *   --mount /path=folder    a folder that the SWF can load from (may be repeated)
  *   --out folder            where the files go that the SWF hands over (default: bin)
  *   --stall seconds         how long the SWF may give no sign of life (default: 120)
- *   --screenshot file.png   a picture of the stage when the SWF is done, or when it fails
+ *   --seconds number        ends the run after so many seconds, with status 0 (default: it goes on until the SWF ends it)
+ *   --screenshot file.png   a picture of the stage at the end: when the SWF is done, when it fails, after --seconds, at Ctrl+C
  *   --size 800x600          the stage in pixels
  *   --player avmshell       Adobe's VM instead of Ruffle, for a SWF compiled for it: AVMSHELL names the folder of its shell
  *   --start file.abc        what starts the SWF there (default: bin/avm/start.abc)
@@ -16,7 +17,7 @@
  *   --parts 4               runs the SWF so many times, with the parameter part: 1/4, 2/4 and so on (default: once, without it)
  *
  * The SWF's side of it is src/headless/Host.as. Exit status: the SWF's own; 70 when it threw, crashed the player or
- * stalled; 69 when there is no browser, or no shell; 64 for wrong arguments.
+ * stalled; 130 at Ctrl+C; 69 when there is no browser, or no shell; 64 for wrong arguments.
  */
 import { access, mkdir, writeFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -27,6 +28,7 @@ import * as avmshell from './shell.mjs';
 const USAGE = 64;
 const NO_PLAYER = 69;
 const FAILED = 70;
+const INTERRUPTED = 130;
 
 class RunError extends Error {
 	constructor(message, status) {
@@ -43,6 +45,7 @@ function readArguments() {
 			mount: { type: 'string', multiple: true, default: [] },
 			out: { type: 'string', default: 'bin' },
 			stall: { type: 'string', default: '120' },
+			seconds: { type: 'string' },
 			screenshot: { type: 'string' },
 			size: { type: 'string', default: '800x600' },
 			player: { type: 'string', default: 'ruffle' },
@@ -59,6 +62,10 @@ function readArguments() {
 	if (!width || !(stall > 0)) {
 		throw new RunError(`--size must be like 800x600 and --stall a number of seconds: ${values.size}, ${values.stall}`, USAGE);
 	}
+	const seconds = values.seconds === undefined ? Infinity : Number(values.seconds);
+	if (!(seconds > 0)) {
+		throw new RunError(`--seconds must be a number greater than 0: ${values.seconds}`, USAGE);
+	}
 	if (!['ruffle', 'avmshell'].includes(values.player)) {
 		throw new RunError(`--player must be ruffle or avmshell: ${values.player}`, USAGE);
 	}
@@ -72,6 +79,7 @@ function readArguments() {
 		folders: pairs(values.mount),
 		out: values.out,
 		stall,
+		seconds,
 		screenshot: values.screenshot,
 		width: Number(width),
 		height: Number(height),
@@ -126,6 +134,8 @@ async function run(options) {
 		end = { resolve, fail: (message) => reject(new RunError(message, FAILED)) };
 	});
 	ended.catch(() => {}); // reported below, after the player has started
+	const interrupt = () => end.resolve(INTERRUPTED);
+	process.once('SIGINT', interrupt);
 	const player = await start(options, {
 		trace: (text) => {
 			sign();
@@ -142,6 +152,7 @@ async function run(options) {
 	// before, the player has prepared itself
 	sign();
 	lastFrame = Date.now();
+	const started = Date.now();
 	let isAsking = false;
 	const countFrames = async () => {
 		if (!isAsking && player.frames) {
@@ -156,7 +167,9 @@ async function run(options) {
 	};
 	const watch = setInterval(() => {
 		countFrames();
-		if (Date.now() - lastSign > options.stall * 1000) {
+		if (Date.now() - started > options.seconds * 1000) {
+			end.resolve(0);
+		} else if (Date.now() - lastSign > options.stall * 1000) {
 			end.fail(`the SWF stalled: ${options.stall} s without a sign of life${player.frames ? stalled(frames - framesBefore, Math.round((Date.now() - lastFrame) / 1000), options.stall) : ''}`);
 		}
 	}, 500);
@@ -164,6 +177,7 @@ async function run(options) {
 		return await ended;
 	} finally {
 		clearInterval(watch);
+		process.off('SIGINT', interrupt);
 		if (options.screenshot) {
 			await mkdir(path.dirname(options.screenshot), { recursive: true });
 			await player.screenshot(options.screenshot)
@@ -189,6 +203,9 @@ async function runParts(options) {
 	for (let part = 1; part <= options.parts; part++) {
 		const parameters = options.parts > 1 ? { ...options.parameters, part: `${part}/${options.parts}` } : options.parameters;
 		status = await runPart({ ...options, parameters }) || status;
+		if (status === INTERRUPTED) {
+			break;
+		}
 	}
 	return status;
 }

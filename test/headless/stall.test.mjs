@@ -1,6 +1,7 @@
 /** Tests of what the runner says of a SWF that gives no sign of life. */
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
+import { spawn, spawnSync } from 'node:child_process';
+import { once } from 'node:events';
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
@@ -20,6 +21,13 @@ const LOOP = [0x06, 0x03, 0x99, 0x02, 0x00, 0xfb, 0xff, 0x00]; // DoAction: a ju
 function traceAndLoop(text) {
 	const push = [0x00, ...Buffer.from(text), 0x00];
 	const actions = [0x96, push.length, 0x00, ...push, 0x26, ...LOOP.slice(2)];
+	return [0x3f, 0x03, actions.length, 0x00, 0x00, 0x00, ...actions];
+}
+
+/** DoAction: traces a text. */
+function traced(text) {
+	const push = [0x00, ...Buffer.from(text), 0x00];
+	const actions = [0x96, push.length, 0x00, ...push, 0x26, 0x00];
 	return [0x3f, 0x03, actions.length, 0x00, 0x00, 0x00, ...actions];
 }
 
@@ -47,6 +55,24 @@ test('a SWF that waits is told from one whose call does not end', { skip }, () =
 	const looping = run(swf('looping.swf', LOOP), 15);
 	assert.equal(looping.status, 70);
 	assert.match(looping.stderr, /stalled: 15 s without a sign of life, and no frame in the last \d+ s: one call takes longer, or has no end/);
+});
+
+test('Ctrl+C and --seconds end a SWF that goes on, with a picture', { skip }, async () => {
+	const file = swf('going-on.swf', traced('it runs'));
+	const picture = path.join(folder, 'going-on.png');
+	const options = [path.join(root, 'test/headless/run.mjs'), file, '--screenshot', picture];
+	const interrupted = spawn(process.execPath, options, { stdio: ['ignore', 'pipe', 'inherit'] });
+	await once(interrupted.stdout, 'data');
+	rmSync(picture, { force: true });
+	interrupted.kill('SIGINT');
+	assert.deepEqual(await once(interrupted, 'exit'), [130, null]);
+	assert.ok(existsSync(picture), 'the picture of Ctrl+C');
+	rmSync(picture);
+	assert.equal(spawnSync(process.execPath, [...options, '--seconds', '2']).status, 0);
+	assert.ok(existsSync(picture), 'the picture of --seconds');
+	const refused = spawnSync(process.execPath, [...options, '--seconds', 'soon'], { encoding: 'utf8' });
+	assert.equal(refused.status, 64);
+	assert.match(refused.stderr, /--seconds must be a number greater than 0: soon/);
 });
 
 test('a part that fails does not stop the others', { skip }, () => {

@@ -147,7 +147,7 @@ package soak
             require(_collision.handlerErrors.indexOf(error) == 0, error.message);
             for each (var each:Error in _collision.handlerErrors)
             {
-                require(each.message == MEANT, each.message);
+                require(each.message.indexOf(MEANT + " (") == 0, each.message);
             }
             _counts.add("errors of handlers, as they should", _thrown);
         }

@@ -38,8 +38,23 @@ test('a build that fails says why last, without the lines of Ant around it', () 
 		'/c/src/A.as: Error: more than one definition', '', 'Total time: 8 seconds'];
 	const { stdout, status } = runAnt(['-compile:', 'FAILED ATest.is: 1, not 2', '  (no stack)', 'Java Result: 1', '', ...around], 3);
 	assert.equal(status, 3);
+	assert.doesNotMatch(stdout.split('Total time: 8 seconds\n')[0], /BUILD FAILED|more than one/);
 	assert.equal(stdout.split('Total time: 8 seconds\n')[1], '\nFAILED ATest.is: 1, not 2\ncompc (Flex):\n/c/src/A.as: Error: more than one definition\n');
 	const good = runAnt(['BUILD SUCCESSFUL', 'Total time: 8 seconds'], 0);
 	assert.equal(good.status, 0);
 	assert.equal(good.stdout, 'BUILD SUCCESSFUL\nTotal time: 8 seconds\n');
+});
+
+test('an option that no build file reads is refused, with the nearest', () => {
+	const check = (...names) => {
+		const { status, stderr } = spawnSync(process.execPath, ['build/options.mjs', ...names], { cwd: root, encoding: 'utf8' });
+		return [status, stderr];
+	};
+	assert.deepEqual(check('figure'), [64, 'antw: there is no option -Dfigure; there is -Dfigures\n']);
+	assert.deepEqual(check('compar', 'xyzzy'), [64, 'antw: there is no option -Dcompar; there is -Dcompare\nantw: there is no option -Dxyzzy\n']);
+	assert.deepEqual(check('test', 'full', 'ant.logger.defaults'), [0, '']);
+	// every option that a page names is one
+	const named = readdirSync(path.join(root, 'docs')).filter((file) => file.endsWith('.md')).flatMap((file) => [...read(`docs/${file}`).matchAll(/[ `]-D([a-z]+)\b/g)].map(([, name]) => name));
+	assert.ok(named.length > 50);
+	assert.deepEqual(check(...new Set(named)), [0, '']);
 });

@@ -32,6 +32,24 @@ test('a test that fails is told with its file and line', () => {
 	assert.match(readFileSync(path.join(folder, 'out/ClientTestsReporter.as'), 'utf8'), /"game\.world\.TurtleTest\.swims": "tests\/game\/world\/TurtleTest\.as:6"/);
 });
 
+test('a function that FlexUnit would leave out is named', () => {
+	const file = path.join(folder, 'tests/game/world/TurtleTest.as');
+	const classOf = (...lines) => writeFileSync(file, ['package game.world', '{', '    public class TurtleTest', '    {', ...lines, '    }', '}', ''].join('\n'));
+	classOf('        [Test]', '        [Ignore("later")]', '        private function swims():void {}', '        // [Test]', '        private function helps():int {}');
+	const hidden = run('src,tests');
+	assert.equal(hidden.status, 64);
+	assert.equal(hidden.stderr, 'tests/game/world/TurtleTest.as:7: swims() has [Test] and is not public, so FlexUnit does not run it\n');
+	classOf('        [Test(async)]', '        public function asks():int {}', '        [Before]', '        public function begin():void {}');
+	const asking = run('src,tests');
+	assert.equal(asking.status, 64);
+	assert.match(asking.stderr, /^tests\/game\/world\/TurtleTest\.as:6: asks\(\) has \[Test\] and gives int: .* must be void\n$/);
+	classOf('        public function testSwims():void {}', '        public function tests():void {}');
+	const forgotten = run('src,tests');
+	assert.equal(forgotten.status, 0);
+	assert.equal(forgotten.stderr, 'tests/game/world/TurtleTest.as:5: testSwims() has no [Test], so FlexUnit does not run it\n');
+	writeFileSync(file, '');
+});
+
 test('a name chooses some of them', () => {
 	assert.equal(run('src,tests', 'turtle').stdout, '1 test class\n');
 	assert.match(written(), /Request\.classes\(game\.world\.TurtleTest\)/);

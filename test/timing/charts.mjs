@@ -20,11 +20,16 @@ export function chartsOf(entries) {
 }
 
 function bars(labels, unit, series, options = {}) {
-	const shown = series.filter(({ values }) => values.some((value) => value !== null));
+	const shown = series.filter(({ values, refused }) => values.some((value) => value !== null) || refused?.some(Boolean));
 	return { kind: 'bars', unit, labels, series: shown, height: 340, ...options };
 }
 
 const scaled = (value, factor = 1) => (value === null || value === undefined ? null : value * factor);
+
+/** The bars of entries, some of which may be missing: their values, and which have none because they were refused. */
+const barsOf = (entries, factor, field = 'value') => ({
+	values: entries.map((entry) => scaled(entry?.[field], factor)), refused: entries.map((entry) => entry?.[field] === null),
+});
 
 function compared(entries, ours, unit, factor = 1) {
 	if (entries.length === 0) {
@@ -32,9 +37,9 @@ function compared(entries, ours, unit, factor = 1) {
 	}
 	const subjects = bySubject(entries);
 	return bars(subjects.map(([name]) => name), unit, [
-		{ name: 'this engine', color: 'engine', values: subjects.map(([, found]) => scaled(ours(found).value, factor)) },
-		{ name: 'this engine, JIT', color: 'jit', values: subjects.map(([, found]) => scaled(ours(found).beside, factor)) },
-		{ name: 'literal algorithm', color: 'literal', values: subjects.map(([, found]) => scaled(found.literal?.value, factor)) },
+		{ name: 'this engine', color: 'engine', ...barsOf(subjects.map(([, found]) => ours(found)), factor) },
+		{ name: 'this engine, JIT', color: 'jit', ...barsOf(subjects.map(([, found]) => ours(found)), factor, 'beside') },
+		{ name: 'literal algorithm', color: 'literal', ...barsOf(subjects.map(([, found]) => found.literal), factor) },
 		{ name: 'thesis, 2015', color: 'thesis', values: subjects.map(([, found]) => scaled(found.engine.thesis, factor)) },
 	]);
 }
@@ -44,12 +49,12 @@ function hierarchies(entries) {
 		return undefined;
 	}
 	const subjects = bySubject(entries);
-	const values = (variant) => subjects.map(([, found]) => scaled(found[variant]?.value));
+	const values = (variant, field) => barsOf(subjects.map(([, found]) => found[variant]), 1, field);
 	return bars(subjects.map(([name]) => name), 'ms', [
-		{ name: 'this engine, of triangles', color: 'sphere', values: values('engine') },
-		{ name: 'this engine, of vertices', color: 'engine', values: values('engine, vertices') },
-		{ name: 'of vertices, JIT', color: 'jit', values: subjects.map(([, found]) => scaled(found['engine, vertices']?.beside)) },
-		{ name: 'literal algorithm', color: 'literal', values: values('literal') },
+		{ name: 'this engine, of triangles', color: 'sphere', ...values('engine') },
+		{ name: 'this engine, of vertices', color: 'engine', ...values('engine, vertices') },
+		{ name: 'of vertices, JIT', color: 'jit', ...values('engine, vertices', 'beside') },
+		{ name: 'literal algorithm', color: 'literal', ...values('literal') },
 		{ name: 'thesis, 2015', color: 'thesis', values: subjects.map(([, found]) => scaled(found.engine.thesis)) },
 	]);
 }
@@ -61,8 +66,8 @@ function multiples(entries) {
 	const subjects = bySubject(entries);
 	const thesisBase = 0.000319;
 	return bars(subjects.map(([name]) => name), '× sphere-sphere', [
-		{ name: 'this engine', color: 'engine', values: subjects.map(([, found]) => scaled(found.engine.multiple)) },
-		{ name: 'literal algorithm', color: 'literal', values: subjects.map(([, found]) => scaled(found.literal?.multiple)) },
+		{ name: 'this engine', color: 'engine', ...barsOf(subjects.map(([, found]) => found.engine), 1, 'multiple') },
+		{ name: 'literal algorithm', color: 'literal', ...barsOf(subjects.map(([, found]) => found.literal), 1, 'multiple') },
 		{ name: 'thesis, 2015', color: 'thesis', values: subjects.map(([, found]) => scaled(found.engine.thesis, 1 / thesisBase)) },
 	]);
 }
@@ -95,9 +100,9 @@ function crowds(entries) {
 	const rows = [...COLLIDERS, ...others(entries, COLLIDERS)].flatMap((collider) => subjects.filter(([, found]) => found[collider])
 		.map(([name, found]) => ({ name: [SHORT[collider] ?? collider.split('.').pop(), castOf({ subject: name })], entry: found[collider], literal: found[`${collider}, literal`] })));
 	return bars(rows.map(({ name }) => name), `ms a frame of ${count} agents`, [
-		{ name: 'this engine', color: 'engine', values: rows.map(({ entry }) => entry.value) },
-		{ name: 'this engine, JIT', color: 'jit', values: rows.map(({ entry }) => scaled(entry.beside)) },
-		{ name: 'literal algorithm', color: 'literal', values: rows.map(({ literal }) => scaled(literal?.value)) },
+		{ name: 'this engine', color: 'engine', ...barsOf(rows.map(({ entry }) => entry)) },
+		{ name: 'this engine, JIT', color: 'jit', ...barsOf(rows.map(({ entry }) => entry), 1, 'beside') },
+		{ name: 'literal algorithm', color: 'literal', ...barsOf(rows.map(({ literal }) => literal)) },
 		{ name: 'thesis, 2015', color: 'thesis', values: rows.map(({ entry }) => scaled(entry.thesis)) },
 	], { line: [40, 'a frame at 25 a second'] });
 }
@@ -109,9 +114,9 @@ function combination(entries) {
 	const subjects = bySubject(entries);
 	const labels = Object.keys(subjects[0][1]).filter((name) => !name.endsWith(', literal'));
 	const colors = ['engine', 'TightestFitCollider', 'sphere'];
-	const series = subjects.map(([name, found], i) => ({ name: `${name}, this engine`, color: colors[i % 3], values: labels.map((label) => scaled(found[label]?.value)) }));
+	const series = subjects.map(([name, found], i) => ({ name: `${name}, this engine`, color: colors[i % 3], ...barsOf(labels.map((label) => found[label])) }));
 	const [[, first]] = subjects;
-	const literal = { name: 'literal algorithm', color: 'literal', values: labels.map((label) => scaled(first[`${label}, literal`]?.value)) };
+	const literal = { name: 'literal algorithm', color: 'literal', ...barsOf(labels.map((label) => first[`${label}, literal`])) };
 	return bars(labels, 'ms a frame', subjects.length === 1 ? [...series, literal] : series, { height: 260 });
 }
 
@@ -128,6 +133,7 @@ function scattered(entries) {
 		isDashed: i > 0,
 		points: entries.filter((entry) => entry.variant === collider && castOf(entry) === cast && entry.value)
 			.map((entry) => ({ x: entry.agents, y: entry.value })),
-	}))).filter(({ points }) => points.length > 0);
+		refused: entries.filter((entry) => entry.variant === collider && castOf(entry) === cast && entry.value === null).map((entry) => entry.agents),
+	}))).filter(({ points, refused }) => points.length + refused.length > 0);
 	return { kind: 'lines', height: 420, unit: 'ms a frame', xUnit: `agents (${first.cast})`, series, line: [40, 'a frame at 25 a second'] };
 }

@@ -149,19 +149,23 @@ const FRAME_MS = 40;
 /** Up to how many agents each collider has frames of at most 40 ms, 25 a second, in the games that were measured: a line for each cast. */
 export function holding(entries) {
 	return [...new Set(entries.map((entry) => castOf(entry)))].map((cast) => {
-		const colliders = [...COLLIDERS, ...others(entries, COLLIDERS)].map((name) => [name, entries.filter((entry) => entry.variant === name && castOf(entry) === cast && entry.value)])
+		const colliders = [...COLLIDERS, ...others(entries, COLLIDERS)].map((name) => [name, entries.filter((entry) => entry.variant === name && castOf(entry) === cast)])
 			.filter(([, games]) => games.length > 0).map(([name, games]) => `${name.replace('Collider', '')} ${most(games)}`);
 		return colliders.length > 0 ? `25 frames a second (40 ms each), ${cast}: ${colliders.join(', ')} agents` : '';
 	}).filter(Boolean);
 }
 
 function most(games) {
-	const holds = games.filter((entry) => entry.value <= FRAME_MS).map((entry) => entry.agents);
-	const fails = games.filter((entry) => entry.value > FRAME_MS).map((entry) => entry.agents);
-	if (holds.length === 0) {
-		return `fewer than ${Math.min(...fails)}`;
+	const agents = (condition) => games.filter(condition).map((entry) => entry.agents);
+	const holds = Math.max(...agents((entry) => entry.value && entry.value <= FRAME_MS));
+	const fails = Math.min(...agents((entry) => entry.value > FRAME_MS));
+	// those whose times would tell more
+	const unknown = agents((entry) => !entry.value && entry.agents > holds && entry.agents < fails);
+	const noisy = unknown.length > 0 ? ` (noisy: ${unknown.join(', ')})` : '';
+	if (holds === -Infinity) {
+		return (fails === Infinity ? 'unknown' : `fewer than ${fails}`) + noisy;
 	}
-	return fails.length === 0 ? `at least ${Math.max(...holds)}` : `${Math.max(...holds)}, not ${Math.min(...fails)}`;
+	return (fails === Infinity ? `at least ${holds}` : `${holds}, not ${fails}`) + noisy;
 }
 
 /** Who plays in a game: the subject without its number. */

@@ -20,10 +20,20 @@ export function load() {
 	return Number(os.loadavg()[0].toFixed(1));
 }
 
+/** Whether something else was running: the run itself wants one core. */
+export function isBusy({ start, end }, cores) {
+	return start > cores / 2 || end > cores;
+}
+
 /** The load at the start and the end of a run, in words. */
 export function loadText({ start, end }, cores) {
-	const others = start > cores / 2 ? '. Something else was running, so times may be too long, and many too noisy' : '';
+	const others = isBusy({ start, end }, cores) ? '. Something else was running, so times may be too long, and many too noisy' : '';
 	return `Load of the machine: ${start ?? '?'} before the run, ${end} after it, on ${cores} cores${others}.`;
+}
+
+/** Whether other programs took so much of the machine in a report's run that its numbers are compared with none. */
+export function wasBusy({ load, machine }) {
+	return Math.max(load?.start ?? 0, load?.end ?? 0) > machine.cores;
 }
 
 /** What it ran with. */

@@ -26,31 +26,59 @@ function logarithmic(title, values) {
 	};
 }
 
-// A dashed line across at a value, with its name.
+// A dashed line across at a value. The legend has its name, because bars stand everywhere else.
 const limit = {
 	id: 'limit',
-	afterDatasetsDraw(chart, _, { at, name }) {
+	afterDatasetsDraw(chart, _, { at }) {
 		const { ctx, chartArea: { left, right, top, bottom }, scales: { y } } = chart;
 		const height = at === undefined ? NaN : y.getPixelForValue(at);
 		if (!(height >= top && height <= bottom)) {
 			return;
 		}
 		ctx.save();
-		ctx.strokeStyle = ctx.fillStyle = color('limit');
+		ctx.strokeStyle = color('limit');
 		ctx.setLineDash([5, 4]);
 		ctx.beginPath();
 		ctx.moveTo(left, height);
 		ctx.lineTo(right, height);
 		ctx.stroke();
-		ctx.font = '12px system-ui, sans-serif';
-		ctx.textAlign = 'left';
-		// bars may stand behind it
-		ctx.fillStyle = color('card');
-		ctx.fillRect(left + 5, height - 19, ctx.measureText(name).width + 6, 17);
-		ctx.fillStyle = color('limit');
-		ctx.fillText(name, left + 8, height - 6);
 		ctx.restore();
 	},
+};
+
+// A cross at the foot of each number that was refused: in the place of its bar, or above its number of agents.
+const refused = {
+	id: 'refused',
+	afterDatasetsDraw(chart, _, { kind, series }) {
+		const { ctx, chartArea: { bottom, left, right }, scales: { x } } = chart;
+		const counts = {};
+		ctx.save();
+		ctx.font = 'bold 13px system-ui, sans-serif';
+		ctx.textAlign = 'center';
+		series.forEach((one, i) => {
+			if (!chart.isDatasetVisible(i)) {
+				return;
+			}
+			ctx.fillStyle = color(one.color);
+			if (kind === 'bars') {
+				one.refused?.forEach((isRefused, at) => isRefused && ctx.fillText('×', chart.getDatasetMeta(i).data[at].x, bottom - 3));
+			} else {
+				// several stand side by side, towards the middle
+				one.refused.forEach((agents) => {
+					const place = x.getPixelForValue(agents);
+					counts[agents] = (counts[agents] ?? -1) + 1;
+					ctx.fillText('×', place + (place < (left + right) / 2 ? 10 : -10) * counts[agents], bottom - 3);
+				});
+			}
+		});
+		ctx.restore();
+	},
+};
+
+/** The legend's labels: of the series, and of the line across. */
+const labelsOf = (chart) => (drawnChart) => {
+	const labels = Chart.defaults.plugins.legend.labels.generateLabels(drawnChart);
+	return chart.line ? [...labels, { text: chart.line[1], fontColor: color('limit'), strokeStyle: color('limit'), lineWidth: 2, lineDash: [3, 2], pointStyle: 'line' }] : labels;
 };
 
 function common(chart) {
@@ -59,9 +87,13 @@ function common(chart) {
 		responsive: true,
 		maintainAspectRatio: false,
 		plugins: {
-			legend: { position: 'top', align: 'start', labels: { color: color('text'), usePointStyle: true, boxHeight: 8, padding: 18 } },
+			legend: {
+				position: 'top', align: 'start', labels: { color: color('text'), usePointStyle: true, boxHeight: 8, padding: 18, generateLabels: labelsOf(chart) },
+				onClick: (event, item, legend) => item.datasetIndex !== undefined && Chart.defaults.plugins.legend.onClick.call(legend, event, item, legend),
+			},
 			tooltip: { callbacks: { label: (item) => `${item.dataset.label}: ${compact(item.parsed.y)} ${chart.unit}` } },
-			limit: chart.line ? { at: chart.line[0], name: chart.line[1] } : {},
+			limit: chart.line ? { at: chart.line[0] } : {},
+			refused: { kind: chart.kind, series: chart.series },
 		},
 	};
 }
@@ -85,7 +117,7 @@ function barChart(chart) {
 					: logarithmic(chart.unit, chart.series.flatMap((series) => series.values)),
 			},
 		},
-		plugins: [limit],
+		plugins: [limit, refused],
 	};
 }
 
@@ -104,7 +136,7 @@ function lineChart(chart) {
 				y: logarithmic(chart.unit, points.map(({ y }) => y)),
 			},
 		},
-		plugins: [limit],
+		plugins: [limit, refused],
 	};
 }
 

@@ -2,7 +2,7 @@ import { readFile } from 'node:fs/promises';
 import { chartsOf } from './charts.mjs';
 import { FIGURES, bySubject, faster } from './figures.mjs';
 import { inWords, ratio, time } from './format.mjs';
-import { loadText } from './machine.mjs';
+import { isBusy, loadText } from './machine.mjs';
 
 const library = new URL('../../node_modules/chart.js/dist/chart.umd.min.js', import.meta.url);
 const own = (name) => readFile(new URL(name, import.meta.url), 'utf8');
@@ -27,6 +27,7 @@ export async function page(report) {
 <p>The evaluation of “Improved Collision Detection in StarLogo Nova” (section 6), run on <span class="whole">${date}</span> UTC. Blue is this engine,
 amber the thesis's algorithms as it describes them in the same player, grey the thesis's own numbers of 2015.</p>
 <p>${takenIn(report.versions)}${report.module ? ` ${escape(moduleText(report.module))}` : ''}</p>
+${report.load && isBusy(report.load, report.machine.cores) ? `<p class="warning">${escape(loadText(report.load, report.machine.cores))}</p>` : ''}
 <dl class="tiles">${tiles(report).map(([value, label]) => `<div><dt>${label}</dt><dd>${value}</dd></div>`).join('')}</dl>
 </header>
 <main>
@@ -63,10 +64,13 @@ function section(figure, entries, charts) {
 	if (mine.length === 0) {
 		return '';
 	}
-	const picture = charts[figure.id] ? `<div class="chart" style="height:${charts[figure.id].height}px"><canvas id="${figure.id}" role="img" aria-label="${escape(figure.title)}"></canvas></div>` : '';
+	const picture = charts[figure.id] ? `<div class="scroll"><div class="chart" style="height:${charts[figure.id].height}px;min-width:${44 * (charts[figure.id].labels?.length ?? 13)}px">
+<canvas id="${figure.id}" role="img" aria-label="${escape(figure.title)}"></canvas></div></div>` : '';
+	const isMarked = charts[figure.id]?.series.some(({ refused }) => refused?.some(Boolean));
 	return `<section>
 <h2>${escape(figure.title)}</h2>
 ${picture}
+${isMarked ? '<p class="note">× stands for a number that was refused.</p>' : ''}
 <div class="scroll">${table(figure, figure.head(mine), figure.rows(mine))}</div>
 ${(figure.lines?.(mine) ?? []).map((line) => `<p>${escape(line)}.</p>`).join('\n')}
 <p class="note">${escape(figure.note.replace(/^\* /, 'Bold: '))}</p>

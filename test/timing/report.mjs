@@ -17,9 +17,10 @@ import { addBeside, timesAsFast } from './beside.mjs';
 import { comparison, repeats, tables } from './console.mjs';
 import { csv } from './csv.mjs';
 import { growth } from './figures.mjs';
-import { load, loadText, machine, versions } from './machine.mjs';
+import { load, loadText, machine, versions, wasBusy } from './machine.mjs';
 import { moduleText, page } from './page.mjs';
-import { changes, merged } from './statistics.mjs';
+import { olderReport } from './older.mjs';
+import { changes, merged, withoutContradictions } from './statistics.mjs';
 
 const { positionals: [folder], values } = parseArgs({
 	allowPositionals: true,
@@ -34,13 +35,20 @@ const results = await resultsOf(folder);
 const beside = values.beside ? await resultsOf(values.beside) : undefined;
 const module = values.module ? await resultsOf(values.module) : undefined;
 // first: the older report may be the one that is about to be replaced
-const older = values.compare ? JSON.parse(await readFile(values.compare, 'utf8')) : undefined;
+let older;
+try {
+	older = values.compare ? olderReport(values.compare) : undefined;
+} catch (error) {
+	console.error(error.message);
+	process.exit(64);
+}
 const file = (name) => path.join(folder, name);
 const measured = {
 	machine: machine(),
 	versions: { ...versions(results.player), ...(beside && { beside: beside.player }) },
 };
-const taken = beside ? addBeside(results.entries, beside.entries) : results.entries;
+const own = withoutContradictions(results.entries);
+const taken = beside ? addBeside(own, withoutContradictions(beside.entries)) : own;
 const earlier = existsSync(file('report.json')) ? JSON.parse(await readFile(file('report.json'), 'utf8')) : undefined;
 const entries = earlier && areOfOne(earlier, measured) ? merged(earlier.entries, taken) : taken;
 const report = {
@@ -48,7 +56,7 @@ const report = {
 	created: new Date().toISOString(),
 	...measured,
 	load: { start: existsSync(file('load.txt')) ? Number(await readFile(file('load.txt'), 'utf8')) : undefined, end: load() },
-	...(module && { module: { player: module.player, ...timesAsFast(results.entries, module.entries) } }),
+	...(module && { module: { player: module.player, ...timesAsFast(own, module.entries) } }),
 	exponents: growth(entries.filter((entry) => entry.figure === 'scattered')),
 	entries,
 };
@@ -64,7 +72,9 @@ if (report.module) {
 console.log('Times and multiples are medians ± half the range of the repetitions, without the fastest and the slowest fifth.');
 console.log(loadText(report.load, report.machine.cores));
 if (older) {
-	console.log('\n' + comparison(changes(older.entries, report.entries), older.created.slice(0, 16).replace('T', ' ')));
+	const date = older.created.slice(0, 16).replace('T', ' ');
+	console.log('\n' + (wasBusy(older) || wasBusy(report) ? `Nothing is compared with the report of ${date}: in ${wasBusy(older) ? 'its' : 'this'} run more programs ran than the machine has cores.`
+		: comparison(changes(older.entries, report.entries), date)));
 }
 if (entries.length > taken.length) {
 	console.log(`${entries.length - taken.length} of the report's ${entries.length} entries are of earlier runs of the same commit; their tables are in ${file('timing.txt')}.`);

@@ -1,14 +1,20 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { addBeside, timesAsFast } from './beside.mjs';
 import { chartsOf } from './charts.mjs';
 import { comparison, repeats, tables } from './console.mjs';
 import { csv } from './csv.mjs';
 import { FIGURES, growth, holding } from './figures.mjs';
-import { loadText } from './machine.mjs';
+import { loadText, wasBusy } from './machine.mjs';
 import { inWords, percent, quoted, ratio, significant, time } from './format.mjs';
+import { olderReport } from './older.mjs';
 import { moduleText, page } from './page.mjs';
-import { changes, exponent, merged } from './statistics.mjs';
+import { changes, exponent, merged, withoutContradictions } from './statistics.mjs';
 
 const timed = (figure, subject, variant, value, more = {}) => ({
 	figure, subject, variant, value, unit: 'ms', low: value * 0.98, high: value * 1.04, samples: 5,
@@ -111,7 +117,67 @@ test('the games that keep 25 frames a second are named by their colliders', () =
 	assert.ok(tables(games).replaceAll('\n', ' ').includes(line));
 });
 
+test('a collider\'s game that was refused is named, if its time would tell more', () => {
+	const game = (agents, variant, value) => timed('scattered', `${agents} mix`, variant, value, { agents });
+	const games = [game(100, 'BinCollider', 1), game(1000, 'BinCollider', null), game(100, 'TightestFitCollider', null), game(1000, 'TightestFitCollider', 41),
+		game(100, 'HierarchicalCollider', null)];
+	assert.deepEqual(holding(games), ['25 frames a second (40 ms each), mix: Bin at least 100 (noisy: 1000), TightestFit fewer than 1000 (noisy: 100),'
+		+ ' Hierarchical unknown (noisy: 100) agents']);
+});
+
+test('a number that was refused has a mark in its chart', async () => {
+	const { crowds } = chartsOf([...entries, timed('crowds', '100 bears', 'CombinationCollider', 20, { agents: 100 })]);
+	assert.deepEqual(crowds.series.map(({ name, values, refused }) => [name, values, refused]), [
+		['this engine', [null, 17.5, 20], [true, false, false]],
+		['literal algorithm', [null, 432, null], [false, false, false]],
+		['thesis, 2015', [null, 1300, null], undefined],
+	]);
+	const lines = chartsOf([...entries, { ...timed('scattered', '300 mix', 'BinCollider', 1, { agents: 300 }), value: null }]).scattered;
+	assert.deepEqual(lines.series[0].refused, [300]);
+	const html = await page({ created: '2026-01-02T03:04:05Z', machine: {}, versions: {}, exponents: [], entries });
+	assert.equal(html.split('× stands for a number that was refused').length, 2);
+});
+
+test('times and multiples that contradict others are refused', () => {
+	const row = (value, multiple, variant, subject = 'capsuleCapsule', figure = 'tests') => timed(figure, subject, variant, value,
+		{ multiple, multipleLow: multiple * 0.95, multipleHigh: multiple * 1.05 });
+	const others = ['a', 'b', 'c', 'd', 'e'].map((name, i) => row(0.00055 * (i + 1), i + 1, 'engine', name));
+	const refused = (...found) => withoutContradictions([...others, ...found]).filter((entry) => entry.refused).map(({ subject, variant, value, multiple }) => {
+		assert.deepEqual([value, multiple], [null, null]);
+		return `${subject} ${variant}`;
+	});
+	assert.deepEqual(refused(row(0.0121, 22, 'engine'), row(0.0239, 43, 'literal')), []);
+	// the literal algorithm's turn was in a busy moment, so its sphere-sphere test took three times as long as usual
+	assert.deepEqual(refused(row(0.0121, 22, 'engine'), row(0.0239, 13, 'literal')), ['capsuleCapsule engine', 'capsuleCapsule literal']);
+	// each is not unusual, but 3.2 times as long by the times and 2.0 times by the multiples
+	assert.deepEqual(refused(row(0.01, 22, 'engine, all hit'), row(0.032, 46, 'literal, all hit')), ['capsuleCapsule engine, all hit', 'capsuleCapsule literal, all hit']);
+	assert.deepEqual(refused(row(0.01, 22, 'BinCollider', '10 mix', 'crowds'), row(0.032, 46, 'BinCollider, literal', '10 mix', 'crowds')),
+		['10 mix BinCollider', '10 mix BinCollider, literal']);
+	assert.deepEqual(refused(row(0.01, 22, 'engine, vertices', 'bear', 'hierarchies'), row(0.032, 46, 'literal', 'bear', 'hierarchies')),
+		['bear engine, vertices', 'bear literal']);
+});
+
+test('a busy run is compared with none, and says so under its title', async () => {
+	const report = (start, end) => ({ load: { start, end }, machine: { cores: 2 } });
+	assert.deepEqual([wasBusy(report(0.3, 1.4)), wasBusy(report(2.4, 1)), wasBusy(report(1, 9)), wasBusy({ machine: { cores: 2 } })], [false, true, true, false]);
+	const at = (load) => page({ created: '2026-01-02T03:04:05Z', machine: { cores: 2 }, load, versions: {}, exponents: [], entries });
+	assert.match(await at({ start: 0.2, end: 12 }), /<p class="warning">Load of the machine: 0\.2 before the run, 12 after it/);
+	assert.doesNotMatch(await at({ start: 0.2, end: 1.1 }), /class="warning"/);
+});
+
+test('what -Dcompare names must be a report, and the run does not begin without', (t) => {
+	const folder = mkdtempSync(path.join(tmpdir(), 'report-test-'));
+	t.after(() => rmSync(folder, { recursive: true }));
+	const text = path.join(folder, 'text.json');
+	writeFileSync(text, '{"entries": []');
+	assert.throws(() => olderReport(text), /^Error: -Dcompare: .*text\.json is no report\.json of \.\/antw timing$/);
+	const begin = (...more) => spawnSync(process.execPath, [fileURLToPath(new URL('load.mjs', import.meta.url)), folder, ...more], { encoding: 'utf8' });
+	assert.deepEqual([begin('nothing.json').status, begin('nothing.json').stderr], [64, '-Dcompare: there is no file nothing.json\n']);
+	assert.equal(begin('').status, 0);
+});
+
 test('a busy machine is told', () => {
+	assert.match(loadText({ start: 0.2, end: 9 }, 2), /Something else was running/);
 	assert.equal(loadText({ start: 0.2, end: 1.1 }, 2), 'Load of the machine: 0.2 before the run, 1.1 after it, on 2 cores.');
 	assert.match(loadText({ start: 9.7, end: 11 }, 2), /on 2 cores\. Something else was running/);
 });
@@ -167,6 +233,13 @@ test('a change within the drift between runs, or within the ranges, is noise', (
 	assert.deepEqual(changes(scaled(1, 0.001), scaled(1.15, 0.001)), []);
 	assert.deepEqual(changes(scaled(1, 0.2), scaled(1.5, 0.2)), []);
 	assert.notDeepEqual(changes(scaled(1, 0.05), scaled(1.5, 0.05)), []);
+});
+
+test('a change whose time and multiple went opposite ways is noise', () => {
+	const [bear] = entries;
+	const changed = (value, factor) => changes([bear], [{ ...bear, value, multiple: bear.multiple * factor, multipleLow: bear.multipleLow * factor, multipleHigh: bear.multipleHigh * factor }]);
+	assert.equal(changed(bear.value * 0.7, 0.5).length, 1);
+	assert.deepEqual(changed(bear.value * 1.3, 0.5), []);
 });
 
 test('CSV has a line for each entry and quotes what has commas', () => {

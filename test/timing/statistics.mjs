@@ -22,7 +22,7 @@ const DRIFT = 0.1;
 
 /**
  * What became faster or slower beyond the noise: the ranges of both runs, as multiples of the sphere-sphere test and each
- * wider by the drift between runs, are apart.
+ * wider by the drift between runs, are apart, and the time did not go the other way.
  *
  * @param {object[]} older entries of a report
  * @param {object[]} newer entries of another
@@ -33,14 +33,53 @@ export function changes(older, newer) {
 	return newer
 		.map((after) => ({ key: key(after), before: before.get(key(after)), after }))
 		.filter(({ before: old, after }) => old?.multiple && after.multiple
-			&& areApart(old, after))
+			&& areApart(rangeOf(old), rangeOf(after)) && (after.multiple - old.multiple) * (after.value - old.value) >= 0)
 		.map((pair) => ({ ...pair, change: pair.after.multiple / pair.before.multiple }))
 		.sort((a, b) => b.change - a.change);
 }
 
-function areApart(a, b) {
-	const [less, more] = a.multiple < b.multiple ? [a, b] : [b, a];
-	return less.multipleHigh * (1 + DRIFT) < more.multipleLow * (1 - DRIFT);
+const rangeOf = (entry) => [entry.multipleLow, entry.multipleHigh];
+
+/** Whether two ranges have nothing in common, also if each is wider by the drift. */
+function areApart(one, other) {
+	const [less, more] = one[0] < other[0] ? [one, other] : [other, one];
+	return less[1] * (1 + DRIFT) < more[0] * (1 - DRIFT);
+}
+
+const CONTRADICTORY = 'contradictory';
+// By so much of it a sphere-sphere test may differ from the usual one of its run.
+const UNUSUAL = 0.3;
+
+/**
+ * The entries without the numbers that contradict others: something else took the processor in a part of the run. A time and its multiple
+ * tell how long the sphere-sphere test took beside it. If that is unusual, the entry has no number. If the times of an engine and
+ * its literal algorithm have another ratio than their multiples, neither has.
+ *
+ * @param {object[]} entries of a run
+ */
+export function withoutContradictions(entries) {
+	const timed = entries.filter((entry) => entry.value && entry.multiple);
+	const spheres = timed.map((entry) => entry.value / entry.multiple).sort((a, b) => a - b);
+	const usual = spheres[spheres.length >> 1];
+	const bad = new Set(timed.filter((entry) => {
+		const [low, high] = quotient([entry.low, entry.high], rangeOf(entry));
+		return low > usual * (1 + UNUSUAL) || high < usual * (1 - UNUSUAL);
+	}));
+	const byKey = new Map(timed.map((entry) => [key(entry), entry]));
+	for (const literal of timed) {
+		const ours = literal.variant.includes('literal') ? byKey.get(key({ ...literal, variant: engineOf(literal) })) : undefined;
+		if (ours && areApart(quotient([literal.low, literal.high], [ours.low, ours.high]), quotient(rangeOf(literal), rangeOf(ours)))) {
+			bad.add(literal).add(ours);
+		}
+	}
+	return entries.map((entry) => (bad.has(entry) ? { ...entry, value: null, multiple: null, refused: CONTRADICTORY } : entry));
+}
+
+const quotient = ([low, high], [otherLow, otherHigh]) => [low / otherHigh, high / otherLow];
+
+/** The variant beside which a literal one stands. */
+function engineOf({ figure, variant }) {
+	return figure === 'hierarchies' ? 'engine, vertices' : variant.endsWith(', literal') ? variant.slice(0, -', literal'.length) : variant.replace('literal', 'engine');
 }
 
 /**

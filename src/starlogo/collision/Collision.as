@@ -154,11 +154,26 @@ package starlogo.collision
 
         /**
          * The errors that handlers threw in the last frame, in order. The next frame empties the list. If a handler throws something else, it
-         * becomes the message of an Error.
+         * becomes the message of an Error. At the end of each message stand the breeds for which the handler was added.
          */
         public function get handlerErrors():Vector.<Error>
         {
             return _handlerErrors;
+        }
+
+        /**
+         * The breeds that handlers name and that no agent of the last frame had. One of them may be misspelt. They are found when you ask, so a
+         * frame pays nothing.
+         */
+        public function get breedsWithoutAgents():Vector.<String>
+        {
+            return _handlers.breedsWithout(_lastFrame.agents);
+        }
+
+        /** The counts of its last frame, for a trace. */
+        public function toString():String
+        {
+            return "Collision: " + _statistics;
         }
 
         /**

@@ -53,6 +53,12 @@ package starlogo.collision
          */
         public var approachSpeed:Number = 0;
 
+        /** Its values, for a trace. */
+        public function toString():String
+        {
+            return "contact at " + point + ", normal " + normal + ", depth " + depth + ", time " + time;
+        }
+
         /** @private Takes the point, the normal and the depth of a contact. */
         engine function read(from:ContactPoint):void
         {

@@ -8,6 +8,7 @@ package starlogo.collision
     import starlogo.handlers.PairHandlers;
     import starlogo.handlers.Touch;
     import starlogo.handlers.TouchTracker;
+    import starlogo.handlers.nameBreeds;
     import starlogo.search.FoundPairs;
 
     use namespace engine;
@@ -147,7 +148,7 @@ package starlogo.collision
                 _areTouchesComplete = false;
                 throw error;
             }
-            errors.push(error is Error ? error : new Error(String(error)));
+            errors.push(nameBreeds(error is Error ? error : new Error(String(error)), _handlers.handlers[_next - 1]));
         }
 
         // The handlers belong to the breeds that the two agents had when the touch began.

@@ -1,8 +1,8 @@
 package starlogo.data
 {
     /**
-     * What an error message adds about a name that is not known: the name that is probably meant. In ActionScript it is nothing. The ES module
-     * has its own version.
+     * What an error message adds about a name that is not known: the names that are. The ES module has its own version, which tells the name
+     * that is probably meant.
      *
      * @param name the name that is not known
      * @param names all names that are
@@ -10,6 +10,12 @@ package starlogo.data
      */
     public function meantOf(name:String, names:Vector.<String>):String
     {
-        return "";
+        const MOST:int = 10;
+        if (names.length == 0)
+        {
+            return ", which is empty";
+        }
+        var shown:Vector.<String> = names.sort(Array.CASEINSENSITIVE).slice(0, MOST);
+        return "; it has \"" + shown.join("\", \"") + "\"" + (names.length > MOST ? " and " + (names.length - MOST) + " more" : "");
     }
 }

@@ -161,6 +161,26 @@ package starlogo.handlers
                 });
         }
 
+        /** The breeds that handlers of the last frame name, and that none of these agents has. */
+        public function breedsWithout(agents:Vector.<Agent>):Vector.<String>
+        {
+            var isThere:Vector.<Boolean> = new Vector.<Boolean>(Breeds.count);
+            for each (var agent:Agent in agents)
+            {
+                isThere[agent.breedNumber] = true;
+            }
+            var missing:Vector.<String> = new Vector.<String>();
+            for (var number:int = Breeds.ANY + 1; number < Breeds.count; number++)
+            {
+                var name:String = Breeds.nameOf(number);
+                if (!isThere[number] && interests.indexOf(name) == number)
+                {
+                    missing.push(name);
+                }
+            }
+            return missing;
+        }
+
         private function enter(handler:CollisionHandler):void
         {
             _added.push(handler);

@@ -128,6 +128,12 @@ package starlogo.models
             return _data.meshes.names;
         }
 
+        /** Its name and size, for a trace. */
+        public function toString():String
+        {
+            return "model \"" + name + "\" (" + vertices.length / 3 + " vertices, " + triangleCount + " triangles)";
+        }
+
         /**
          * Gives the triangles materials. This changes no collision. Hits tell them from then on.
          *

@@ -33,5 +33,11 @@ package starlogo.models
         {
             return new ModelEvent(type, _model);
         }
+
+        /** Its type and its model, for a trace. */
+        override public function toString():String
+        {
+            return formatToString("ModelEvent", "type", "model");
+        }
     }
 }

@@ -28,5 +28,11 @@ package starlogo.queries
         public function Footing()
         {
         }
+
+        /** Its values, for a trace. */
+        public function toString():String
+        {
+            return "footing " + (stands ? "on " + on + ", normal " + normal : "in the air") + ", part " + part + ", pushed " + pushed;
+        }
     }
 }

@@ -90,6 +90,12 @@ package starlogo.terrain
             return terrain;
         }
 
+        /** Its size and place, for a trace. */
+        public function toString():String
+        {
+            return "terrain of " + columns + " by " + rows + " heights, " + cellWidth + " apart, from (" + x + ", " + y + ")";
+        }
+
         /** @private The heights as they are now. Call <code>worldAgent.beginChange()</code> to change them. */
         engine function get grid():HeightGrid
         {

@@ -93,6 +93,43 @@ package starlogo.collision
         }
 
         [Test]
+        public function breedsThatNoAgentHasAreTold():void
+        {
+            addAll("bears", "balls");
+            _collision.onCollision("bears", "bals", note("x"));
+            _collision.onCollisionEnd(Collision.ANY_BREED, "traps", note("x"));
+            _collision.onCollision("bears", Collision.EDGE, note("x"));
+            assertEquals("before the first frame", "", _collision.breedsWithoutAgents.join());
+            _collision.update(_agents);
+            assertEquals("bals,traps", _collision.breedsWithoutAgents.sort(Array.CASEINSENSITIVE).join());
+            addAll("traps");
+            _collision.update(_agents);
+            assertEquals("bals", _collision.breedsWithoutAgents.join());
+        }
+
+        [Test]
+        public function anErrorNamesTheBreedsOfItsHandlerOnce():void
+        {
+            addAll("bears", "balls");
+            var same:Error = new Error("again");
+            var fail:Function = function(collider:Agent, collidee:Agent):void
+            {
+                throw same;
+            };
+            _collision.onCollisionStart(Collision.ANY_BREED, "balls", fail);
+            assertThrows(Error, /^again \(in the handler for "\*" and "balls"\)$/, _collision.update, _agents);
+            _collision.removeHandler(Collision.ANY_BREED, "balls", fail);
+            same.message = "again";
+            _collision.onCollision("balls", "bears", fail);
+            _collision.onCollisionEnd("balls", "bears", fail);
+            for (var i:int = 0; i < 3; i++)
+            {
+                assertThrows(Error, /^again \(in the handler for "balls" and "bears"\)$/, _collision.update, _agents);
+                _agents[0].x += i;
+            }
+        }
+
+        [Test]
         public function everyErrorOfAFrameIsKept():void
         {
             addAll("bears", "bears", "bears");
@@ -101,7 +138,7 @@ package starlogo.collision
                     _calls.push("a");
                     throw _calls.length == 1 ? new RangeError("first") : new ArgumentError("later " + _calls.length);
                 });
-            assertThrows(RangeError, /^first$/, _collision.update, _agents);
+            assertThrows(RangeError, /^first \(in the handler for "bears" and "bears"\)$/, _collision.update, _agents);
             assertEquals("first,later 2,later 3,later 4,later 5,later 6", messages());
             _collision.collisionSystem = new OwnVectorSystem(new <Agent>[]);
             _collision.update(_agents);
@@ -121,7 +158,7 @@ package starlogo.collision
                     throw null;
                 });
             _collision.onCollision("bears", "bears", note("after"));
-            assertThrows(Error, /^a string$/, _collision.update, _agents);
+            assertThrows(Error, /^a string \(in the handler for "bears" and "bears"\)$/, _collision.update, _agents);
             assertEquals("after,after", names());
             assertEquals("a string,null,a string,null", messages());
         }
@@ -326,7 +363,7 @@ package starlogo.collision
             }
             catch (error:Error)
             {
-                assertEquals("now and then", error.message);
+                assertTrue(error.message, error.message.indexOf("now and then (in the handler for ") == 0);
             }
         }
 
@@ -361,7 +398,7 @@ package starlogo.collision
             var texts:Array = [];
             for each (var error:Error in _collision.handlerErrors)
             {
-                texts.push(error.message);
+                texts.push(error.message.split(" (in the handler")[0]);
             }
             return texts.join();
         }

@@ -171,7 +171,7 @@ package starlogo.models
         {
             fails("", "no vertices", "");
             fails("", "no vertices", "f 1 2 3");
-            fails("", "no vertices", "hello\nworld");
+            fails("", "no vertices, so this is no OBJ text", "hello\nworld");
             fails("", "binary", "\u0089PNG\r\n\u001a\n\u0000\u0000");
             fails("line 1", "three finite numbers", "v 1 2");
             fails("line 2", "\"v 1 nan 2\"", "v 0 0 0\nv 1 nan 2");

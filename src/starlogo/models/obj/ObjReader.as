@@ -167,7 +167,7 @@ package starlogo.models.obj
         private function checkIndices():void
         {
             var vertexCount:int = data.vertices.length / 3;
-            refuseIf(vertexCount == 0, name, "no vertices: expected lines such as \"v 1 2 3\"");
+            refuseIf(vertexCount == 0, name, "no vertices, so this is no OBJ text: expected lines such as \"v 1 2 3\"");
             refuseIf(_highestIndex >= vertexCount, name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, LineReader.placeOf(_highestLine));
         }
 

@@ -1,0 +1,29 @@
+package starlogo.handlers
+{
+    import starlogo.agents.Breeds;
+
+    /**
+     * Adds the breeds of a handler to the text of an error that it has thrown. An error that is thrown again keeps one such addition.
+     *
+     * @return the error
+     *
+     * @private
+     */
+    public function nameBreeds(error:Error, handler:CollisionHandler):Error
+    {
+        var addition:String = " (in the handler for \"" + (Breeds.nameOf(handler.breedNumber) || "*") + "\" and \""
+            + (Breeds.nameOf(handler.otherNumber) || "*") + "\")";
+        try
+        {
+            if (error.message.slice(-addition.length) != addition)
+            {
+                error.message += addition;
+            }
+        }
+        catch (problem:Error)
+        {
+            // in JavaScript an error's text may be read-only
+        }
+        return error;
+    }
+}

@@ -1,0 +1,38 @@
+package starlogo.data
+{
+    import org.flexunit.asserts.assertEquals;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.collision.TightestFitCollider;
+    import starlogo.models.BuiltInModel;
+    import support.assertThrows;
+    import support.landOf;
+
+    public class MeantOfTest
+    {
+        [Test]
+        public function theNamesAreTold():void
+        {
+            assertEquals(", which is empty", meantOf("beer", new Vector.<String>()));
+            assertEquals("; it has \"bear\", \"Tree\"", meantOf("beer", new <String>["Tree", "bear"]));
+            var names:Vector.<String> = new Vector.<String>();
+            for (var i:int = 12; i > 0; i--)
+            {
+                names.push("m" + (100 + i));
+            }
+            assertEquals("; it has \"m101\", \"m102\", \"m103\", \"m104\", \"m105\", \"m106\", \"m107\", \"m108\", \"m109\", \"m110\" and 2 more", meantOf("beer", names));
+        }
+
+        [Test]
+        public function anUnknownModelIsToldWithThoseThatThereAre():void
+        {
+            var greatLand:GreatLand = landOf(BuiltInModel.sphere(), BuiltInModel.cube());
+            assertEquals("cube,sphere", greatLand.modelNames.sort(Array.CASEINSENSITIVE).join());
+            var collider:TightestFitCollider = new TightestFitCollider(greatLand);
+            assertThrows(ArgumentError, /there is no model "beer"; add it to the GreatLand first; it has "cube", "sphere"$/,
+                    collider.findCollisions, new <Agent>[new Agent("beer")]);
+            greatLand.removeModel("cube");
+            assertEquals("sphere", greatLand.modelNames.join());
+        }
+    }
+}

@@ -76,6 +76,7 @@ package starlogo.solid
             _meshA = a.prepareMesh();
             _meshB = b.prepareMesh();
             _meshA.prepareExtents();
+            _meshA.preparePlanes();
             _movedFrom = -1;
             _tolerance = pose.tolerance + Touching.marginOfSurface(a.boxTree.radius + b.boxTree.radius * pose.placement.size);
             _outerTolerance = 2 * _tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));

@@ -43,9 +43,9 @@ class Halves extends GapFinder
 
     override public function find(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:CoreGap):void
     {
-        motion.x = count == 0 ? -1 : -length * 1e3;
         out.x = length;
-        out.measure(motion);
+        out.squaredLength = length * length;
+        out.closing = count == 0 ? length : 1e3 * out.squaredLength;
         out.extent = 1e-300;
         length /= 2;
         count++;

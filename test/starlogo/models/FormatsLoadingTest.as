@@ -110,7 +110,7 @@ package starlogo.models
             whenComplete(function():void
                 {
                     assertEquals(wanted, _log.length);
-                    assertEquals('no vertices: expected facets,its JSON,this is,no vertices: expected lines,no vertices: expected lines,no vertices: expected facets,no vertices: expected facets',
+                    assertEquals('no vertices: expected facets; its JSON; this is; no vertices, so this is no OBJ; no vertices, so this is no OBJ; no vertices: expected facets; no vertices: expected facets',
                             nothings());
                     for each (var line:String in _log)
                     {
@@ -125,14 +125,14 @@ package starlogo.models
             var all:Array = [];
             for (var i:int = _log.length - 1; i >= 0; i--)
             {
-                var words:Array = _log[i].match(/^model "nothing"[^:]*: (\w+ \w+(: \w+ \w+)?)/);
+                var words:Array = _log[i].match(/^model "nothing"[^:]*: (\w+ \w+(: \w+ \w+|, so this is no \w+)?)/);
                 if (words != null)
                 {
                     all.unshift(words[1]);
                     _log.splice(i, 1);
                 }
             }
-            return all.join();
+            return all.join("; ");
         }
 
         [Test(async, timeout="150000")]

@@ -7,6 +7,7 @@ package starlogo.ground
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxTree;
     import starlogo.intersection.TriangleKernel;
@@ -71,8 +72,9 @@ package starlogo.ground
             _structure = structure;
             _isExact = hasTree && exact && tree.hasTriangles;
             _depth = _isExact ? BoxTree.NO_LIMIT : depth;
-            // The margin is as large as if another agent stood at the place of the touch.
-            _margin = 2 * Touching.marginOfPlace(placement.x, placement.y, placement.z);
+            // Touching.marginOfPlace(), twice: as if another agent stood at the place of the touch. It is written out because V8 makes objects for
+            // Numbers that are passed.
+            _margin = 2 * Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
             if (_isExact)
             {
                 _margin += Touching.marginOfSurface(tree.boxTree.radius * placement.size);

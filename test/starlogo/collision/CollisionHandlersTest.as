@@ -67,8 +67,10 @@ package starlogo.collision
             for each (var add:Function in [_collision.onCollision, _collision.onCollisionStart, _collision.onCollisionEnd])
             {
                 assertThrows(ArgumentError, /^the handler for "bears" and "balls" has 1 parameter, and gets two agents/, add, "bears", "balls", one);
-                assertThrows(ArgumentError, /^the handler for "\*" and "balls" has 4 parameters,.*contact:Contact/, add, "*", "balls", four);
+                assertThrows(ArgumentError, /^the handler for "\*" and "balls" has 4 parameters, and gets two agents/, add, "*", "balls", four);
             }
+            assertThrows(ArgumentError, /contact:Contact/, _collision.onCollision, "*", "balls", four);
+            assertThrows(ArgumentError, /two agents: function\(collider:Agent, collidee:Agent\):void$/, _collision.onCollisionEnd, "*", "balls", four);
             addAll("bears", "balls");
             _collision.update(_agents);
             assertEquals("none was added", 0, _collision.statistics.handlerCalls);

@@ -13,9 +13,8 @@ package starlogo.geometry
      */
     public final class HalfSpaceSolver
     {
-        // Two planes are parallel if the squared sine of their angle is less than this. Three have no common point if the squared volume of
-        // their normals is.
-        private static const DEGENERATE:Number = Tolerances.NEARLY_PARALLEL;
+        // How many times as long as the largest depth a displacement may be. Planes that are nearly opposite meet farther away.
+        private static const FARTHEST:Number = 1000;
 
         // How much less than required a displacement may go along a normal, as a fraction of its length, because of rounding.
         private static const RELATIVE_SLACK:Number = 1e-12;
@@ -29,8 +28,9 @@ package starlogo.geometry
         private var _zs:Vector.<Number> = new Vector.<Number>();
         private var _depths:Vector.<Number> = new Vector.<Number>();
 
-        // How much less than required every displacement may go, and the one that is tried.
+        // How much less than required every displacement may go along a normal, how long it may be, and the one that is tried.
         private var _slack:Number = 0;
+        private var _longest:Number = 0;
         private var _tried:Vector3D = new Vector3D();
 
         /** Begins without half-spaces. */
@@ -79,8 +79,10 @@ package starlogo.geometry
                 out.length = 0;
                 return true;
             }
+            _longest = 0;
             for (var i:int = 0; i < count; i++)
             {
+                _longest = Math.max(_longest, FARTHEST * _depths[i]);
                 _tried.setTo(_depths[i] * _xs[i], _depths[i] * _ys[i], _depths[i] * _zs[i]);
                 keepShorter(1, i, 0, 0, out);
             }
@@ -88,58 +90,45 @@ package starlogo.geometry
             {
                 for (var j:int = 0; j < i; j++)
                 {
-                    meetTwo(j, i, out);
-                    for (var k:int = 0; k < j && mostDeciding > 2; k++)
-                    {
-                        meetThree(k, j, i, out);
-                    }
+                    meet(i, j, mostDeciding, out);
                 }
             }
             return out.length < Infinity;
         }
 
-        // Tries the point of two planes that is nearest.
-        private function meetTwo(i:int, j:int, out:ShortestExit):void
+        // Tries the nearest point of the line in which two planes meet, then the points where this line meets planes before them. The sum and the
+        // difference of two unit normals are perpendicular, so no digits are lost, even if the planes are nearly parallel.
+        private function meet(i:int, j:int, mostDeciding:int, out:ShortestExit):void
         {
-            var cosine:Number = _xs[i] * _xs[j] + _ys[i] * _ys[j] + _zs[i] * _zs[j];
-            var squaredSine:Number = 1 - cosine * cosine;
-            if (squaredSine > DEGENERATE)
+            var sumX:Number = _xs[i] + _xs[j];
+            var sumY:Number = _ys[i] + _ys[j];
+            var sumZ:Number = _zs[i] + _zs[j];
+            var differenceX:Number = _xs[i] - _xs[j];
+            var differenceY:Number = _ys[i] - _ys[j];
+            var differenceZ:Number = _zs[i] - _zs[j];
+            var along:Number = (_depths[i] + _depths[j]) / (sumX * sumX + sumY * sumY + sumZ * sumZ);
+            var across:Number = (_depths[i] - _depths[j]) / (differenceX * differenceX + differenceY * differenceY + differenceZ * differenceZ);
+            var x:Number = along * sumX + across * differenceX;
+            var y:Number = along * sumY + across * differenceY;
+            var z:Number = along * sumZ + across * differenceZ;
+            _tried.setTo(x, y, z);
+            keepShorter(2, i, j, 0, out);
+            var lineX:Number = sumY * differenceZ - sumZ * differenceY;
+            var lineY:Number = sumZ * differenceX - sumX * differenceZ;
+            var lineZ:Number = sumX * differenceY - sumY * differenceX;
+            for (var k:int = 0; k < j && mostDeciding > 2; k++)
             {
-                var first:Number = (_depths[i] - cosine * _depths[j]) / squaredSine;
-                var second:Number = (_depths[j] - cosine * _depths[i]) / squaredSine;
-                _tried.setTo(first * _xs[i] + second * _xs[j], first * _ys[i] + second * _ys[j], first * _zs[i] + second * _zs[j]);
-                keepShorter(2, j, i, 0, out);
+                var far:Number = (_depths[k] - (x * _xs[k] + y * _ys[k] + z * _zs[k])) / (lineX * _xs[k] + lineY * _ys[k] + lineZ * _zs[k]);
+                _tried.setTo(x + far * lineX, y + far * lineY, z + far * lineZ);
+                keepShorter(3, i, j, k, out);
             }
         }
 
-        // Tries the point of three planes.
-        private function meetThree(i:int, j:int, k:int, out:ShortestExit):void
-        {
-            var volume:Number = _xs[i] * (_ys[j] * _zs[k] - _zs[j] * _ys[k]) + _ys[i] * (_zs[j] * _xs[k] - _xs[j] * _zs[k])
-                + _zs[i] * (_xs[j] * _ys[k] - _ys[j] * _xs[k]);
-            if (volume * volume > DEGENERATE)
-            {
-                _tried.setTo(0, 0, 0);
-                addCross(_depths[i] / volume, j, k);
-                addCross(_depths[j] / volume, k, i);
-                addCross(_depths[k] / volume, i, j);
-                keepShorter(3, k, j, i, out);
-            }
-        }
-
-        // Adds a multiple of the cross product of two normals.
-        private function addCross(factor:Number, i:int, j:int):void
-        {
-            _tried.x += factor * (_ys[i] * _zs[j] - _zs[i] * _ys[j]);
-            _tried.y += factor * (_zs[i] * _xs[j] - _xs[i] * _zs[j]);
-            _tried.z += factor * (_xs[i] * _ys[j] - _ys[i] * _xs[j]);
-        }
-
-        // Keeps the displacement that is tried if it is shorter and leads out of all half-spaces.
+        // Keeps the displacement that is tried if it is shorter and leads out of all half-spaces. Planes that do not meet make no numbers of it.
         private function keepShorter(deciding:int, last:int, second:int, third:int, out:ShortestExit):void
         {
             var length:Number = Math.sqrt(_tried.x * _tried.x + _tried.y * _tried.y + _tried.z * _tried.z);
-            if (length < out.length && leadsOut(length))
+            if (length < out.length && length <= _longest && leadsOut(length))
             {
                 out.displacement.copyFrom(_tried);
                 out.length = length;

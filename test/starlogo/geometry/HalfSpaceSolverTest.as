@@ -65,6 +65,43 @@ package starlogo.geometry
             assertEquals(Infinity, _out.length);
         }
 
+        // A ridge: the floor is bent about y, or about another axis, by very little. In half of the cases a wall stands across it.
+        [Test]
+        public function shallowRidgesHaveAnExit():void
+        {
+            var decided:Vector.<int> = new Vector.<int>(4, true);
+            for (var exponent:Number = -9; exponent < -1; exponent += 0.05)
+            {
+                var bend:Number = Math.pow(10, exponent);
+                for each (var hasWall:Boolean in [false, true])
+                {
+                    var name:String = "bent by " + bend + (hasWall ? ", with a wall" : "");
+                    var turn:Number = _random.between(0, 2 * Math.PI);
+                    _solver.begin();
+                    _normals.length = _depths.length = 0;
+                    addPlane(bend * Math.cos(turn), bend * Math.sin(turn), 1, 2);
+                    addPlane(-bend * Math.cos(turn), -bend * Math.sin(turn), 1, 2 + bend * bend * _random.between(-1, 1));
+                    if (hasWall)
+                    {
+                        addPlane(-Math.sin(turn + 0.3 * bend), Math.cos(turn + 0.3 * bend), 0.1, 1);
+                    }
+                    assertTrue(name, _solver.solve(3, 0, _out));
+                    assertTrue(name + " leads out", leadsOut(_out.displacement, 1e-11));
+                    assertTrue(name + " is short: " + _out.length, _out.length < (hasWall ? 2.5 : 2.1));
+                    decided[_out.deciding]++;
+                }
+            }
+            assertTrue("all kinds: " + decided, decided[1] > 10 && decided[2] > 10 && decided[3] > 10);
+        }
+
+        [Test]
+        public function nearlyOppositeWallsHaveNoExit():void
+        {
+            addPlane(1, 0, 1e-5, 1);
+            addPlane(-1, 0, 1e-5, 1);
+            assertFalse("it would be 100,000 long", _solver.solve(3, 0, _out));
+        }
+
         [Test]
         public function noRandomDisplacementIsShorter():void
         {
@@ -95,11 +132,17 @@ package starlogo.geometry
             for (var i:int = 0; i < count; i++)
             {
                 var normal:Vector3D = direction();
-                var depth:Number = _random.between(-0.5, 2);
-                _normals.push(normal);
-                _depths.push(depth);
-                _solver.add(normal.x, normal.y, normal.z, depth);
+                addPlane(normal.x, normal.y, normal.z, _random.between(-0.5, 2));
             }
+        }
+
+        private function addPlane(x:Number, y:Number, z:Number, depth:Number):void
+        {
+            var normal:Vector3D = new Vector3D(x, y, z);
+            normal.normalize();
+            _normals.push(normal);
+            _depths.push(depth);
+            _solver.add(normal.x, normal.y, normal.z, depth);
         }
 
         private function leadsOut(displacement:Vector3D, slack:Number):Boolean

@@ -88,7 +88,7 @@ test('a glTF file and a GLB file are drawn in their base colours; Compare and Me
 	await page.evaluate(() => globalThis.playground.open(location.hash.split('/')[1]));
 	assert.equal(await shape.inputValue(), 'other_~1.glb');
 	await drop(page, ['broken.obj', Buffer.from('hello')]);
-	await page.waitForFunction(() => /^broken\.obj cannot be shown\. No vertices: expected/.test(document.querySelector('.tools [role=status]').textContent));
+	await page.waitForFunction(() => /^broken\.obj cannot be shown\. No vertices, so this is no OBJ text: expected/.test(document.querySelector('.tools [role=status]').textContent));
 	await page.getByRole('link', { name: 'Measure' }).click();
 	await ready(page, 'measure');
 	assert.deepEqual(await options(page, 'Models'), ['the game’s six', 'boxes.gltf', 'boxes.glb', 'other_~1.glb']);

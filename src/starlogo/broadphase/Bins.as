@@ -3,8 +3,8 @@
 package starlogo.broadphase
 {
     /**
-     * The broad phase: finds the pairs of agents that are near each other on the ground (thesis §3.7). More exactly: the pairs of rows
-     * whose circles on the ground overlap.
+     * The broad phase: finds the pairs of agents that are near each other on the ground (thesis §3.7). More exactly: all pairs of rows
+     * whose extents overlap, and some others whose circles on the ground do.
      *
      * <p>The rows of a search are its members. A member has a slot, which is its index in the order of the cells.</p>
      *
@@ -98,7 +98,7 @@ package starlogo.broadphase
         }
 
         /**
-         * Finds the pairs whose circles on the ground overlap, or nearly so. Each pair is passed to the sink once.
+         * Finds all pairs whose extents overlap, and some others that are as near. Each pair is passed to the sink once.
          *
          * @param extents must fit their levels
          * @param rows the rows of the members

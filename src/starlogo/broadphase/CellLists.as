@@ -155,7 +155,7 @@ package starlogo.broadphase
         }
 
         /**
-         * Finds the members whose circles overlap a member's circle, level by level, and passes them to the sink.
+         * Finds the members near a member, as <code>Bins.findPairs()</code> does, level by level, and passes them to the sink.
          *
          * @param marks by row; a row with the mark is left out if it is less than the member, because the pair is found from there
          */

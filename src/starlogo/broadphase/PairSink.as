@@ -10,8 +10,8 @@ package starlogo.broadphase
     public class PairSink
     {
         /**
-         * Takes the pairs of one row with all others whose circles on the ground overlap its own. All come in one call, because a call for each
-         * pair would cost as much as its test.
+         * Takes the pairs of one row: the others are all whose extents overlap its own, and some whose circles on the ground do. All come in one
+         * call, because a call for each pair would cost as much as its test.
          *
          * @param others begins with the candidates, which may be overwritten; no pair comes twice, in either order
          * @param count the number of candidates

@@ -61,8 +61,8 @@ package starlogo.convex
         public var faces:Vector.<int> = NONE;
 
         /**
-         * The core's edges, as four indices each: both ends, and one more point of each of the two faces. Where a face is missing, the edge's start
-         * stands for its point. Of parallel edges of a box there is one, with its start in place of both points: three from the first point on.
+         * The core's edges, as four indices each: both ends, and one more point of each of the two faces. A segment and a
+         * triangle have the edge's start in place of both points. Of parallel edges of a box there is one, with its start in place of both points: three from the first point on.
          */
         public var edges:Vector.<int> = NONE;
 

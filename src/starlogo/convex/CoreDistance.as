@@ -8,7 +8,8 @@ package starlogo.convex
      * distance is the set's distance from the origin. Each step adds the corner of the set that is farthest towards the origin to a simplex. Then it
      * drops the corners that the simplex does not need for its point nearest to the origin.
      *
-     * <p>The result is exact except for rounding, which is 1e-15 of the extents, however small the distance is.</p>
+     * <p>The result is exact except for rounding, which is 1e-15 of the extents, however small the distance is. Should rounding keep the search going
+     * until its steps run out, the distance may be too large.</p>
      */
     internal final class CoreDistance
     {

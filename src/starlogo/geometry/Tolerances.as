@@ -243,12 +243,6 @@ package starlogo.geometry
          */
         public static const EXTENTS_GAPS:Number = 100;
 
-        /**
-         * The distance above which structures certainly do not touch, as a fraction of their size. Smaller than 1e-13: because of rounding,
-         * structures that touch may get a distance. Larger: more pairs need the test for touching as well.
-         */
-        public static const APART:Number = 1e-9;
-
         /** Not to be called, because tolerances are constants. */
         public function Tolerances()
         {

@@ -18,9 +18,10 @@ package starlogo.hierarchy
         private static const SLOWEST:Number = 1e100;
         private static const LATEST:Number = 1e90;
 
-        // How much larger boxes are on each side, as a fraction of the tree's radius: a little more than sqrt(2.2e-16), where 2.2e-16 is a Number's
-        // rounding error. A line at a distance d from the middle of a sphere of radius r enters it sqrt(r * r - d * d) before its nearest point. If d
-        // is nearly r, rounding changes that by up to sqrt(2.2e-16) r. So the test of a node may find a touch so much before the box meets the node.
+        // How much larger boxes are on each side, as a fraction of the tree's radius and of the half-extents of what moves: a little more than
+        // sqrt(2.2e-16), where 2.2e-16 is a Number's rounding error. A line at a distance d from the middle of a sphere of radius r enters it
+        // sqrt(r * r - d * d) before its nearest point. If d is nearly r, rounding changes that by up to sqrt(2.2e-16) r. So the test of a node may
+        // find a touch so much before the box meets the node.
         // Smaller: such a touch may be missed. Larger: nodes are tested in vain.
         private static const SLACK:Number = 1.5e-8;
 
@@ -125,7 +126,7 @@ package starlogo.hierarchy
          */
         public function find(tree:BoxTree, depth:int, test:NodeTest):void
         {
-            var slack:Number = SLACK * tree.radius;
+            var slack:Number = SLACK * (tree.radius + halfX + halfY + halfZ);
             var fromX:Number = x;
             var fromY:Number = y;
             var fromZ:Number = z;

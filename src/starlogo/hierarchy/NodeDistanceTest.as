@@ -53,6 +53,10 @@ package starlogo.hierarchy
             {
                 limit = _measured.distance;
                 _nearest.copyFrom(_measured);
+                if (limit == 0)
+                {
+                    endSearch();
+                }
             }
         }
     }

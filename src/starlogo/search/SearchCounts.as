@@ -17,8 +17,8 @@ package starlogo.search
         public var agentsLoading:int;
 
         /**
-         * Pairs of agents whose circles on the ground overlap and whose breeds have handlers for each other. Pairs of agents that have not
-         * changed may be left out: see CollisionStatistics.
+         * Pairs of agents that the bins have found near each other and whose breeds have handlers for each other: all whose extents overlap, and
+         * some whose circles on the ground do. Pairs of agents that have not changed may be left out: see CollisionStatistics.
          */
         public var candidatePairs:int;
 

@@ -118,6 +118,7 @@ package starlogo.solid
             var b:ModelTree = pair.b;
             pair.moveFirst(motion, from);
             RelativePose.relateMotion(pair.placementA, motion, _motion);
+            _motion.earliest = Math.max(0, _motion.earliest - from);
             if (b != null)
             {
                 var decider:NodePairSearch = pair.isExact ? _trianglePairSweep.begin(a, b, pair.pose, _motion) : null;

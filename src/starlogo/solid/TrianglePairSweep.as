@@ -38,7 +38,7 @@ package starlogo.solid
             var first:int = treeA.first[a];
             var end:int = treeA.end[a];
             motion.latest = bounds.least < 1 ? bounds.least : 1;
-            // of nodes that touch at the same time the last ones count
+            // Of triangles that touch at the same time, those of the nodes that are tested last count.
             bounds.current = RelativeMotion.NEVER;
             // Higher indices come first, as in the traversal.
             for (var k:int = _triangles.move(treeB, b) - 1; k >= 0 && bounds.current > 0; k--)

@@ -19,6 +19,7 @@ package starlogo.models
             assertCorner(file, 1.5, 4, 4, 0);
             assertCorner(file, 7, 4, 8, 0);
             assertCorner(animated("translation", [0, 0, 0, 4, 0, 0, 4, 8, 0], "VEC3", "STEP"), 1.9, 4, 0, 0);
+            assertCorner(animated("translation", [0, 0, 0, 4, 0, 0, 4, 8, 0], "VEC3", "STEP"), 1, 4, 0, 0);
         }
 
         [Test]

@@ -82,6 +82,24 @@ package starlogo.terrain
             assertEquals(2, _calls.length);
         }
 
+        // The ground that a frame keeps has holes of its own, even if the terrain had some before.
+        [Test]
+        public function contactsOfAFrameAreThoseBeforeAHandlerDigs():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 0.5, 0.5, -0.2)];
+            agents[0].size = 0.5;
+            _terrain.setHole(10, 10, true);
+            _collision.onCollision("turtles", Collision.TERRAIN, function(collider:Agent, collidee:Agent):void
+                {
+                    _terrain.setHole(5, 5, true);
+                    note(collider, collidee);
+                    var contact:Contact = TightestFitCollider(_collision.collisionSystem).contactOf(collider, collidee);
+                    assertTrue("depth: " + contact.depth, contact.depth > 0.1);
+                });
+            _collision.update(agents);
+            assertEquals(1, _calls.length);
+        }
+
         [Test]
         public function aSnapshotHasTheHoles():void
         {

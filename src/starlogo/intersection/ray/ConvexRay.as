@@ -24,7 +24,7 @@ package starlogo.intersection.ray
         private var _contact:ContactPoint = new ContactPoint();
 
         /**
-         * Finds where a ray enters a structure. Its factor of touching does not count.
+         * Finds where a ray enters a structure, which is wider by the margin of its ConvexShape.
          *
          * @param ray in the space of the structure
          * @param structure convex

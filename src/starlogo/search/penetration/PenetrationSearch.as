@@ -5,8 +5,8 @@ package starlogo.search.penetration
     import starlogo.search.Body;
 
     /**
-     * Finds a normal and a depth for a contact that separate its two bodies. If the first one moves along the normal by the depth, no part of it
-     * touches the second one any more.
+     * Finds a normal and a depth for a contact that separate its two bodies. If the first one moves along the normal by the depth, the two
+     * just touch, and a little farther they do not.
      *
      * <p>It begins with a push along the given normal (PushOut). The shortest way out of the structures around both bodies is tried too; if no
      * push is found, it gives the direction (DirectionSearch). The ground has many sides, and a search of its own (GroundExitSearch).</p>

@@ -247,10 +247,10 @@ package starlogo
          */
         engine function structureOfKind(name:String, kind:int):BoundingStructure
         {
-            return _boundingStructures.ofKind(name, kind, _models.entryOf(name).model.vertices);
+            return _boundingStructures.ofKind(name, kind, modelOf(name).vertices);
         }
 
-        /** The names of the models that were added, in no order: a new list. */
+        /** The names of all models, and of structures that were added to the library without one, in no order: a new list. */
         public function get modelNames():Vector.<String>
         {
             return _models.names;

@@ -95,7 +95,7 @@ package starlogo.collision
             _list.end();
         }
 
-        // Computes the contacts that handlers take, before a handler moves an agent. Null stands for all _pairs.
+        // Computes the contacts that handlers take, before a handler moves an agent. Null stands for all pairs.
         private function findContacts(some:NumberList):void
         {
             var end:int = some == null ? _pairs.count : some.count;

@@ -1,10 +1,7 @@
 package starlogo.collision
 {
     import starlogo.agents.Agent;
-    import starlogo.engine;
     import starlogo.search.FrameInput;
-
-    use namespace engine;
 
     /** What a Collision keeps of its last frame: the list as it was when the frame began, and which collider has searched it. */
     internal final class LastFrame

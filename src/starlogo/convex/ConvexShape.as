@@ -61,8 +61,8 @@ package starlogo.convex
         public var faces:Vector.<int> = NONE;
 
         /**
-         * The core's edges, as four indices each: both ends, and one more point of each of the two faces. A segment and a
-         * triangle have the edge's start in place of both points. Of parallel edges of a box there is one, with its start in place of both points: three from the first point on.
+         * The core's edges, as four indices each: both ends, and one more point of each of the two faces. A segment, a triangle and a box have the
+         * edge's start in place of both points. Of parallel edges of a box there is one: three from the first point on.
          */
         public var edges:Vector.<int> = NONE;
 

@@ -172,8 +172,7 @@ package starlogo.geometry
 
         /**
          * The squared height of a triangle over its longest edge below which the triangle is flat, as a fraction of that edge squared. A flat
-         * triangle has no plane, and no side. Smaller: the normal of a needle is a rounding error. Larger: needles lose their
-         * sides.
+         * triangle has no plane, and no side. Smaller: the normal of a needle is a rounding error. Larger: needles lose their sides.
          */
         public static const FLAT_TRIANGLE:Number = 1e-24;
 
@@ -201,8 +200,8 @@ package starlogo.geometry
 
         /**
          * The largest difference between two computations of the same time of impact, as a fraction of the motion. Smaller: because of
-         * rounding, the contact of the structures around two models may replace that of the models. Larger: a later touch may replace the
-         * first one.
+         * rounding, the contact of the deepest piece may replace that of the first touch of the ground. Larger: a later touch may replace
+         * the first one.
          */
         public static const SAME_TIME:Number = 1e-9;
 

@@ -172,10 +172,9 @@ package starlogo.handlers
             var missing:Vector.<String> = new Vector.<String>();
             for (var number:int = Breeds.ANY + 1; number < Breeds.count; number++)
             {
-                var name:String = Breeds.nameOf(number);
-                if (!isThere[number] && interests.indexOf(name) == number)
+                if (!isThere[number] && interests.representativeOf(number) == number)
                 {
-                    missing.push(name);
+                    missing.push(Breeds.nameOf(number));
                 }
             }
             return missing;

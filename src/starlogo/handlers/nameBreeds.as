@@ -1,6 +1,7 @@
 package starlogo.handlers
 {
     import starlogo.agents.Breeds;
+    import starlogo.search.BreedInterests;
 
     /**
      * Adds the breeds of a handler to the text of an error that it has thrown. An error that is thrown again keeps one such addition.
@@ -11,8 +12,8 @@ package starlogo.handlers
      */
     public function nameBreeds(error:Error, handler:CollisionHandler):Error
     {
-        var addition:String = " (in the handler for \"" + (Breeds.nameOf(handler.breedNumber) || "*") + "\" and \""
-            + (Breeds.nameOf(handler.otherNumber) || "*") + "\")";
+        var addition:String = " (in the handler for \"" + (Breeds.nameOf(handler.breedNumber) || BreedInterests.ANY_BREED) + "\" and \""
+            + (Breeds.nameOf(handler.otherNumber) || BreedInterests.ANY_BREED) + "\")";
         try
         {
             if (error.message.slice(-addition.length) != addition)

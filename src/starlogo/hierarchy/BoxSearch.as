@@ -244,7 +244,8 @@ package starlogo.hierarchy
             var top:int = 1;
             nodes[0] = 0;
             distances[0] = 0;
-            while (top > 0)
+            // nothing is nearer than 0
+            while (top > 0 && test.limit > 0)
             {
                 top--;
                 var node:int = nodes[top];

@@ -21,7 +21,7 @@ package starlogo.hierarchy
      */
     public final class BoxTraversal
     {
-        /** Whether the roots overlapped in the last search. */
+        /** Whether the roots overlapped in the last search, if it has found nothing. */
         public var rootsOverlapped:Boolean = false;
 
         // The pairs of nodes still to visit.
@@ -168,7 +168,6 @@ package starlogo.hierarchy
                         if (decider == null || decider.areTouching(treeA, a, treeB, b))
                         {
                             _counts.nodeVisits += visits;
-                            rootsOverlapped = true;
                             return true;
                         }
                     }

@@ -53,10 +53,6 @@ package starlogo.hierarchy
             {
                 limit = _measured.distance;
                 _nearest.copyFrom(_measured);
-                if (limit == 0)
-                {
-                    endSearch();
-                }
             }
         }
     }

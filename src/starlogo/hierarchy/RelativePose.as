@@ -63,7 +63,7 @@ package starlogo.hierarchy
          *
          * @param a the first model's placement in the world
          * @param worldMotion the first model's motion relative to the second, in the world
-         * @param out receives the motion, from the second model's pose on: its start must be 0
+         * @param out receives the motion, from the second model's pose on, but no time: its start must be 0
          */
         public static function relateMotion(a:Placement, worldMotion:RelativeMotion, out:RelativeMotion):void
         {
@@ -75,7 +75,6 @@ package starlogo.hierarchy
             out.z = a.r02 * x + a.r12 * y + a.r22 * z;
             out.earliest = worldMotion.earliest;
             out.latest = worldMotion.latest;
-            out.time = worldMotion.time;
         }
 
         /**

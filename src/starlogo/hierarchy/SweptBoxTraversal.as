@@ -32,7 +32,8 @@ package starlogo.hierarchy
          * @param motion of the second tree, from the pose on
          * @return the nodes that touch first, and the time as <code>least</code>; the next search overwrites it
          */
-        public function findTouch(pose:RelativePose, motion:RelativeMotion, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairSearch):NodePairBounds
+        public function findTouch(pose:RelativePose, motion:RelativeMotion, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int,
+                decider:NodePairSearch):NodePairBounds
         {
             var relative:Placement = pose.placement;
             _pair.axes.readAxes(relative, 1);

@@ -43,10 +43,9 @@ package starlogo.intersection
         /**
          * Finds where two structures touch, or how they overlap.
          *
-         * <p>The normal is the direction of the shortest displacement that separates a from b. The depth is its
-         * length: after that displacement the two just touch. The point is in the middle of the overlap along the normal. If two boxes touch
-         * along an edge or a face, it is in the middle of that edge or face too. The same holds for a box and a capsule's axis inside of it.
-         * The result is exact except for rounding.</p>
+         * <p>The normal is the direction of the shortest displacement that separates a from b. The depth is its length: after that displacement the
+         * two just touch. The point is in the middle of the overlap along the normal. If two boxes touch along an edge or a face, it is in the
+         * middle of that edge or face too. The same holds for a box and a capsule's axis inside of it. The result is exact except for rounding.</p>
          *
          * <p>A structure's core is a sphere's centre, a capsule's axis, or a whole box or hull. If the cores are apart, the normal is along the line
          * between their closest points. If they overlap, and for two boxes, the normal is perpendicular to a face of one or to an edge of each:
@@ -54,8 +53,8 @@ package starlogo.intersection
          *
          * <p>If several displacements are equally short, one is chosen. Spheres with the same centre separate along z. If a sphere's centre is on a
          * capsule's axis, or the axes of two capsules overlap on one line, the normal is perpendicular to the axis and points upwards as far as
-         * possible. In the middle of a box any face is chosen. Of two opposite displacements it is the one against the motion, if the motion's time is above
-         * 0.</p>
+         * possible. In the middle of a box any face is chosen. Of two opposite displacements it is the one against the motion, if the motion's time
+         * is above 0.</p>
          *
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space

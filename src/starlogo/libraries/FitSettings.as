@@ -23,9 +23,6 @@ package starlogo.libraries
         /** @private Whether the surface for exact colliders is wanted. */
         engine var wantsSurface:Boolean = false;
 
-        /** @private Whether a hull is wanted too. */
-        engine var wantsHull:Boolean = false;
-
         /** @private Whether clients may read the smallest structure of each kind. */
         engine var keepsAll:Boolean = false;
 
@@ -42,12 +39,11 @@ package starlogo.libraries
         {
             if (structures != null)
             {
-                wantsHull = structures.keepHulls;
                 keepsAll = structures.keepAll;
                 var signatures:String = signaturesOf(structures.fitters);
                 _texts[CookedFile.STRUCTURES] = signatures == null ? null : "structures, " + signatures;
                 // The smallest sphere may take the hull's place.
-                _texts[CookedFile.HULL] = signatures == null || !wantsHull ? null : structures.hullFitter.signature + ", " + signatures;
+                _texts[CookedFile.HULL] = signatures == null || !structures.keepHulls ? null : structures.hullFitter.signature + ", " + signatures;
             }
             if (hierarchies != null)
             {
@@ -56,6 +52,12 @@ package starlogo.libraries
                 wantsSurface = hierarchies.prepareExact;
                 maxDepth = hierarchies.maxDepth;
             }
+        }
+
+        /** @private Whether a hull is wanted too, and can be kept. */
+        engine function get wantsHull():Boolean
+        {
+            return _texts[CookedFile.HULL] != null;
         }
 
         /** All settings as sixteen hexadecimal digits. */
@@ -80,7 +82,7 @@ package starlogo.libraries
         /**
          * Makes the bytes of a cooked file.
          *
-         * @param modelKey the key of the model's section: see <code>CookedFile.MODEL</code>
+         * @param modelKey the file's model key: see <code>CookedFile.MODEL</code>
          * @param contents the bytes of each section; null for none. Those that cannot be kept are left out
          *
          * @private

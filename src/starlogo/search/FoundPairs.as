@@ -45,7 +45,7 @@ package starlogo.search
          */
         public var basis:int = NONE;
 
-        /** By pair: the number of its touch, or NONE. TouchTracker sets it, and kept pairs keep it. */
+        /** By pair: the number of its touch, or NONE. TouchTracker sets it, and kept pairs keep it. Before clearTouches() it means nothing. */
         public var touches:Vector.<int> = new Vector.<int>();
 
         /** The numbers of touches that the dropped pairs had. */

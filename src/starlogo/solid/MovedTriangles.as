@@ -76,7 +76,6 @@ package starlogo.solid
             _meshA = a.prepareMesh();
             _meshB = b.prepareMesh();
             _meshA.prepareExtents();
-            _meshA.preparePlanes();
             _movedFrom = -1;
             _tolerance = pose.tolerance + Touching.marginOfSurface(a.boxTree.radius + b.boxTree.radius * pose.placement.size);
             _outerTolerance = 2 * _tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
@@ -224,7 +223,7 @@ package starlogo.solid
         // Whether the second model's triangle stays on one side of the plane of a triangle of the first model.
         private function stayApart(slot:int, motion:RelativeMotion):Boolean
         {
-            _plane.read(_meshA.planes, 4 * slot);
+            _plane.read(_meshA.preparePlanes(), 4 * slot);
             return _plane.findEntry(_b, _planeMargin, motion) > motion.latest;
         }
 

@@ -17,9 +17,9 @@ package starlogo.solid
         public var corners:Vector.<Number>;
 
         /**
-         * The triangles' planes: the normal and the offset of each (TrianglePlane). The offset is the least one
-         * of a corner. A triangle whose corners' offsets differ by more than <code>flatness</code> has no plane, like a flat one: the normal is 0, and
-         * the offset NaN. Null until somebody needs them, because rays need none.
+         * The triangles' planes: the normal and the offset of each (TrianglePlane). The offset is the least one of a corner. A triangle whose
+         * corners' offsets differ by more than <code>flatness</code> has no plane, like a flat one: the normal is 0, and the offset NaN. Null until
+         * somebody needs them, because rays need none.
          */
         public var planes:Vector.<Number> = null;
 

@@ -28,6 +28,7 @@ package starlogo.solid
         private var _counts:TreeCounts;
 
         private var _mesh:TriangleMesh;
+
         // The structure's motion, which receives the time of the first touch, and a copy that has the times of one triangle.
         private var _motion:RelativeMotion;
         private var _sweep:RelativeMotion = new RelativeMotion();

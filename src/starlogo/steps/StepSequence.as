@@ -28,8 +28,8 @@ package starlogo.steps
         private static const MAKES_WORK:int = 2;
         private static const MAKES_EACH:int = 3;
 
-        // The parts, how each is done, and the index of the present part. Parts are not wrapped in closures, because creating one costs as much
-        // as a small part.
+        // The parts, how each is done, and the index of the present part. Only slices() wraps its part in a closure, because creating one
+        // costs as much as a small part.
         private var _parts:Vector.<Function> = new Vector.<Function>();
         private var _kinds:Vector.<int> = new Vector.<int>();
         private var _next:int = 0;

@@ -205,13 +205,8 @@ package starlogo.fitting
         {
             for each (var model:Model in SteppedModels.odd())
             {
-                var session:FitSession = new FitSession(model.vertices);
-                var fit:Fit = new HullFitter().fitting(session);
+                var fit:Fit = new HullFitter().fitting(new FitSession(model.vertices));
                 var steps:int = 1;
-                while (session.step())
-                {
-                    steps++;
-                }
                 while (fit.step())
                 {
                     steps++;

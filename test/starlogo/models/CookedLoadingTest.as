@@ -232,10 +232,7 @@ package starlogo.models
             for each (var address:String in ["x", "../x", "//other.host/x", "ht\ntps://x", "%2e%2e/x", "/x", "bear.obj/../../x", "bear.obj"])
             {
                 var manifest:CookedManifest = new CookedManifest("a/m.json");
-                manifest.fetch(function():URLLoader
-                    {
-                        return new OfferingURLLoader({"a/m.json": encoded(JSON.stringify({models: {"bear.obj": {cooked: address}}}))});
-                    });
+                fetch(manifest, address);
                 assertEquals(address, address == "x" ? "a/x?v=1" : null, manifest.addressFor("a/bear.obj?v=1"));
             }
         }
@@ -246,11 +243,17 @@ package starlogo.models
             var manifest:CookedManifest = new CookedManifest("a/m.json");
             assertFalse(manifest.isUnderWay);
             assertEquals(null, manifest.addressFor("a/bear.obj"));
+            fetch(manifest, "x");
+            assertEquals("a/x", manifest.addressFor("a/bear.obj"));
+        }
+
+        // Has a list come in which the bear's cooked file has an address.
+        private static function fetch(manifest:CookedManifest, cooked:String):void
+        {
             manifest.fetch(function():URLLoader
                 {
-                    return new OfferingURLLoader({"a/m.json": encoded(JSON.stringify({models: {"bear.obj": {cooked: "x"}}}))});
+                    return new OfferingURLLoader({"a/m.json": encoded(JSON.stringify({models: {"bear.obj": {cooked: cooked}}}))});
                 });
-            assertEquals("a/x", manifest.addressFor("a/bear.obj"));
         }
 
         private function askedFor():String

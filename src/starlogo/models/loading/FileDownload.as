@@ -11,7 +11,7 @@ package starlogo.models.loading
     import flash.utils.ByteArray;
 
     /**
-     * The download of one file of a model.
+     * The download of one file: of a model, or the list of cooked files.
      *
      * @private
      */

@@ -96,7 +96,7 @@ package starlogo.queries.motion
             }
             else if (isMotion && findObstacle(body, _liftedPlace, _impact))
             {
-                takeImpact(body, from, motion, _impact, out);
+                takeImpact(body, from, motion, out);
             }
             goAlong(from, motion, out.fraction, out.place);
         }
@@ -284,9 +284,10 @@ package starlogo.queries.motion
             return !isFree && body.overlaps(row, place);
         }
 
-        // Finds the touch of the lifted motion whose core meets the impact.
-        private function takeImpact(body:MovingBody, from:Vector3D, motion:Vector3D, impact:Impact, out:MotionResult):void
+        // Finds the touch of the lifted motion whose core has met the impact.
+        private function takeImpact(body:MovingBody, from:Vector3D, motion:Vector3D, out:MotionResult):void
         {
+            var impact:Impact = _impact;
             _sweep.findTouchTime(body, _liftedPlace, motion, impact);
             out.row = impact.row;
             out.contact.copyFrom(impact.contact);

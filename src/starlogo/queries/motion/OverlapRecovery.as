@@ -3,9 +3,6 @@ package starlogo.queries.motion
     import flash.geom.Vector3D;
     import starlogo.convex.ContactPoint;
     import starlogo.data.NumberList;
-    import starlogo.engine;
-
-    use namespace engine;
 
     /**
      * Moves a body out of what it overlaps or touches: at the beginning of a motion out of shallow overlaps (liftOut), at its end off what it only

@@ -4,14 +4,11 @@ package starlogo.queries.motion
     import starlogo.agents.Agent;
     import starlogo.convex.ContactPoint;
     import starlogo.data.NumberList;
-    import starlogo.engine;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayEntry;
     import starlogo.queries.SeenAgents;
     import starlogo.queries.rays.RowRays;
     import starlogo.search.Body;
-
-    use namespace engine;
 
     /**
      * Goes a Walk, as a game character does. The agent slides along the ground. For this slide, surfaces that are too steep are walls. If a wall stops

@@ -134,7 +134,7 @@ package starlogo.search.table
             places.readNow(row, agent);
         }
 
-        /** Whether all shapes that rows have had are spheres. */
+        /** Whether all shapes that the choice has made so far, for any table, are spheres. */
         public function get areSpheres():Boolean
         {
             return _choice.areSpheres;

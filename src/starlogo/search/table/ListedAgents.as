@@ -95,12 +95,18 @@ package starlogo.search.table
         /** Whether the rows belong to the agents of a list, in its order. */
         public function isListed(list:Vector.<Agent>):Boolean
         {
-            var i:int = list.length == rows.count ? rows.count - 1 : rows.count;
-            while (i >= 0 && i < rows.count && agents[rows.numbers[i]] === list[i])
+            if (list.length != rows.count)
             {
-                i--;
+                return false;
             }
-            return i < 0;
+            for (var i:int = 0; i < rows.count; i++)
+            {
+                if (agents[rows.numbers[i]] !== list[i])
+                {
+                    return false;
+                }
+            }
+            return true;
         }
 
         /** Begins to read another list: no row has left it yet. */

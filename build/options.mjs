@@ -7,30 +7,18 @@
  * Names with a dot may be Ant's own, so they pass. Ends with status 64 if a name is refused.
  */
 import { readFileSync, readdirSync } from 'node:fs';
+import { $changesBetween } from '../js/standins/module/warnings.mjs';
 
 const files = ['build.xml', ...readdirSync('build').filter((file) => file.endsWith('.xml')).map((file) => `build/${file}`)];
 const text = files.map((file) => readFileSync(file, 'utf8')).join('\n');
 const found = (pattern) => [...text.matchAll(pattern)].map(([, name]) => name);
-const read = new Set(found(/(?:\$\{|-D|\b(?:property|name|if|unless|if:set|unless:set)=")([\w-]+)/g));
+const read = new Set(found(/(?:\$\{|-D|\b(?:property|if|unless|if:set|unless:set)=")([\w-]+)/g));
 // what the descriptions of the targets name, and what has a default
 const offered = [...new Set(found(/(?:-D|<property name=")([a-z]+)\b(?=[=" .,;:)])/g))];
 
-/** How many letters of a word must be added, removed or replaced to make another. */
-function distance(one, other) {
-	let row = [...other, ''].map((_, i) => i);
-	for (let i = 1; i <= one.length; i++) {
-		const next = [i];
-		for (let j = 1; j <= other.length; j++) {
-			next.push(Math.min(row[j] + 1, next[j - 1] + 1, row[j - 1] + (one[i - 1] === other[j - 1] ? 0 : 1)));
-		}
-		row = next;
-	}
-	return row[other.length];
-}
-
 for (const name of process.argv.slice(2)) {
 	if (!name.includes('.') && !read.has(name)) {
-		const [[nearest, far]] = offered.map((each) => [each, distance(name, each)]).sort((a, b) => a[1] - b[1]);
+		const [[nearest, far]] = offered.map((each) => [each, $changesBetween(name, each)]).sort((a, b) => a[1] - b[1]);
 		console.error(`antw: there is no option -D${name}${far <= Math.max(1, name.length / 3) ? `; there is -D${nearest}` : ''}`);
 		process.exitCode = 64;
 	}

@@ -187,7 +187,7 @@ class Writer {
 		const isHandling = this.#agent === "A" && member.kind === "method" && HANDLER.test(said);
 		const generic = isHandling ? "<C extends A, D extends A>" : isPicking ? "<A extends Agent>" : isFilling ? "<O extends Agent = A>" : "";
 		if (isPicking) this.#agent = "A";
-		const isNull = this.#mayBeNull({ ...member, doc: this.#referredDoc(said) });
+		const isNull = this.#mayBeNull({ ...member, doc: said });
 		const result = PLAIN_BYTES.has(`${type.qname}.${member.name}`) ? "Uint8Array" : BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said) ?? this.#resultType(member, said) + (isNull ? " | null" : "");
 		switch (member.kind) {
 			case "constructor":
@@ -258,14 +258,6 @@ class Writer {
 			if (found) return member.doc.replace("@inheritDoc", this.#docOf(base, found));
 		}
 		return member.doc.replace("@inheritDoc", "").trim();
-	}
-
-	/** The documentation of the member that "See AgentRays.cast." at the beginning of a text names, otherwise the text itself. */
-	#referredDoc(text) {
-		const [, typeName, memberName] = /^See (\w+)\.(\w+)\./.exec(text) ?? [];
-		const type = this.#exported.get(typeName);
-		const member = type?.members.find((other) => other.name === memberName);
-		return member ? this.#docOf(type, member) : text;
 	}
 
 	#parameters(member, owner) {

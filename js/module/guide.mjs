@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { ROOT } from "./names.mjs";
 
 /** The pages. build/module.xml lists them too. */
-export const PAGES = ["choosing", "motion", "queries", "questions", "snapshots", "terrain", "three"];
+const PAGES = ["choosing", "motion", "queries", "questions", "snapshots", "terrain", "three"];
 
 /** Sections and paragraphs that are for others: for ActionScript, about examples that the package has not. */
 const FOR_OTHERS = [
@@ -20,7 +20,7 @@ export function writePages(out) {
 }
 
 /** A page of the guide without ActionScript. Each of its samples has one in JavaScript behind it. */
-export function pageForJavaScript(page) {
+function pageForJavaScript(page) {
 	const isInside = (to) => to.startsWith("#") || to.startsWith("../js/module/") || PAGES.includes(to.replace(/\.md\b.*/, ""));
 	return FOR_OTHERS.reduce((text, pattern) => text.replace(pattern, ""), page)
 		.replaceAll(/^```actionscript\n[^]*?^```\n\n(?=```js\n)/gm, "")

@@ -44,7 +44,6 @@ export const ALLOWED = {
 	'starlogo.agents.Agent.requireName': { count: 2, why: 'the text of an error' },
 	'starlogo.collision.Collision.update': { count: 1, why: 'what a finally throws again' },
 	'starlogo.handlers.requireParameters': { count: 2, why: 'the text of an error' },
-	'starlogo.handlers.nameBreeds': { count: 4, why: 'the text of an error' },
 	'starlogo.queries.Footing.toString': { count: 2, why: 'the text of a trace' },
 	'starlogo.search.table.ListedAgents.requireAgent': { count: 2, why: 'the text of an error' },
 	'starlogo.queries.trees.Collector.askBelow': { count: 1, why: 'what a finally throws again' },

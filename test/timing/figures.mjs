@@ -36,7 +36,7 @@ function spread(median, low, high) {
 	return `±${percent((high - low) / 2 / median)}`;
 }
 
-/** Whether an entry has no time or no multiple, because its range is too wide. */
+/** Whether an entry has no time or no multiple, because its range is too wide, or because it contradicts another. */
 export function isNoisy(entry) {
 	return Boolean(entry.refused) || entry.multiple === null;
 }

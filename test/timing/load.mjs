@@ -6,19 +6,13 @@
  */
 import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { load, machine } from './machine.mjs';
-import { olderReport } from './older.mjs';
+import { isBusy, load, machine } from './machine.mjs';
+import { olderReportOrEnd } from './older.mjs';
 
 const [folder, older] = process.argv.slice(2);
-try {
-	if (older) {
-		olderReport(older);
-	}
-} catch (error) {
-	console.error(error.message);
-	process.exit(64);
-}
+olderReportOrEnd(older);
 mkdirSync(folder, { recursive: true });
-writeFileSync(path.join(folder, 'load.txt'), String(load()));
+const start = load();
+writeFileSync(path.join(folder, 'load.txt'), String(start));
 const { cores } = machine();
-console.log(`load of the machine: ${load()}, on ${cores} cores${load() > cores / 2 ? '. Something else is running: many times will be too noisy' : ''}`);
+console.log(`load of the machine: ${start}, on ${cores} cores${isBusy({ start, end: 0 }, cores) ? '. Something else is running: many times will be too noisy' : ''}`);

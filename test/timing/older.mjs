@@ -20,3 +20,13 @@ export function olderReport(file) {
 	}
 	throw new Error(`-Dcompare: ${file} is no report.json of ./antw timing`);
 }
+
+/** The same for a program: undefined if no file is given; a report that cannot be read ends it with status 64, before it measures anything. */
+export function olderReportOrEnd(file) {
+	try {
+		return file ? olderReport(file) : undefined;
+	} catch (error) {
+		console.error(error.message);
+		return process.exit(64);
+	}
+}

@@ -64,9 +64,10 @@ function section(figure, entries, charts) {
 	if (mine.length === 0) {
 		return '';
 	}
-	const picture = charts[figure.id] ? `<div class="scroll"><div class="chart" style="height:${charts[figure.id].height}px;min-width:${44 * (charts[figure.id].labels?.length ?? 13)}px">
+	const chart = charts[figure.id];
+	const picture = chart ? `<div class="scroll"><div class="chart" style="height:${chart.height}px;min-width:${44 * (chart.labels?.length ?? 13)}px">
 <canvas id="${figure.id}" role="img" aria-label="${escape(figure.title)}"></canvas></div></div>` : '';
-	const isMarked = charts[figure.id]?.series.some(({ refused }) => refused?.some(Boolean));
+	const isMarked = chart?.series.some(({ refused }) => refused?.some(Boolean));
 	return `<section>
 <h2>${escape(figure.title)}</h2>
 ${picture}

@@ -19,7 +19,7 @@ import { csv } from './csv.mjs';
 import { growth } from './figures.mjs';
 import { load, loadText, machine, versions, wasBusy } from './machine.mjs';
 import { moduleText, page } from './page.mjs';
-import { olderReport } from './older.mjs';
+import { olderReportOrEnd } from './older.mjs';
 import { changes, merged, withoutContradictions } from './statistics.mjs';
 
 const { positionals: [folder], values } = parseArgs({
@@ -35,13 +35,7 @@ const results = await resultsOf(folder);
 const beside = values.beside ? await resultsOf(values.beside) : undefined;
 const module = values.module ? await resultsOf(values.module) : undefined;
 // first: the older report may be the one that is about to be replaced
-let older;
-try {
-	older = values.compare ? olderReport(values.compare) : undefined;
-} catch (error) {
-	console.error(error.message);
-	process.exit(64);
-}
+const older = olderReportOrEnd(values.compare);
 const file = (name) => path.join(folder, name);
 const measured = {
 	machine: machine(),

@@ -1,4 +1,5 @@
 /** The third argument of handlers in JavaScript. There a function need not declare how many arguments it takes. */
+
 /** Whether a handler may read a third argument. */
 export function mayTakeContact(handler) {
 	return handler.length >= 3 || mayTakeMore(handler);
@@ -10,11 +11,16 @@ export function mayTakeContact(handler) {
  */
 function mayTakeMore(handler) {
 	const text = Function.prototype.toString.call(handler);
+	return /\.\.\.|=/.test(parametersOf(text)) || /\barguments\b|\[native code\]/.test(text);
+}
+
+/** What is between the parentheses of a function's parameters, of which default values may have others. */
+export function parametersOf(text) {
 	const start = text.indexOf("(");
 	let end = start;
 	for (let depth = 0; end < text.length; end++) {
 		if (text[end] === "(") depth++;
 		else if (text[end] === ")" && --depth === 0) break;
 	}
-	return /\.\.\.|=/.test(text.slice(start, end)) || /\barguments\b|\[native code\]/.test(text);
+	return text.slice(start + 1, end);
 }

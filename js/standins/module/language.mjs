@@ -6,9 +6,6 @@ import { $hintOfOption } from "./warnings.mjs";
 
 const closures = new WeakMap();
 
-/** Whether this is the module that users of a game get, which has no warnings for its developers. The build sets it for the minified one. */
-export const $isForUsers = false;
-
 /** `new Vector.<T>(length)`. zero is the first value of a T. */
 export function $vector(length, zero) {
 	return new Array(length).fill(zero);

@@ -1,5 +1,5 @@
 /** Warnings while a game is developed: about what is allowed, and probably a mistake. The minified module has none of them. */
-import { $isForUsers } from "./language.mjs";
+import { parametersOf } from "./contacts.mjs";
 
 const $MOST_LOOKED_AT = 1000;
 const $LONG_SILENCE = 300;
@@ -21,7 +21,7 @@ const $OTHER_WORDS = {
 
 /** Writes a warning to the console, once: a warning with numbers that change has a key that does not. */
 export function $warn(message, key) {
-	if ($isForUsers || $warned.has(key ?? message)) return;
+	if ($warned.has(key ?? message)) return;
 	$warned.add(key ?? message);
 	globalThis.console?.warn?.(`starlogo-collision: ${message}`);
 }
@@ -31,7 +31,7 @@ export function $warn(message, key) {
  * the game's own, because the engine's is called `sweeps`. Only the first thousand objects are looked at, once each, or whenever they are changing.
  */
 export function $warnOfNames(object, isChanging) {
-	if ($isForUsers || $lookedAt >= $MOST_LOOKED_AT) return;
+	if ($lookedAt >= $MOST_LOOKED_AT) return;
 	if (!isChanging && $checkedObjects.has(object)) return;
 	$checkedObjects.add(object);
 	$lookedAt++;
@@ -52,7 +52,6 @@ export function $warnOfNames(object, isChanging) {
  * of the breed may still come. So nothing is refused, and a breed is looked for again when there are new names.
  */
 export function $warnOfBreeds(names, agents) {
-	if ($isForUsers) return;
 	for (const name of names) {
 		if ($checkedBreeds.get(name) >= Breeds.count) continue;
 		const breeds = [...new Set(agents.map((agent) => agent?.breed))].filter((breed) => typeof breed === "string" && !/^\*/.test(breed));
@@ -71,7 +70,6 @@ export function $warnOfBreeds(names, agents) {
  * game's may send other events.
  */
 export function $warnOfEvent(object, type) {
-	if ($isForUsers) return;
 	const types = { ModelLoader: ["modelLoaded", "error", "progress", "complete", "cancel"] }[Object.getPrototypeOf(object)?.constructor.name];
 	if (types && !types.includes(type)) $warn(`a ModelLoader sends no event ${JSON.stringify(type)}; it sends ${types.join(", ")}`);
 }
@@ -95,11 +93,10 @@ export function $warnOfInside(agents, index, shape, place, below, depth) {
  * at the end of a touch, where it is null. Handlers with fewer parameters are as common as methods without any.
  */
 export function $warnOfHandler(breed, otherBreed, handler, kind) {
-	if ($isForUsers) return;
 	const name = `the handler ${handler.name || "without a name"} for ${JSON.stringify(breed)} and ${JSON.stringify(otherBreed)}`;
 	if (handler.length > 3) $warn(`${name} has ${handler.length} parameters, and gets three arguments: the two agents and the contact`);
 	const text = Function.prototype.toString.call(handler);
-	const [first, second, third] = (/^[^(]*\(([^)]*)\)/.exec(text)?.[1] ?? "").split(",").map((each) => each.trim());
+	const [first, second, third] = parametersOf(text).split(",").map((each) => each.trim());
 	if (first === "contact" || second === "contact") $warn(`${name} has its contact too early: it gets the two agents first, (a, b, contact)`);
 	if (kind === $END && third && $readsBlindly(text, third)) $warn(`${name} is for the end of a touch, where its third argument is null: there it is without contact. Copy what you need of the contact in onCollisionStart`);
 }
@@ -115,14 +112,13 @@ function $readsBlindly(text, name) {
  * a game whose handlers run hears nothing.
  */
 export function $warnOfSilence(collision, agents) {
-	if ($isForUsers) return;
 	$frames++;
 	const frames = $silentFrames.get(collision) ?? 0;
 	if (frames > $LONG_SILENCE) return;
 	$silentFrames.set(collision, collision.statistics.handlerCalls > 0 ? Infinity : frames + 1);
 	if (frames < $LONG_SILENCE || !Array.isArray(agents)) return;
 	const breeds = [...new Set(agents.map((agent) => agent?.breed))];
-	const missing = [...$checkedBreeds].filter(([name, found]) => found !== Infinity && !breeds.includes(name) && /^[^*]/.test(name)).map(([name]) => name);
+	const missing = collision.breedsWithoutAgents;
 	if (missing.length > 0 && breeds.length > 0) $warn(`in ${frames} frames no handler was called, and no agent is of the breed ${missing.map((name) => JSON.stringify(name)).join(" or ")}. The agents' breeds are ${breeds.slice(0, 5).map((name) => JSON.stringify(name)).join(", ")}`);
 }
 
@@ -134,7 +130,7 @@ export function $warnOfSilence(collision, agents) {
  * @param mover the agent that the question moves or refreshes, or null
  */
 export function $warnOfStale(queries, agents, mover) {
-	if ($isForUsers) return;
+	if ($warned.has("stale")) return;
 	let last = $updates.get(queries);
 	if (agents !== null) {
 		if (!last) $updates.set(queries, last = { agents: null, frameThen: 0, placesThen: null, movers: new WeakSet() });
@@ -152,7 +148,7 @@ export function $warnOfStale(queries, agents, mover) {
 
 /** Warns of a slope that is probably in radians. */
 export function $warnOfUnits(options) {
-	if ($isForUsers || !(options?.slopeDegrees > 0 && options.slopeDegrees < 1.6)) return;
+	if (!(options?.slopeDegrees > 0 && options.slopeDegrees < 1.6)) return;
 	$warn(`slopeDegrees is ${options.slopeDegrees}, so ground that is steeper than this many degrees is a wall. If these are radians, take ${Math.round(options.slopeDegrees * 180 / Math.PI)}`);
 }
 
@@ -187,7 +183,7 @@ function $settableNames(object) {
 }
 
 /** How many letters have to be inserted, removed, replaced, or exchanged with the next (Damerau, 1964; Levenshtein, 1966). */
-function $changesBetween(name, other) {
+export function $changesBetween(name, other) {
 	let earlier = [];
 	let counts = [...other, ""].map((_, i) => i);
 	[...name].forEach((letter, i) => {

@@ -36,7 +36,7 @@ package benchmark
         private var _pair:TreePair = new TreePair();
         private var _counts:TreeCounts = new TreeCounts();
         private var _overlaps:TreeOverlapQuery = new TreeOverlapQuery(_counts);
-        private var _distances:TreeDistanceQuery = new TreeDistanceQuery(_overlaps, _counts);
+        private var _distances:TreeDistanceQuery = new TreeDistanceQuery(_counts);
         private var _closest:ClosestPoints = new ClosestPoints();
         private var _all:Vector.<Measurement> = new Vector.<Measurement>();
         private var _visits:Array = [];

@@ -10,7 +10,7 @@ package benchmark
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.hierarchy.BoxTraversal;
+    import starlogo.hierarchy.OverlapTraversal;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.libraries.HierarchiesLibrary;
@@ -99,13 +99,13 @@ package benchmark
         // Without what comes before and after the traversal.
         private function addTraversal(name:String, a:ModelTree):void
         {
-            var traversal:BoxTraversal = new BoxTraversal(_counts);
+            var traversal:OverlapTraversal = new OverlapTraversal(_counts);
             var first:Vector.<Placement> = places(1.3, 1, false);
             var second:Vector.<Placement> = places(1.3, 1, false);
             measure(name, function(i:int, answers:ByteArray):void
                 {
                     _pose.relate(first[i], second[i]);
-                    var answer:Boolean = traversal.find(_pose, a.boxTree, DEPTH, a.boxTree, DEPTH, null);
+                    var answer:Boolean = traversal.find(_pose, a.boxTree, DEPTH, a.boxTree, DEPTH, null) == OverlapTraversal.OVERLAPPING;
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);

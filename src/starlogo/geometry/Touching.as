@@ -28,7 +28,8 @@ package starlogo.geometry
      * <li>The times of two agents that are spheres (SpherePairTests) and of an agent and an edge of the world (EdgePairTests) include all that decides,
      *     because one closed form gives both</li>
      * <li>SpherePairTests counts one vector of the motion: the other one is 0 or its reverse. EdgePairTests counts Tolerances.ROUNDING of the extent
-     *     in place of the motion</li>
+     *     in place of the motion. Where the nodes of two trees decide, ImpactTraversal counts the vector from one model to the other at the start in
+     *     place of the vector to the start</li>
      * </ul>
      *
      * <p>The package intersection compares structures that have no place in a game, so there the margins of places and surfaces are 0. Its

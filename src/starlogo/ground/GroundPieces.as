@@ -71,7 +71,7 @@ package starlogo.ground
             _tree = tree;
             _structure = structure;
             _isExact = hasTree && exact && tree.hasTriangles;
-            _depth = _isExact ? BoxTree.NO_LIMIT : depth;
+            _depth = _isExact ? BoxTree.EXACT : depth;
             // Touching.marginOfPlace(), twice: as if another agent stood at the place of the touch. It is written out because V8 makes objects for
             // Numbers that are passed.
             _margin = 2 * Tolerances.PLACES * (Math.abs(placement.x) + Math.abs(placement.y) + Math.abs(placement.z));
@@ -263,7 +263,7 @@ package starlogo.ground
                 return true;
             }
             var tree:BoxTree = _tree.boxTree;
-            var isDivided:Boolean = tree.stop[node] < _depth;
+            var isDivided:Boolean = tree.endsUpToDepth[node] < _depth;
             tree.writeBox(node, _node);
             if (!isDivided && !_isExact)
             {

@@ -7,7 +7,7 @@ package starlogo.ground
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayEntry;
-    import starlogo.solid.RayTriangleTest;
+    import starlogo.solid.TriangleRayVisitor;
 
     use namespace engine;
 
@@ -23,7 +23,7 @@ package starlogo.ground
 
         private var _search:GroundSearch = new GroundSearch();
         private var _triangles:GroundTriangles = new GroundTriangles();
-        private var _test:RayTriangleTest = new RayTriangleTest();
+        private var _test:TriangleRayVisitor = new TriangleRayVisitor();
         private var _outside:TrianglePlane = new TrianglePlane();
         private var _entry:RayEntry = new RayEntry();
 

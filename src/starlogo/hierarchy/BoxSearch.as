@@ -4,8 +4,8 @@ package starlogo.hierarchy
     import starlogo.intersection.ray.Ray;
 
     /**
-     * Visits a tree, and tests the nodes that decide (see BoxTree): those that an axis-aligned box may meet while it moves, or those that are near
-     * it. The nearer of two children comes first. A ray is a box without extents. A box that stands has no motion.
+     * Visits a tree, and calls a NodeVisitor for the nodes that decide (see BoxTree): those that an axis-aligned box may meet while it moves, or
+     * those that are near it. The nearer of two children comes first. A ray is a box without extents. A box that stands has no motion.
      *
      * <p>A time is a multiple of the motion. The box meets a node between two times on each axis (Kay and Kajiya, "Ray tracing
      * complex scenes", SIGGRAPH 1986).</p>
@@ -118,13 +118,14 @@ package starlogo.hierarchy
         }
 
         /**
-         * Tests the nodes that the box may meet during its motion.
+         * Visits the nodes that the box may meet during its motion. The child that is visited next does not pass the stack, because that would take
+         * a sixth more time.
          *
          * @param tree the tree
          * @param depth how many of its levels are visited
-         * @param test its limit must be set, to 0 if the box stands
+         * @param visitor its limit must be set, to 0 if the box stands
          */
-        public function find(tree:BoxTree, depth:int, test:NodeTest):void
+        public function find(tree:BoxTree, depth:int, visitor:NodeVisitor):void
         {
             var slack:Number = SLACK * (tree.radius + halfX + halfY + halfZ);
             var fromX:Number = x;
@@ -141,11 +142,11 @@ package starlogo.hierarchy
             var absZ:Number = inverseZ < 0 ? -inverseZ : inverseZ;
             var boxes:Vector.<Number> = tree.boxes;
             var children:Vector.<int> = tree.left;
-            var stop:Vector.<int> = tree.stop;
+            var ends:Vector.<int> = tree.endsUpToDepth;
             var nodes:Vector.<int> = _nodes;
             var enters:Vector.<Number> = _enters;
             var begin:Number = _from;
-            var latest:Number = test.limit < LATEST ? test.limit : LATEST;
+            var latest:Number = visitor.limit < LATEST ? visitor.limit : LATEST;
             var enter:Number;
             var leave:Number;
             var middle:Number;
@@ -156,10 +157,10 @@ package starlogo.hierarchy
             while (true)
             {
                 visits++;
-                if (stop[node] >= depth)
+                if (ends[node] >= depth)
                 {
-                    test.testNode(tree, node);
-                    latest = test.limit < latest ? test.limit : latest;
+                    visitor.visit(tree, node);
+                    latest = visitor.limit < latest ? visitor.limit : latest;
                 }
                 else
                 {
@@ -230,13 +231,13 @@ package starlogo.hierarchy
         }
 
         /**
-         * Tests the nodes that are near the standing box.
+         * Visits the nodes that are near the standing box.
          *
          * @param tree the tree
          * @param depth how many of its levels are visited
-         * @param test its limit must be set
+         * @param visitor its limit must be set
          */
-        public function findNear(tree:BoxTree, depth:int, test:NodeTest):void
+        public function findNear(tree:BoxTree, depth:int, visitor:NodeVisitor):void
         {
             var nodes:Vector.<int> = _nodes;
             var distances:Vector.<Number> = _enters;
@@ -245,18 +246,18 @@ package starlogo.hierarchy
             nodes[0] = 0;
             distances[0] = 0;
             // nothing is nearer than 0
-            while (top > 0 && test.limit > 0)
+            while (top > 0 && visitor.limit > 0)
             {
                 top--;
                 var node:int = nodes[top];
-                if (distances[top] > test.limit)
+                if (distances[top] > visitor.limit)
                 {
                     continue;
                 }
                 _counts.nodeVisits++;
-                if (tree.stop[node] >= depth)
+                if (tree.endsUpToDepth[node] >= depth)
                 {
-                    test.testNode(tree, node);
+                    visitor.visit(tree, node);
                     continue;
                 }
                 node = tree.left[node];

@@ -13,24 +13,25 @@ package starlogo.hierarchy
     /**
      * A model's tree of boxes (thesis §4.3). Its items are the model's triangles, or its vertices if it has no triangles.
      *
-     * <p>The package hierarchy keeps, builds and visits such trees. A BoxTreeBuilder makes a tree of a model's items. A BoxSearch visits the nodes
-     * that a box or a ray meets, or that are near a box. A BoxTraversal or a NodePairTraversal visits pairs of nodes of two trees. Read this
-     * class first, then BoxSearch, then BoxTraversal.</p>
+     * <p>The package hierarchy keeps, builds and visits such trees. A BoxTreeBuilder makes a tree of a model's items. A <i>Search</i> visits the nodes
+     * of one tree, and a <i>Traversal</i> pairs of nodes of two trees. Both call a <i>Visitor</i> at the nodes where they end, which decides about
+     * these. Read this class first, then BoxSearch and NodeVisitor, then OverlapTraversal.</p>
      *
      * <p>A node is an index into the columns. The root is 0. The two children of a node stand side by side, after their parent. Once the
      * tree is made, only <code>refit()</code> changes it: it gives all nodes new boxes. Clients see a node as a HierarchyNode.</p>
      *
      * <p>A leaf is a leaf of the thesis's tree. A tree of triangles goes on below its leaves, down to nodes with a few triangles, for exact tests.
-     * A visit ends at nodes without children, or at those that its depth limit says. These nodes decide, by their boxes or by their items.</p>
+     * A visit ends at the nodes that its depth limit says (<code>endsUpToDepth</code>). They are the nodes that decide, by their boxes or their
+     * items.</p>
      *
      * @private
      */
     public final class BoxTree
     {
-        /** In place of a depth limit: a visit goes on below the leaves, to nodes without children. */
-        public static const NO_LIMIT:int = int.MAX_VALUE;
+        /** The depth limit of exact tests: a visit goes on below the leaves, to nodes without children. */
+        public static const EXACT:int = int.MAX_VALUE;
 
-        /** The largest depth limit. A visit with it ends at the leaves. */
+        /** The largest other depth limit. A visit with it ends at the leaves. */
         public static const LARGEST_DEPTH:int = int.MAX_VALUE - 1;
 
         private static const NODES_PER_STEP:int = 300;
@@ -66,10 +67,10 @@ package starlogo.hierarchy
         public var end:Vector.<int> = new Vector.<int>();
 
         /**
-         * For each node, the largest depth limit for which a visit ends at it: the node's level; LARGEST_DEPTH for a leaf or a node
-         * below one, if it has children; NO_LIMIT without children.
+         * For each node, the largest depth limit for which a visit ends at it: EXACT for a node without children, LARGEST_DEPTH for any other
+         * leaf or node below one, its level for a node above the leaves.
          */
-        public var stop:Vector.<int> = new Vector.<int>();
+        public var endsUpToDepth:Vector.<int> = new Vector.<int>();
 
         /** Whether the nodes are made. From then on only their boxes change. */
         public var isMade:Boolean = false;
@@ -170,7 +171,7 @@ package starlogo.hierarchy
         /** The number of vertices of a node's items. Each vertex is counted once. */
         public function countVertices(node:int):int
         {
-            return countUpTo(node, NO_LIMIT);
+            return countUpTo(node, int.MAX_VALUE);
         }
 
         /** Whether a node's items have more vertices than a number. It looks only at as many items as that takes. */
@@ -324,7 +325,7 @@ package starlogo.hierarchy
         /** For makers of trees: removes all nodes of a tree that cannot be made. */
         engine function clear():void
         {
-            boxes.length = left.length = first.length = end.length = stop.length = _splits.length = 0;
+            boxes.length = left.length = first.length = end.length = endsUpToDepth.length = _splits.length = 0;
         }
 
         /**
@@ -340,7 +341,7 @@ package starlogo.hierarchy
             var level:int = levelOf(node);
             var child:int = left.length;
             left[node] = child;
-            stop[node] = isBelow ? LARGEST_DEPTH : level;
+            endsUpToDepth[node] = isBelow ? LARGEST_DEPTH : level;
             _splits[node] = level << 2 | axis;
             addNode(first[node], middle, level + 1);
             addNode(middle, end[node], level + 1);
@@ -397,7 +398,7 @@ package starlogo.hierarchy
             left = left.slice();
             first = first.slice();
             end = end.slice();
-            stop = stop.slice();
+            endsUpToDepth = endsUpToDepth.slice();
             _splits = _splits.slice();
             isMade = true;
             measureRadius();
@@ -414,7 +415,7 @@ package starlogo.hierarchy
             left.push(0);
             first.push(from);
             end.push(to);
-            stop.push(NO_LIMIT);
+            endsUpToDepth.push(EXACT);
             _splits.push(level << 2);
         }
     }

@@ -37,12 +37,12 @@ package starlogo.solid
         private var _volumes:Vector.<Number>;
         private var _orientations:Vector.<int>;
 
-        // For each shell, the larger shells that are around all of its points tested so far. Null before the first point.
-        private var _around:Vector.<Vector.<int>>;
+        // For each shell, the larger shells that enclose all of its points tested so far. Null before the first point.
+        private var _enclosing:Vector.<Vector.<int>>;
 
-        // The shells that are around the last point, and for each shell whether it is one of them.
-        private var _aroundPoint:Vector.<int> = new Vector.<int>();
-        private var _isAround:Vector.<Boolean>;
+        // The shells that enclose the last point, and for each shell whether it does.
+        private var _ofPoint:Vector.<int> = new Vector.<int>();
+        private var _isOfPoint:Vector.<Boolean>;
 
         private var _plane:TrianglePlane = new TrianglePlane();
         private var _windingCount:int = 0;
@@ -67,8 +67,8 @@ package starlogo.solid
                 _origins = new Vector.<int>(shells, true);
                 _volumes = new Vector.<Number>(shells, true);
                 _orientations = new Vector.<int>(shells, true);
-                _around = new Vector.<Vector.<int>>(shells, true);
-                _isAround = new Vector.<Boolean>(shells, true);
+                _enclosing = new Vector.<Vector.<int>>(shells, true);
+                _isOfPoint = new Vector.<Boolean>(shells, true);
                 slices(_order.length, 40 * TRIANGLES_PER_STEP, addVolumes).call(orient);
             }
         }
@@ -127,8 +127,8 @@ package starlogo.solid
                 var shell:int = _surface.shellOf(_order[slot]);
                 for (var corner:int = 3; corner >= 0 && isSolid(shell) && isUndecided(shell); corner--)
                 {
-                    findAround(shell, slot, corner);
-                    _around[shell] = keepAround(shell, _around[shell]);
+                    findEnclosing(shell, slot, corner);
+                    keepEnclosing(shell);
                 }
             }
         }
@@ -136,11 +136,11 @@ package starlogo.solid
         // Whether more points decide about a shell.
         private function isUndecided(shell:int):Boolean
         {
-            return _around[shell] == null || _around[shell].length > 0 && _windingCount < _mostWindings;
+            return _enclosing[shell] == null || _enclosing[shell].length > 0 && _windingCount < _mostWindings;
         }
 
-        // Finds the shells around a point of _plane that is a little inside of its shell.
-        private function findAround(shell:int, slot:int, corner:int):void
+        // Finds the shells that enclose a point of a triangle, which is _plane. The point is a little inside of its shell.
+        private function findEnclosing(shell:int, slot:int, corner:int):void
         {
             var corners:Vector.<Number> = _windingCounter.mesh.corners;
             var at:int = 9 * slot;
@@ -153,33 +153,34 @@ package starlogo.solid
                 point[axis] += share * (corners[at + axis] + corners[at + 3 + axis] + corners[at + 6 + axis])
                     + (corner == 3 ? 0 : 0.97 * corners[at + 3 * corner + axis]);
             }
-            _windingCount += _windingCounter.findAround(point[0], point[1], point[2], _aroundPoint);
+            _windingCount += _windingCounter.findAround(point[0], point[1], point[2], _ofPoint);
         }
 
-        // Returns which of some shells are around the last point: of those before, or if they are null of all larger shells. Returns none if all of them
-        // have the orientation of this shell.
-        private function keepAround(shell:int, before:Vector.<int>):Vector.<int>
+        // Keeps those of the shells around a shell that enclose the last point too; after its first point, all larger shells that do. Keeps none if all
+        // of them have the orientation of this shell.
+        private function keepEnclosing(shell:int):void
         {
-            for each (var found:int in _aroundPoint)
-            {
-                _isAround[found] = true;
-            }
-            var around:Vector.<int> = new Vector.<int>();
+            var before:Vector.<int> = _enclosing[shell];
+            var kept:Vector.<int> = new Vector.<int>();
             var hasOpposite:Boolean = false;
-            for each (var other:int in before || _aroundPoint)
+            for each (var found:int in _ofPoint)
             {
-                if (before == null ? isLarger(other, shell) : _isAround[other])
+                _isOfPoint[found] = true;
+            }
+            for each (var other:int in before || _ofPoint)
+            {
+                if (before == null ? isLarger(other, shell) : _isOfPoint[other])
                 {
-                    around.push(other);
+                    kept.push(other);
                     hasOpposite ||= _orientations[other] == -_orientations[shell];
                 }
             }
-            for each (found in _aroundPoint)
+            for each (found in _ofPoint)
             {
-                _isAround[found] = false;
+                _isOfPoint[found] = false;
             }
-            around.length = hasOpposite ? around.length : 0;
-            return around;
+            kept.length = hasOpposite ? kept.length : 0;
+            _enclosing[shell] = kept;
         }
 
         // Whether a shell may have another one inside.
@@ -197,7 +198,7 @@ package starlogo.solid
             return isAround;
         }
 
-        // Decides about the largest shells first. A shell that is around another one is larger.
+        // Decides about the largest shells first. A shell that encloses another one is larger.
         private function decide():void
         {
             var sizes:Array = [];
@@ -208,7 +209,7 @@ package starlogo.solid
             for each (var shell:int in sizes.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY))
             {
                 var innermost:int = -1;
-                for each (var outer:int in _around[shell] == null ? new Vector.<int>() : _around[shell])
+                for each (var outer:int in _enclosing[shell] || new Vector.<int>())
                 {
                     if (innermost < 0 || sizes[outer] > sizes[innermost])
                     {

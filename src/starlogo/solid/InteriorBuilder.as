@@ -104,7 +104,6 @@ package starlogo.solid
 
         private function numberSets(first:int, end:int, sets:DisjointSets, numbers:Vector.<int>):void
         {
-            surface.widestSeam = _welding.widestSeam;
             for (var triangle:int = first; triangle < end; triangle++)
             {
                 var root:int = sets.rootOf(_welding.welded[_tree.triangles[3 * triangle]]);
@@ -118,6 +117,7 @@ package starlogo.solid
 
         private function beginWindings():void
         {
+            surface.widestSeam = _shells == null ? surface.widestSeam : _welding.widestSeam;
             _windingCounter = new WindingCounter(mesh, surface);
             _partOf = new Vector.<int>(surface.shellStates.length, true);
             if (surface.widestSeam > 0)

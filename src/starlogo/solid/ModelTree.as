@@ -16,9 +16,10 @@ package starlogo.solid
      * and their inside are prepared when they are first needed, or when the model is loaded. For the engine.
      *
      * <p>The package solid says how two models meet if trees, or for exact tests triangles, decide: whether they overlap, when they first touch,
-     * how far they are apart. A query for each of these (TreeOverlapQuery, TreeImpactQuery, TreeDistanceQuery) finds pairs of nodes that are
-     * near each other, and a test of the nodes' triangles decides about them. Read this class first, then TreeOverlapQuery, then
-     * TrianglePairTest, then Interior with its WindingCounter, which knows what is inside of a surface.</p>
+     * how far they are apart. A <i>Query</i> answers one of these questions: it chooses a Search or a Traversal of the package hierarchy, and the
+     * <i>Visitor</i> that decides. A Triangle visitor decides by the triangles of a node, a TrianglePair visitor by those of two nodes. A
+     * <i>Finder</i> computes a property of a surface in steps. Read this class first, then TreePair and TreeOverlapQuery, then
+     * TrianglePairOverlapVisitor, then Interior with its WindingCounter, which knows what is inside of a surface.</p>
      *
      * @private
      */
@@ -27,7 +28,7 @@ package starlogo.solid
         /** @private The tree of the model's triangles or vertices. */
         engine var boxTree:BoxTree;
 
-        private static const ESCAPE:AxisEscapeTest = new AxisEscapeTest();
+        private static const ESCAPE:OpenSideVisitor = new OpenSideVisitor();
 
         /** @private The root, as clients see it. */
         engine var root:HierarchyNode;

@@ -18,12 +18,12 @@ package starlogo.solid
     /**
      * The triangles of one node of the second model, moved into the first model's space, and what decides about one of them and a triangle of the
      * first model. <code>begin()</code> sets the models, <code>move()</code> the node, and <code>setSecond()</code> the triangle of the node. A
-     * triangle of each is a shape. ConvexKernel decides about the two, unless a quick test rules them out.
+     * triangle of each is a shape. ConvexKernel decides about the two, unless a quick test rules them out. The second one moves there, if one does.
      */
     internal final class MovedTriangles
     {
-        private var _meshA:TriangleMesh = null;
-        private var _meshB:TriangleMesh = null;
+        private var _firstMesh:TriangleMesh = null;
+        private var _secondMesh:TriangleMesh = null;
 
         // The second model's pose in the first model's space.
         private var _pose:RelativePose = null;
@@ -39,11 +39,11 @@ package starlogo.solid
         private var _index:int = 0;
 
         // The extents of the second model's triangle and of its motion, with the tolerance of quick tests: minX, maxX, minY, ...
-        private var _extentsOfB:Vector.<Number> = new Vector.<Number>(6, true);
+        private var _extentsOfSecond:Vector.<Number> = new Vector.<Number>(6, true);
 
         // A triangle of the first model, a triangle of the second, and what decides about them.
-        private var _a:ConvexShape = new ConvexShape();
-        private var _b:ConvexShape = new ConvexShape();
+        private var _first:ConvexShape = new ConvexShape();
+        private var _second:ConvexShape = new ConvexShape();
         private var _kernel:ConvexKernel = new ConvexKernel();
 
         private var _counts:TreeCounts;
@@ -73,13 +73,13 @@ package starlogo.solid
             {
                 _pose = pose;
             }
-            _meshA = a.prepareMesh();
-            _meshB = b.prepareMesh();
-            _meshA.prepareExtents();
+            _firstMesh = a.prepareMesh();
+            _secondMesh = b.prepareMesh();
+            _firstMesh.prepareExtents();
             _movedFrom = -1;
             _tolerance = pose.tolerance + Touching.marginOfSurface(a.boxTree.radius + b.boxTree.radius * pose.placement.size);
             _outerTolerance = 2 * _tolerance + Tolerances.EXTENTS * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            _planeMargin = _outerTolerance + _meshA.flatness;
+            _planeMargin = _outerTolerance + _firstMesh.flatness;
         }
 
         /**
@@ -96,7 +96,7 @@ package starlogo.solid
                 return count;
             }
             _movedFrom = first;
-            _pose.placement.placePoints(_meshB.corners, 9 * first, 9 * (first + count), _moved);
+            _pose.placement.placePoints(_secondMesh.corners, 9 * first, 9 * (first + count), _moved);
             var corners:Vector.<Number> = _moved;
             var spans:Vector.<Number> = _extents;
             if (spans.length < 6 * count)
@@ -119,21 +119,21 @@ package starlogo.solid
         public function setSecond(index:int, motion:RelativeMotion):void
         {
             _index = index;
-            _b.setTriangle(_moved, 9 * index);
-            _b.margin += _tolerance;
-            writeExtentsOfB(0, motion.latest * motion.x);
-            writeExtentsOfB(2, motion.latest * motion.y);
-            writeExtentsOfB(4, motion.latest * motion.z);
+            _second.setTriangle(_moved, 9 * index);
+            _second.margin += _tolerance;
+            writeExtentsOfSecond(0, motion.latest * motion.x);
+            writeExtentsOfSecond(2, motion.latest * motion.y);
+            writeExtentsOfSecond(4, motion.latest * motion.z);
         }
 
         // Writes the extents of the second model's triangle and of its motion along an axis.
-        private function writeExtentsOfB(axis:int, travel:Number):void
+        private function writeExtentsOfSecond(axis:int, travel:Number):void
         {
             var at:int = 6 * _index + axis;
             var low:Number = _extents[at] - _outerTolerance;
             var high:Number = _extents[int(at + 1)] + _outerTolerance;
-            _extentsOfB[axis] = travel < 0 ? low + travel : low;
-            _extentsOfB[int(axis + 1)] = travel > 0 ? high + travel : high;
+            _extentsOfSecond[axis] = travel < 0 ? low + travel : low;
+            _extentsOfSecond[int(axis + 1)] = travel > 0 ? high + travel : high;
         }
 
         /** Whether a triangle of the first model, by its slot, touches the second model's triangle, which stands. */
@@ -144,12 +144,12 @@ package starlogo.solid
                 return false;
             }
             _counts.triangleTests++;
-            if (stayApart(slot, RelativeMotion.NONE) || TriangleSeparation.areApart(_meshA.corners, 9 * slot, _b))
+            if (stayApart(slot, RelativeMotion.NONE) || TriangleSeparation.areApart(_firstMesh.corners, 9 * slot, _second))
             {
                 return false;
             }
-            _a.setTriangle(_meshA.corners, 9 * slot);
-            return _kernel.areTouching(_a, _b);
+            _first.setTriangle(_firstMesh.corners, 9 * slot);
+            return _kernel.areTouching(_first, _second);
         }
 
         /**
@@ -170,8 +170,8 @@ package starlogo.solid
             {
                 return false;
             }
-            _a.setTriangle(_meshA.corners, 9 * slot);
-            _kernel.findTime(_b, _a, motion);
+            _first.setTriangle(_firstMesh.corners, 9 * slot);
+            _kernel.findTime(_second, _first, motion);
             return motion.time <= motion.latest;
         }
 
@@ -189,8 +189,8 @@ package starlogo.solid
                 return false;
             }
             _counts.triangleTests++;
-            _a.setTriangle(_meshA.corners, 9 * slot);
-            return _kernel.findCloser(_a, _b, points);
+            _first.setTriangle(_firstMesh.corners, 9 * slot);
+            return _kernel.findCloser(_first, _second, points);
         }
 
         /**
@@ -204,43 +204,43 @@ package starlogo.solid
         public function findContact(first:int, second:int, motion:RelativeMotion, out:ContactPoint):void
         {
             _movedFrom = -1;
-            _pose.placement.placePoints(_meshB.corners, 9 * second, 9 * second + 9, _moved);
-            _a.setTriangle(_meshA.corners, 9 * first);
-            _b.setTriangle(_moved, 0);
-            _kernel.findContact(_b, _a, motion, out);
+            _pose.placement.placePoints(_secondMesh.corners, 9 * second, 9 * second + 9, _moved);
+            _first.setTriangle(_firstMesh.corners, 9 * first);
+            _second.setTriangle(_moved, 0);
+            _kernel.findContact(_second, _first, motion, out);
         }
 
         // Whether the extents of a triangle of the first model meet those of the second model's triangle and of its motion.
         private function areExtentsNear(slot:int):Boolean
         {
-            var ofA:Vector.<Number> = _meshA.extents;
-            var ofB:Vector.<Number> = _extentsOfB;
+            var ofFirst:Vector.<Number> = _firstMesh.extents;
+            var ofSecond:Vector.<Number> = _extentsOfSecond;
             var at:int = 6 * slot;
-            return !(ofA[at] > ofB[1] || ofA[int(at + 1)] < ofB[0] || ofA[int(at + 2)] > ofB[3] || ofA[int(at + 3)] < ofB[2]
-                    || ofA[int(at + 4)] > ofB[5] || ofA[int(at + 5)] < ofB[4]);
+            return !(ofFirst[at] > ofSecond[1] || ofFirst[int(at + 1)] < ofSecond[0] || ofFirst[int(at + 2)] > ofSecond[3] || ofFirst[int(at + 3)] < ofSecond[2]
+                    || ofFirst[int(at + 4)] > ofSecond[5] || ofFirst[int(at + 5)] < ofSecond[4]);
         }
 
         // Whether the second model's triangle stays on one side of the plane of a triangle of the first model.
         private function stayApart(slot:int, motion:RelativeMotion):Boolean
         {
-            _plane.read(_meshA.preparePlanes(), 4 * slot);
-            return _plane.findEntry(_b, _planeMargin, motion) > motion.latest;
+            _plane.read(_firstMesh.preparePlanes(), 4 * slot);
+            return _plane.findEntry(_second, _planeMargin, motion) > motion.latest;
         }
 
         // The squared distance of the extents of a triangle of the first model and of the second model's triangle.
         private function squaredDistanceOfExtents(slot:int):Number
         {
-            var ofA:Vector.<Number> = _meshA.extents;
-            var ofB:Vector.<Number> = _extents;
+            var ofFirst:Vector.<Number> = _firstMesh.extents;
+            var ofSecond:Vector.<Number> = _extents;
             var a:int = 6 * slot;
             var b:int = 6 * _index;
             var squared:Number = 0;
             for (var end:int = a + 6; a < end; a += 2)
             {
-                var distance:Number = ofA[a] - ofB[int(b + 1)];
+                var distance:Number = ofFirst[a] - ofSecond[int(b + 1)];
                 if (distance < 0)
                 {
-                    distance = ofB[b] - ofA[int(a + 1)];
+                    distance = ofSecond[b] - ofFirst[int(a + 1)];
                 }
                 if (distance > 0)
                 {
@@ -266,7 +266,7 @@ package starlogo.solid
             p = p < q ? p : q;
             p = p < r ? p : r;
             var end:Number = p - points.distance * points.distance;
-            corners = _meshA.corners;
+            corners = _firstMesh.corners;
             at = 9 * slot;
             return x * corners[at] + y * corners[int(at + 1)] + z * corners[int(at + 2)] <= end
                 && x * corners[int(at + 3)] + y * corners[int(at + 4)] + z * corners[int(at + 5)] <= end

@@ -2,9 +2,9 @@ package starlogo.solid
 {
     import starlogo.convex.ClosestPoints;
     import starlogo.engine;
-    import starlogo.hierarchy.BoxDistanceTraversal;
-    import starlogo.hierarchy.NodeDistanceTest;
-    import starlogo.hierarchy.NodePairSearch;
+    import starlogo.hierarchy.DistanceTraversal;
+    import starlogo.hierarchy.NodeDistanceVisitor;
+    import starlogo.hierarchy.BestPairVisitor;
     import starlogo.hierarchy.TreeCounts;
 
     use namespace engine;
@@ -17,26 +17,24 @@ package starlogo.solid
      */
     public final class TreeDistanceQuery
     {
-        private var _overlaps:TreeOverlapQuery;
-        private var _traversal:BoxDistanceTraversal;
+        private var _traversal:DistanceTraversal;
 
         // What decides about nodes.
-        private var _trianglePairDistance:TrianglePairDistance;
-        private var _nodeTest:NodeDistanceTest;
-        private var _triangleTest:TriangleDistanceTest;
+        private var _trianglePairs:TrianglePairDistanceVisitor;
+        private var _nodes:NodeDistanceVisitor;
+        private var _triangles:TriangleDistanceVisitor;
+        private var _containment:TreeContainmentQuery = new TreeContainmentQuery();
         private var _measured:ClosestPoints = new ClosestPoints();
 
         /**
-         * @param overlaps finds a point of two models that overlap
          * @param counts counts what the query does
          */
-        public function TreeDistanceQuery(overlaps:TreeOverlapQuery, counts:TreeCounts)
+        public function TreeDistanceQuery(counts:TreeCounts)
         {
-            _overlaps = overlaps;
-            _traversal = new BoxDistanceTraversal(counts);
-            _trianglePairDistance = new TrianglePairDistance(counts);
-            _nodeTest = new NodeDistanceTest(counts);
-            _triangleTest = new TriangleDistanceTest(counts);
+            _traversal = new DistanceTraversal(counts);
+            _trianglePairs = new TrianglePairDistanceVisitor(counts);
+            _nodes = new NodeDistanceVisitor(counts);
+            _triangles = new TriangleDistanceVisitor(counts);
         }
 
         /**
@@ -47,11 +45,12 @@ package starlogo.solid
          */
         public function findClosest(pair:TreePair, areTouching:Boolean, out:ClosestPoints):void
         {
+            pair.relate();
             findInSpaceOfFirst(pair, out);
             out.distance *= pair.placementA.size;
             // a point of both is known already if the measured distance is 0
             var isPointNeeded:Boolean = areTouching && out.distance > 0;
-            if (!isPointNeeded || !_overlaps.findCommonPoint(pair, out))
+            if (!isPointNeeded || !_containment.findInside(pair, out))
             {
                 out.settle(areTouching);
                 out.place(pair.placementA);
@@ -61,7 +60,8 @@ package starlogo.solid
         /** The number of the triangle that is nearest to a structure, as the model counts them. The pair must have triangles. */
         public function nearestTriangle(pair:TreePair):int
         {
-            var slot:int = _triangleTest.find(pair.a, pair.structureB, pair.pose, _measured);
+            pair.relate();
+            var slot:int = _triangles.find(pair.a, pair.structureB, pair.pose, _measured);
             return slot < 0 ? -1 : pair.a.boxTree.order[slot];
         }
 
@@ -72,16 +72,16 @@ package starlogo.solid
             var b:ModelTree = pair.b;
             if (b != null)
             {
-                var decider:NodePairSearch = pair.isExact ? _trianglePairDistance.begin(a, b, pair.pose) : null;
-                _traversal.findClosest(pair.pose, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider, out);
+                var visitor:BestPairVisitor = pair.isExact ? _trianglePairs.begin(a, b, pair.pose) : null;
+                _traversal.findClosest(pair.pose, a.boxTree, pair.depthA, b.boxTree, pair.depthB, visitor, out);
             }
             else if (pair.isExact)
             {
-                _triangleTest.find(a, pair.structureB, pair.pose, out);
+                _triangles.find(a, pair.structureB, pair.pose, out);
             }
             else
             {
-                _nodeTest.find(a.boxTree, pair.depthA, pair.structureB, pair.pose, out);
+                _nodes.find(a.boxTree, pair.depthA, pair.structureB, pair.pose, out);
             }
         }
     }

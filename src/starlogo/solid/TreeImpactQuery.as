@@ -7,11 +7,11 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodePairBounds;
-    import starlogo.hierarchy.NodePairSearch;
-    import starlogo.hierarchy.NodeStructureTest;
+    import starlogo.hierarchy.BestPair;
+    import starlogo.hierarchy.BestPairVisitor;
+    import starlogo.hierarchy.NodeTouchVisitor;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.hierarchy.SweptBoxTraversal;
+    import starlogo.hierarchy.ImpactTraversal;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.PairTable;
 
@@ -31,12 +31,12 @@ package starlogo.solid
         // The second model's motion in the first model's space, from the pair's pose on.
         private var _motion:RelativeMotion = new RelativeMotion();
 
-        private var _traversal:SweptBoxTraversal;
+        private var _traversal:ImpactTraversal;
 
         // What decides about nodes.
-        private var _trianglePairSweep:TrianglePairSweep;
-        private var _nodeTest:NodeStructureTest;
-        private var _triangleTest:TriangleStructureTest;
+        private var _trianglePairs:TrianglePairImpactVisitor;
+        private var _nodes:NodeTouchVisitor;
+        private var _triangles:TriangleTouchVisitor;
 
         // For contacts: nodes.
         private var _boxA:Box = BoxTree.newBox();
@@ -51,17 +51,17 @@ package starlogo.solid
         {
             _pair = pair;
             _overlaps = overlaps;
-            _traversal = new SweptBoxTraversal(counts);
-            _trianglePairSweep = new TrianglePairSweep(counts);
-            _nodeTest = new NodeStructureTest(counts);
-            _triangleTest = new TriangleStructureTest(counts);
+            _traversal = new ImpactTraversal(counts);
+            _trianglePairs = new TrianglePairImpactVisitor(counts);
+            _nodes = new NodeTouchVisitor(counts);
+            _triangles = new TriangleTouchVisitor(counts);
         }
 
         /** @inheritDoc */
         override public function overlapsAt(motion:RelativeMotion, time:Number):Boolean
         {
-            _pair.moveFirst(motion, time);
-            return _overlaps.areOverlapping(_pair);
+            _pair.relateAt(motion, time);
+            return _overlaps.overlapInPose(_pair);
         }
 
         /** @inheritDoc */
@@ -116,13 +116,13 @@ package starlogo.solid
             var pair:TreePair = _pair;
             var a:ModelTree = pair.a;
             var b:ModelTree = pair.b;
-            pair.moveFirst(motion, from);
+            pair.relateAt(motion, from);
             RelativePose.relateMotion(pair.placementA, motion, _motion);
             _motion.earliest = Math.max(0, _motion.earliest - from);
             if (b != null)
             {
-                var decider:NodePairSearch = pair.isExact ? _trianglePairSweep.begin(a, b, pair.pose, _motion) : null;
-                var best:NodePairBounds = _traversal.findTouch(pair.pose, _motion, a.boxTree, pair.depthA, b.boxTree, pair.depthB, decider);
+                var visitor:BestPairVisitor = pair.isExact ? _trianglePairs.begin(a, b, pair.pose, _motion) : null;
+                var best:BestPair = _traversal.findTouch(pair.pose, _motion, a.boxTree, pair.depthA, b.boxTree, pair.depthB, visitor);
                 _motion.time = best.least;
                 if (out != null && best.least <= 1)
                 {
@@ -131,15 +131,15 @@ package starlogo.solid
             }
             else if (pair.isExact)
             {
-                var slot:int = _triangleTest.findTouch(a, pair.structureB, pair.pose, _motion);
+                var slot:int = _triangles.findTouch(a, pair.structureB, pair.pose, _motion);
                 if (slot >= 0 && out != null)
                 {
-                    _triangleTest.findContact(slot, _motion, out);
+                    _triangles.findContact(slot, _motion, out);
                 }
             }
             else
             {
-                var node:int = _nodeTest.findTouch(a.boxTree, pair.depthA, pair.structureB, pair.pose, _motion);
+                var node:int = _nodes.findTouch(a.boxTree, pair.depthA, pair.structureB, pair.pose, _motion);
                 if (node >= 0 && out != null)
                 {
                     findContactOfNodes(node, 0, out);
@@ -147,15 +147,15 @@ package starlogo.solid
             }
         }
 
-        private function findContactOfBest(best:NodePairBounds, out:ContactPoint):void
+        private function findContactOfBest(best:BestPair, out:ContactPoint):void
         {
             if (_pair.isExact)
             {
-                _trianglePairSweep.findContact(best, _motion, out);
+                _trianglePairs.findContact(best, _motion, out);
             }
             else
             {
-                findContactOfNodes(best.nodeA, best.nodeB, out);
+                findContactOfNodes(best.a, best.b, out);
             }
         }
 

@@ -10,8 +10,7 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Two placed models: two trees, or a tree and a structure. The queries of trees read it. Set it before each question, because a question
-     * may leave the first model where its motion has brought it.
+     * Two placed models: two trees, or a tree and a structure. The queries of trees read it, and set the pose that they need.
      *
      * @private
      */
@@ -42,7 +41,7 @@ package starlogo.solid
         private var _movedA:Placement = new Placement();
 
         /**
-         * Sets both models, where they stand. The structure, in its own space, stands for the second one if <code>b</code> is null.
+         * Sets both models. The structure, in its own space, stands for the second one if <code>b</code> is null.
          *
          * @param exact whether triangles decide in place of depths, if the trees have triangles. Then a tree and a structure collide if a triangle
          *     touches the solid structure, or if the structure is inside of the tree's closed surface
@@ -56,13 +55,18 @@ package starlogo.solid
             this.structureB = structureB;
             this.placementB = placementB;
             isExact = exact && a.hasTriangles && (b == null || b.hasTriangles);
-            this.depthA = isExact ? BoxTree.NO_LIMIT : depthA;
-            this.depthB = isExact ? BoxTree.NO_LIMIT : depthB;
+            this.depthA = isExact ? BoxTree.EXACT : depthA;
+            this.depthB = isExact ? BoxTree.EXACT : depthB;
+        }
+
+        /** Sets the pose to that where both models stand. */
+        internal function relate():void
+        {
             pose.relate(placementA, placementB);
         }
 
         /** Sets the pose to that where a motion has brought the first model at a time. */
-        public function moveFirst(motion:RelativeMotion, time:Number):void
+        internal function relateAt(motion:RelativeMotion, time:Number):void
         {
             var moved:Placement = _movedA;
             moved.copyFrom(placementA);

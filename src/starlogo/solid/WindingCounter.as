@@ -5,7 +5,7 @@ package starlogo.solid
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodeTest;
+    import starlogo.hierarchy.NodeVisitor;
 
     use namespace engine;
 
@@ -13,7 +13,7 @@ package starlogo.solid
      * Counts how often the shells of a surface wind around a point, so it knows what is inside of them. As a test, it counts the triangles that a
      * ray along an axis crosses. An InteriorBuilder makes it.
      */
-    internal final class WindingCounter extends NodeTest
+    internal final class WindingCounter extends NodeVisitor
     {
         /** The triangles. */
         public var mesh:TriangleMesh;
@@ -171,7 +171,7 @@ package starlogo.solid
             var margin:Number = surface.widestSeam + Tolerances.ROUNDING * mesh.tree.radiusAboutOrigin;
             _search.setPlace(x, y, z, margin);
             _search.setAxis(_axis, _isBackward ? -1 : 1);
-            _search.find(mesh.tree, BoxTree.NO_LIMIT, this);
+            _search.find(mesh.tree, BoxTree.EXACT, this);
             for (var i:int = 0; i < _crossedCount; i++)
             {
                 var shell:int = _crossed[i];
@@ -183,7 +183,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function testNode(tree:BoxTree, node:int):void
+        override public function visit(tree:BoxTree, node:int):void
         {
             var end:int = tree.end[node];
             for (var i:int = tree.first[node]; i < end; i++)

@@ -134,7 +134,7 @@ package starlogo.solid
         {
             var box:Vector.<Number> = tree.boxes.slice(6 * node, 6 * node + 6);
             var left:int = tree.left[node];
-            var isLeaf:Boolean = tree.stop[node] >= BoxTree.LARGEST_DEPTH;
+            var isLeaf:Boolean = tree.endsUpToDepth[node] >= BoxTree.LARGEST_DEPTH;
             assertTrue(tree.end[node] > tree.first[node]);
             for (var i:int = tree.first[node]; i < tree.end[node]; i++)
             {
@@ -146,7 +146,7 @@ package starlogo.solid
             }
             if (left == 0)
             {
-                assertEquals(int.MAX_VALUE, tree.stop[node]);
+                assertEquals(int.MAX_VALUE, tree.endsUpToDepth[node]);
                 assertTrue("triangles: " + (tree.end[node] - tree.first[node]), tree.end[node] - tree.first[node] <= MOST);
                 return 1;
             }
@@ -154,8 +154,8 @@ package starlogo.solid
             assertEquals(tree.end[left], tree.first[left + 1]);
             assertEquals(tree.end[node], tree.end[left + 1]);
             assertEquals(tree.levelOf(node) + 1, tree.levelOf(left));
-            assertEquals(isLeaf ? BoxTree.LARGEST_DEPTH : tree.levelOf(node), tree.stop[node]);
-            assertTrue("below a leaf are leaves", !isLeaf || tree.stop[left] >= BoxTree.LARGEST_DEPTH && tree.stop[left + 1] >= BoxTree.LARGEST_DEPTH);
+            assertEquals(isLeaf ? BoxTree.LARGEST_DEPTH : tree.levelOf(node), tree.endsUpToDepth[node]);
+            assertTrue("below a leaf are leaves", !isLeaf || tree.endsUpToDepth[left] >= BoxTree.LARGEST_DEPTH && tree.endsUpToDepth[left + 1] >= BoxTree.LARGEST_DEPTH);
             return check(tree, left, extents) + check(tree, left + 1, extents);
         }
 

@@ -56,7 +56,7 @@ package starlogo.solid
                 var travel:Number = TRAVEL - step * Math.pow(2, -51);
                 var ends:Placement = new Placement();
                 ends.x = -travel;
-                _pair.setTo(walls, ends, BoxTree.NO_LIMIT, b, structure, stands, BoxTree.NO_LIMIT, exact);
+                _pair.setTo(walls, ends, BoxTree.EXACT, b, structure, stands, BoxTree.EXACT, exact);
                 motion.endAfter(-travel, 0, 0);
                 _query.findImpact(motion, null);
                 var isMissed:Boolean = motion.time == RelativeMotion.NEVER;

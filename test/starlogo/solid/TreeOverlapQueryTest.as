@@ -15,7 +15,7 @@ package starlogo.solid
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Touching;
-    import starlogo.hierarchy.BoxTraversal;
+    import starlogo.hierarchy.OverlapTraversal;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
@@ -89,22 +89,25 @@ package starlogo.solid
             var stands:Placement = new Placement();
             var pair:TreePair = new TreePair();
             var out:ClosestPoints = new ClosestPoints();
+            var containment:TreeContainmentQuery = new TreeContainmentQuery();
             for (var at:int = bear.prepareCorners().length - 9; at > cube.prepareCorners().length; at -= 900)
             {
                 var sphere:Sphere = new Sphere(new Vector3D(bear.prepareCorners()[at], bear.prepareCorners()[at + 1], bear.prepareCorners()[at + 2]), 1e-6);
                 pair.setTo(bear, stands, int.MAX_VALUE, null, sphere, stands, 1, true);
                 assertTrue(_overlaps.areOverlapping(pair));
-                _overlaps.findCommonPoint(pair, out);
+                containment.findInside(pair, out);
                 out.aX = 7;
                 pair.setTo(cube, stands, int.MAX_VALUE, null, new Sphere(new Vector3D(5, 5, 5), 0.1), stands, 1, true);
-                _overlaps.findCommonPoint(pair, out);
+                pair.relate();
+                containment.findInside(pair, out);
                 assertEquals(7, out.aX);
             }
             // nor is it where the pair before stood
             var moved:Placement = new Placement();
             moved.x = 5;
             pair.setTo(cube, stands, int.MAX_VALUE, null, new Sphere(new Vector3D(-5, 0, 0.5), 0.1), moved, 1, true);
-            assertTrue(_overlaps.findCommonPoint(pair, out));
+            pair.relate();
+            assertTrue(containment.findInside(pair, out));
             assertEquals(0, out.aX);
         }
 
@@ -114,7 +117,7 @@ package starlogo.solid
         {
             var random:SeededRandom = new SeededRandom(2117);
             var pose:RelativePose = new RelativePose();
-            var boxes:BoxTraversal = new BoxTraversal(new TreeCounts());
+            var boxes:OverlapTraversal = new OverlapTraversal(new TreeCounts());
             var bear:ModelTree = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
             var ball:ModelTree = hierarchyOf(BuiltInModel.sphere());
             var count:int = Effort.choose(300, 30000);
@@ -127,7 +130,7 @@ package starlogo.solid
                 var depthA:int = random.integer(1, 6);
                 var depthB:int = random.integer(1, 6);
                 var answer:Boolean = someOverlap(pose, deciding(a.root, depthA, []), deciding(b.root, depthB, []));
-                assertEquals("pair " + i, answer, boxes.find(pose, a.boxTree, depthA, b.boxTree, depthB, null));
+                assertEquals("pair " + i, answer, boxes.find(pose, a.boxTree, depthA, b.boxTree, depthB, null) == OverlapTraversal.OVERLAPPING);
                 hits += answer ? 1 : 0;
             }
             assertTrue(hits + " of " + count, hits > count / 4 && hits < count * 3 / 4);

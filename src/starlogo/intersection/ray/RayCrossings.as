@@ -34,7 +34,7 @@ package starlogo.intersection.ray
         /** INSIDE, ENTERS, LEAVES or EDGE_ON. */
         public var sides:Vector.<int> = new Vector.<int>();
 
-        /** The triangle that is crossed, as the model counts them; -1 if it is none. RayTriangleTest writes its slot. */
+        /** The triangle that is crossed, as the model counts them; -1 if it is none. TriangleRayVisitor writes its slot. */
         public var triangles:Vector.<int> = new Vector.<int>();
 
         /** The unit normal at each crossing, against the ray: x, y, z. */

@@ -78,7 +78,7 @@ package starlogo.libraries.cooked
                     VarInt.write(0, out);
                     continue;
                 }
-                VarInt.write(1 + tree.axisOf(node) + (tree.stop[node] >= BoxTree.LARGEST_DEPTH ? BELOW : 0) + 6 * (tree.end[left] - tree.first[left]), out);
+                VarInt.write(1 + tree.axisOf(node) + (tree.endsUpToDepth[node] >= BoxTree.LARGEST_DEPTH ? BELOW : 0) + 6 * (tree.end[left] - tree.first[left]), out);
                 waiting.push(left + 1, left);
             }
             return out;

@@ -12,7 +12,7 @@ package starlogo.queries.rays
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
     import starlogo.search.TreeLimits;
-    import starlogo.solid.ModelRayQuery;
+    import starlogo.solid.TreeRayQuery;
 
     use namespace engine;
 
@@ -32,7 +32,7 @@ package starlogo.queries.rays
     {
         private var _seen:SeenAgents;
         private var _inModel:Ray = new Ray();
-        private var _solid:ModelRayQuery = new ModelRayQuery();
+        private var _solid:TreeRayQuery = new TreeRayQuery();
 
         // The crossings with a row's shape, their order, one of them, and a scratch ray.
         private var _crossings:RayCrossings = new RayCrossings();

@@ -54,7 +54,7 @@ package starlogo.search.pairs
             var tree:ModelTree = body.shape.hierarchy;
             var at:Placement = body.placement;
             _corners = tree != null && limits.exact && tree.hasTriangles ? tree.prepareCorners() : null;
-            _depth = _corners != null ? BoxTree.NO_LIMIT : tree == null ? 0 : limits.depthOf(body);
+            _depth = _corners != null ? BoxTree.EXACT : tree == null ? 0 : limits.depthOf(body);
             _direction.x = at.r00 * direction.x + at.r10 * direction.y + at.r20 * direction.z;
             _direction.y = at.r01 * direction.x + at.r11 * direction.y + at.r21 * direction.z;
             _direction.z = at.r02 * direction.x + at.r12 * direction.y + at.r22 * direction.z;
@@ -115,7 +115,7 @@ package starlogo.search.pairs
                 {
                     continue;
                 }
-                if (tree.stop[node] < _depth)
+                if (tree.endsUpToDepth[node] < _depth)
                 {
                     var left:int = tree.left[node];
                     var axis:int = tree.axisOf(node);
@@ -157,7 +157,7 @@ package starlogo.search.pairs
                 {
                     continue;
                 }
-                if (tree.stop[node] < _depth)
+                if (tree.endsUpToDepth[node] < _depth)
                 {
                     _nodes[top] = tree.left[node] + 1;
                     _nodes[top + 1] = tree.left[node];

@@ -51,7 +51,7 @@ package starlogo.search.pairs
         {
             this.limits = limits;
             _impacts = new TreeImpactQuery(_pair, _overlaps, _counts);
-            _distances = new TreeDistanceQuery(_overlaps, _counts);
+            _distances = new TreeDistanceQuery(_counts);
             _separation = new PenetrationSearch(new DisplacedTreePair(this));
         }
 

@@ -8,8 +8,8 @@ package starlogo.hierarchy
 
     use namespace engine;
 
-    /** Finds the distance of a structure from the boxes of a tree. The results are nested, as those of BoxDistanceTraversal. @private */
-    public final class NodeDistanceTest extends NodeTest
+    /** Finds the distance of a structure from the boxes of a tree. The results are nested, as those of DistanceTraversal. @private */
+    public final class NodeDistanceVisitor extends NodeVisitor
     {
         // Finds the nodes near the structure.
         private var _search:BoxSearch;
@@ -21,7 +21,7 @@ package starlogo.hierarchy
         private var _box:Box = BoxTree.newBox();
 
         /** @param counts counts the nodes that are visited */
-        public function NodeDistanceTest(counts:TreeCounts)
+        public function NodeDistanceVisitor(counts:TreeCounts)
         {
             _search = new BoxSearch(counts);
         }
@@ -45,10 +45,10 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override public function testNode(tree:BoxTree, node:int):void
+        override public function visit(tree:BoxTree, node:int):void
         {
             PairTable.findClosest(tree.writeBox(node, _box), _structure, _measured);
-            BoxDistanceTraversal.reduce(_measured, tree.levelOf(node), 0, tree.radius + _search.halfX + _search.halfY + _search.halfZ);
+            DistanceTraversal.reduce(_measured, tree.levelOf(node), 0, tree.radius + _search.halfX + _search.halfY + _search.halfZ);
             if (_measured.distance < limit)
             {
                 limit = _measured.distance;

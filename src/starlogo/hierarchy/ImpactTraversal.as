@@ -15,25 +15,25 @@ package starlogo.hierarchy
      *
      * @private
      */
-    public final class SweptBoxTraversal extends NodePairTraversal
+    public final class ImpactTraversal extends BestPairTraversal
     {
         private var _sweep:BoxSweep = new BoxSweep();
         private var _pair:BoxPairMotion = new BoxPairMotion();
 
         /** @param counts counts the pairs of nodes that are visited */
-        public function SweptBoxTraversal(counts:TreeCounts)
+        public function ImpactTraversal(counts:TreeCounts)
         {
             super(counts);
         }
 
         /**
-         * Finds when two trees first touch. The other parameters are those of <code>NodePairTraversal.find()</code>.
+         * Finds when two trees first touch. The other parameters are those of <code>BestPairTraversal.find()</code>.
          *
          * @param motion of the second tree, from the pose on
          * @return the nodes that touch first, and the time as <code>least</code>; the next search overwrites it
          */
         public function findTouch(pose:RelativePose, motion:RelativeMotion, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int,
-                decider:NodePairSearch):NodePairBounds
+                visitor:BestPairVisitor):BestPair
         {
             var relative:Placement = pose.placement;
             _pair.axes.readAxes(relative, 1);
@@ -42,29 +42,34 @@ package starlogo.hierarchy
             _pair.motionZ = motion.z;
             _pair.tolerance = pose.tolerance + Touching.marginOfMotion(relative.x, relative.y, relative.z)
                 + Touching.marginOfMotion(motion.x, motion.y, motion.z);
-            return find(pose, treeA, depthA, treeB, depthB, decider);
+            return find(pose, treeA, depthA, treeB, depthB, visitor);
         }
 
         /** @inheritDoc */
-        override protected function estimate(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:NodePairBounds):void
+        override protected function estimate(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:BestPair):void
         {
             sweep(pose.placement, treeA.boxes, a, treeB.boxes, b, false, out);
         }
 
         /** @inheritDoc */
-        override protected function settle(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairSearch, out:NodePairBounds):void
+        override protected function settle(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, visitor:BestPairVisitor, out:BestPair):void
         {
-            if (decider != null)
+            if (visitor != null)
             {
-                decider.findBest(treeA, a, treeB, b, out);
+                visitor.findBest(treeA, a, treeB, b, out);
                 return;
             }
             sweep(pose.placement, treeA.boxes, a, treeB.boxes, b, true, out);
+            if (out.current < out.least)
+            {
+                out.a = a;
+                out.b = b;
+            }
         }
 
         // Sets the bound to the first time at which no face separates two boxes. If withEdges is true, no edge separates them then either.
         // If that time is after the least time, sets the bound to RelativeMotion.NEVER.
-        private function sweep(relative:Placement, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, withEdges:Boolean, out:NodePairBounds):void
+        private function sweep(relative:Placement, boxesA:Vector.<Number>, a:int, boxesB:Vector.<Number>, b:int, withEdges:Boolean, out:BestPair):void
         {
             var pair:BoxPairMotion = _pair;
             var scale:Number = relative.size;

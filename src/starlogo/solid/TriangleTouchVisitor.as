@@ -10,7 +10,7 @@ package starlogo.solid
     import starlogo.geometry.Touching;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodeTest;
+    import starlogo.hierarchy.NodeVisitor;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.TriangleKernel;
@@ -21,7 +21,7 @@ package starlogo.solid
      * Decides when a solid structure first touches a triangle of a model, and whether it does if it is still. Most triangles are ruled out by their
      * extents and planes. If the structure moves, SweptAxes rules out most of the others.
      */
-    internal final class TriangleStructureTest extends NodeTest
+    internal final class TriangleTouchVisitor extends NodeVisitor
     {
         // Finds the nodes near the structure's extents.
         private var _search:BoxSearch;
@@ -52,7 +52,7 @@ package starlogo.solid
         private var _found:int = -1;
 
         /** @param counts counts the nodes that are visited and the triangles that are tested */
-        public function TriangleStructureTest(counts:TreeCounts)
+        public function TriangleTouchVisitor(counts:TreeCounts)
         {
             _counts = counts;
             _search = new BoxSearch(counts);
@@ -73,7 +73,7 @@ package starlogo.solid
             limit = motion.isStill ? 0 : motion.latest;
             motion.time = RelativeMotion.NEVER;
             _found = -1;
-            _search.find(_mesh.tree, BoxTree.NO_LIMIT, this);
+            _search.find(_mesh.tree, BoxTree.EXACT, this);
             return _found;
         }
 
@@ -118,7 +118,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function testNode(tree:BoxTree, node:int):void
+        override public function visit(tree:BoxTree, node:int):void
         {
             var isStill:Boolean = _motion.isStill;
             var end:int = tree.end[node];

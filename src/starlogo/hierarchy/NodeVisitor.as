@@ -4,17 +4,17 @@ package starlogo.hierarchy
     import starlogo.convex.RelativeMotion;
 
     /**
-     * Tests the nodes of a tree that decide. A BoxSearch calls it for each node, in the order in which its box may meet them, or from the nearest
-     * on. Abstract.
+     * Decides about the nodes at which a BoxSearch ends, which calls it for each one, in the order in which its box may meet them, or from the
+     * nearest on. Abstract. A Node visitor decides by the boxes of the nodes. The package solid has others, which know the items.
      *
      * @private
      */
-    public class NodeTest
+    public class NodeVisitor
     {
         /**
          * How far the search goes. In <code>BoxSearch.find()</code> it is a multiple of the box's motion: a time, or a distance if the motion has
-         * length 1. In <code>BoxSearch.findNear()</code> it is a distance from the box. Nodes beyond it are not tested. Whoever begins a search
-         * sets it. A test that has found something makes it less, so that only better nodes follow.
+         * length 1. In <code>BoxSearch.findNear()</code> it is a distance from the box. Nodes beyond it are not visited. Whoever begins a search
+         * sets it. A visitor that has found something makes it less, so that only better nodes follow.
          */
         public var limit:Number = 0;
 
@@ -47,14 +47,14 @@ package starlogo.hierarchy
         }
 
         /**
-         * Tests a node: its box, or its items.
+         * Decides about a node, by its box or its items.
          *
          * @param tree the tree
          * @param node the node
          */
-        public function testNode(tree:BoxTree, node:int):void
+        public function visit(tree:BoxTree, node:int):void
         {
-            throw new IllegalOperationError(this + " does not implement testNode");
+            throw new IllegalOperationError(this + " does not implement visit");
         }
     }
 }

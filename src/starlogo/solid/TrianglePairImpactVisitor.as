@@ -4,27 +4,27 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodePairBounds;
-    import starlogo.hierarchy.NodePairSearch;
+    import starlogo.hierarchy.BestPair;
+    import starlogo.hierarchy.BestPairVisitor;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
 
     use namespace engine;
 
     /** Decides by triangles when two nodes first touch, for models that move. */
-    internal final class TrianglePairSweep extends NodePairSearch
+    internal final class TrianglePairImpactVisitor extends BestPairVisitor
     {
         private var _triangles:MovedTriangles;
         private var _motion:RelativeMotion = new RelativeMotion();
 
         /** @param counts counts the pairs of triangles that are tested */
-        public function TrianglePairSweep(counts:TreeCounts)
+        public function TrianglePairImpactVisitor(counts:TreeCounts)
         {
             _triangles = new MovedTriangles(counts);
         }
 
         /** Begins with two models that have triangles. The pose must relate them already, and the motion is the second one's. Returns this. */
-        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, motion:RelativeMotion):NodePairSearch
+        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose, motion:RelativeMotion):BestPairVisitor
         {
             _triangles.begin(a, b, pose, motion);
             _motion.copyVector(motion);
@@ -32,25 +32,25 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function findBest(treeA:BoxTree, a:int, treeB:BoxTree, b:int, bounds:NodePairBounds):void
+        override public function findBest(treeA:BoxTree, a:int, treeB:BoxTree, b:int, best:BestPair):void
         {
             var motion:RelativeMotion = _motion;
             var first:int = treeA.first[a];
             var end:int = treeA.end[a];
-            motion.latest = bounds.least < 1 ? bounds.least : 1;
+            motion.latest = best.least < 1 ? best.least : 1;
             // Of triangles that touch at the same time, those of the nodes that are tested last count.
-            bounds.current = RelativeMotion.NEVER;
+            best.current = RelativeMotion.NEVER;
             // Higher indices come first, as in the traversal.
-            for (var k:int = _triangles.move(treeB, b) - 1; k >= 0 && bounds.current > 0; k--)
+            for (var k:int = _triangles.move(treeB, b) - 1; k >= 0 && best.current > 0; k--)
             {
                 _triangles.setSecond(k, motion);
-                for (var i:int = end - 1; i >= first && bounds.current > 0; i--)
+                for (var i:int = end - 1; i >= first && best.current > 0; i--)
                 {
-                    if (_triangles.findTime(i, motion) && motion.time < bounds.current)
+                    if (_triangles.findTime(i, motion) && motion.time < best.current)
                     {
-                        bounds.current = motion.latest = motion.time;
-                        bounds.slotA = i;
-                        bounds.slotB = treeB.first[b] + k;
+                        best.current = motion.latest = motion.time;
+                        best.a = i;
+                        best.b = treeB.first[b] + k;
                     }
                 }
             }
@@ -63,9 +63,9 @@ package starlogo.solid
          * @param motion of the second model, which is where it is at the motion's time
          * @param out receives the contact, with a normal from the first model to the second
          */
-        public function findContact(best:NodePairBounds, motion:RelativeMotion, out:ContactPoint):void
+        public function findContact(best:BestPair, motion:RelativeMotion, out:ContactPoint):void
         {
-            _triangles.findContact(best.slotA, best.slotB, motion, out);
+            _triangles.findContact(best.a, best.b, motion, out);
         }
     }
 }

@@ -3,25 +3,25 @@ package starlogo.solid
     import starlogo.convex.RelativeMotion;
     import starlogo.engine;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodePairTest;
+    import starlogo.hierarchy.OverlapVisitor;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
 
     use namespace engine;
 
     /** Decides by triangles whether two nodes touch, for models that stand still. */
-    internal final class TrianglePairTest extends NodePairTest
+    internal final class TrianglePairOverlapVisitor extends OverlapVisitor
     {
         private var _triangles:MovedTriangles;
 
         /** @param counts counts the pairs of triangles that are tested */
-        public function TrianglePairTest(counts:TreeCounts)
+        public function TrianglePairOverlapVisitor(counts:TreeCounts)
         {
             _triangles = new MovedTriangles(counts);
         }
 
         /** Begins with two models that have triangles. The pose must relate them already. Returns this. */
-        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose):NodePairTest
+        public function begin(a:ModelTree, b:ModelTree, pose:RelativePose):OverlapVisitor
         {
             _triangles.begin(a, b, pose, RelativeMotion.NONE);
             return this;

@@ -17,7 +17,7 @@ package starlogo.hierarchy
      *
      * @private
      */
-    public final class NodeRayTest extends NodeTest
+    public final class NodeRayVisitor extends NodeVisitor
     {
         private var _ray:Ray = new Ray();
         private var _reversed:Ray = new Ray();
@@ -30,7 +30,7 @@ package starlogo.hierarchy
         // The node that the ray meets first, or -1.
         private var _first:int = -1;
 
-        public function NodeRayTest()
+        public function NodeRayVisitor()
         {
             // Nodes are enlarged as it is. A node that is only touched would be entered before a larger node around it.
             _ray.touchingFactor = 1;
@@ -47,7 +47,7 @@ package starlogo.hierarchy
          */
         public function findHit(tree:BoxTree, depth:int, ray:Ray, out:RayEntry):Boolean
         {
-            visit(tree, depth, ray, 0, null);
+            search(tree, depth, ray, 0, null);
             return _first >= 0 && rayBox(_ray, tree.writeBox(_first, _box), out);
         }
 
@@ -62,11 +62,11 @@ package starlogo.hierarchy
          */
         public function findAll(tree:BoxTree, depth:int, ray:Ray, slack:Number, out:RayCrossings):void
         {
-            visit(tree, depth, ray, slack, out);
+            search(tree, depth, ray, slack, out);
         }
 
         // Visits the nodes that a ray meets. Without crossings, only the first node is wanted.
-        private function visit(tree:BoxTree, depth:int, ray:Ray, slack:Number, all:RayCrossings):void
+        private function search(tree:BoxTree, depth:int, ray:Ray, slack:Number, all:RayCrossings):void
         {
             _ray.copyFrom(ray);
             _slack = slack;
@@ -78,7 +78,7 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override public function testNode(tree:BoxTree, node:int):void
+        override public function visit(tree:BoxTree, node:int):void
         {
             tree.writeBox(node, _box);
             if (_all != null)

@@ -6,7 +6,7 @@ package starlogo.solid
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodeRayTest;
+    import starlogo.hierarchy.NodeRayVisitor;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
     import starlogo.intersection.ray.RayEntry;
@@ -23,11 +23,11 @@ package starlogo.solid
      *
      * @private
      */
-    public final class ModelRayQuery
+    public final class TreeRayQuery
     {
-        private var _nodeTest:NodeRayTest = new NodeRayTest();
+        private var _nodes:NodeRayVisitor = new NodeRayVisitor();
         private var _search:BoxSearch = new BoxSearch();
-        private var _triangleTest:RayTriangleTest = new RayTriangleTest();
+        private var _triangles:TriangleRayVisitor = new TriangleRayVisitor();
         private var _start:Vector3D = new Vector3D();
 
         // The normal of the triangle that the ray meets.
@@ -56,7 +56,7 @@ package starlogo.solid
             {
                 return findTriangle(model, ray, out);
             }
-            return _nodeTest.findHit(model.boxTree, exact ? BoxTree.NO_LIMIT : depth, ray, out);
+            return _nodes.findHit(model.boxTree, exact ? BoxTree.EXACT : depth, ray, out);
         }
 
         /**
@@ -74,7 +74,7 @@ package starlogo.solid
             }
             if (!exact || !model.hasTriangles)
             {
-                _nodeTest.findAll(model.boxTree, exact ? BoxTree.NO_LIMIT : depth, ray, Tolerances.ROUNDING * model.boxTree.radiusAboutOrigin, out);
+                _nodes.findAll(model.boxTree, exact ? BoxTree.EXACT : depth, ray, Tolerances.ROUNDING * model.boxTree.radiusAboutOrigin, out);
                 return false;
             }
             var first:int = out.count;
@@ -99,13 +99,13 @@ package starlogo.solid
         private function findTriangle(model:ModelTree, ray:Ray, out:RayEntry):Boolean
         {
             searchTriangles(model, ray, null);
-            var slot:int = _triangleTest.slot;
+            var slot:int = _triangles.slot;
             if (slot < 0)
             {
                 return false;
             }
             out.triangle = model.boxTree.order[slot];
-            out.distance = _triangleTest.distance;
+            out.distance = _triangles.distance;
             setNormal(model.mesh, slot, ray, out);
             return true;
         }
@@ -114,9 +114,9 @@ package starlogo.solid
         private function searchTriangles(model:ModelTree, ray:Ray, all:RayCrossings):void
         {
             var mesh:TriangleMesh = model.prepareMesh();
-            _triangleTest.begin(ray, mesh.corners, model.boxTree.radiusAboutOrigin, all);
+            _triangles.begin(ray, mesh.corners, model.boxTree.radiusAboutOrigin, all);
             _search.setRay(ray);
-            _search.find(mesh.tree, BoxTree.NO_LIMIT, _triangleTest);
+            _search.find(mesh.tree, BoxTree.EXACT, _triangles);
         }
 
         // Sets the normal to that of a triangle, against the ray. A flat triangle has none; then it stays the opposite of the ray's direction.

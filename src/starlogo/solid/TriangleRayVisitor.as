@@ -2,7 +2,7 @@ package starlogo.solid
 {
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodeTest;
+    import starlogo.hierarchy.NodeVisitor;
     import starlogo.intersection.ray.Ray;
     import starlogo.intersection.ray.RayCrossings;
 
@@ -20,7 +20,7 @@ package starlogo.solid
      *
      * @private
      */
-    public final class RayTriangleTest extends NodeTest
+    public final class TriangleRayVisitor extends NodeVisitor
     {
         // A triangle is seen edge on if its height across the ray is less than six times so many gaps. The place where the ray crosses its plane
         // is then a rounding error, so the places where the ray passes its edges count. Of two triangles at one place, one that is not seen edge on
@@ -37,18 +37,17 @@ package starlogo.solid
         private var _all:RayCrossings = null;
         private var _corners:Vector.<Number>;
 
-        // The axes, ordered so that the ray goes fastest along the last.
+        // The axes, u, v and w: the ray goes fastest along w.
         private var _u:int;
         private var _v:int;
         private var _w:int;
 
-        // A point of the line. The line's slopes: how far it goes along the first two axes while it goes 1 along the last. 1 over its speed
-        // along the last axis.
-        private var _x:Number = 0;
-        private var _y:Number = 0;
-        private var _z:Number = 0;
-        private var _shearX:Number = 0;
-        private var _shearY:Number = 0;
+        // A point of the line, along these axes. How far the line goes along u and v while it goes 1 along w. 1 over its speed along w.
+        private var _originU:Number = 0;
+        private var _originV:Number = 0;
+        private var _originW:Number = 0;
+        private var _shearU:Number = 0;
+        private var _shearV:Number = 0;
         private var _stretch:Number = 0;
 
         // How far from a triangle the ray may pass. Twice the area of a triangle of that height and of the greatest possible width.
@@ -84,13 +83,13 @@ package starlogo.solid
             _w = absX > absY && absX > absZ ? 0 : _w;
             _u = (_w + 1) % 3;
             _v = (_w + 2) % 3;
-            _x = along(_u, ray.x, ray.y, ray.z);
-            _y = along(_v, ray.x, ray.y, ray.z);
-            _z = along(_w, ray.x, ray.y, ray.z);
+            _originU = along(_u, ray.x, ray.y, ray.z);
+            _originV = along(_v, ray.x, ray.y, ray.z);
+            _originW = along(_w, ray.x, ray.y, ray.z);
             var speed:Number = along(_w, ray.directionX, ray.directionY, ray.directionZ);
             _stretch = 1 / speed;
-            _shearX = along(_u, ray.directionX, ray.directionY, ray.directionZ) / speed;
-            _shearY = along(_v, ray.directionX, ray.directionY, ray.directionZ) / speed;
+            _shearU = along(_u, ray.directionX, ray.directionY, ray.directionZ) / speed;
+            _shearV = along(_v, ray.directionX, ray.directionY, ray.directionZ) / speed;
             setRadius(radius);
         }
 
@@ -108,7 +107,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function testNode(tree:BoxTree, node:int):void
+        override public function visit(tree:BoxTree, node:int):void
         {
             testTriangles(tree.first[node], tree.end[node]);
         }
@@ -130,29 +129,29 @@ package starlogo.solid
             var u:int = _u;
             var v:int = _v;
             var w:int = _w;
-            var x:Number = _x;
-            var y:Number = _y;
-            var z:Number = _z;
-            var shearX:Number = _shearX;
-            var shearY:Number = _shearY;
+            var originU:Number = _originU;
+            var originV:Number = _originV;
+            var originW:Number = _originW;
+            var shearU:Number = _shearU;
+            var shearV:Number = _shearV;
             var sliver:Number = _sliver;
             for (var i:int = first; i < end; i++)
             {
                 var corner:int = 9 * i;
-                var aZ:Number = corners[int(corner + w)] - z;
-                var aX:Number = corners[int(corner + u)] - x - shearX * aZ;
-                var aY:Number = corners[int(corner + v)] - y - shearY * aZ;
+                var aW:Number = corners[int(corner + w)] - originW;
+                var aU:Number = corners[int(corner + u)] - originU - shearU * aW;
+                var aV:Number = corners[int(corner + v)] - originV - shearV * aW;
                 corner += 3;
-                var bZ:Number = corners[int(corner + w)] - z;
-                var bX:Number = corners[int(corner + u)] - x - shearX * bZ;
-                var bY:Number = corners[int(corner + v)] - y - shearY * bZ;
+                var bW:Number = corners[int(corner + w)] - originW;
+                var bU:Number = corners[int(corner + u)] - originU - shearU * bW;
+                var bV:Number = corners[int(corner + v)] - originV - shearV * bW;
                 corner += 3;
-                var cZ:Number = corners[int(corner + w)] - z;
-                var cX:Number = corners[int(corner + u)] - x - shearX * cZ;
-                var cY:Number = corners[int(corner + v)] - y - shearY * cZ;
-                var sideA:Number = cX * bY - cY * bX;
-                var sideB:Number = aX * cY - aY * cX;
-                var sideC:Number = bX * aY - bY * aX;
+                var cW:Number = corners[int(corner + w)] - originW;
+                var cU:Number = corners[int(corner + u)] - originU - shearU * cW;
+                var cV:Number = corners[int(corner + v)] - originV - shearV * cW;
+                var sideA:Number = cU * bV - cV * bU;
+                var sideB:Number = aU * cV - aV * cU;
+                var sideC:Number = bU * aV - bV * aU;
                 if (sideA < -sliver || sideB < -sliver || sideC < -sliver)
                 {
                     if (sideA > sliver || sideB > sliver || sideC > sliver)
@@ -161,9 +160,9 @@ package starlogo.solid
                     }
                 }
                 var sum:Number = sideA + sideB + sideC;
-                var width:Number = Math.abs(aX) + Math.abs(aY) + Math.abs(bX) + Math.abs(bY) + Math.abs(cX) + Math.abs(cY);
+                var width:Number = Math.abs(aU) + Math.abs(aV) + Math.abs(bU) + Math.abs(bV) + Math.abs(cU) + Math.abs(cV);
                 var isEdgeOn:Boolean = Math.abs(sum) <= EDGE_ON * _margin * width;
-                var crossing:Number = isEdgeOn ? passEdges(9 * i) : _stretch * (sideA * aZ + sideB * bZ + sideC * cZ) / sum;
+                var crossing:Number = isEdgeOn ? passEdges(9 * i) : _stretch * (sideA * aW + sideB * bW + sideC * cW) / sum;
                 var slack:Number = isEdgeOn ? Tolerances.ROUNDING * Math.abs(crossing) + 4 * EDGE_ON * _margin : 0;
                 // NaN is skipped too
                 if (!(crossing >= _ray.from && crossing <= _latest) || (slot >= 0 && crossing + slack >= _latest))
@@ -172,7 +171,7 @@ package starlogo.solid
                 }
                 if (sum == 0 || (sideA < 0 || sideB < 0 || sideC < 0) && (sideA > 0 || sideB > 0 || sideC > 0))
                 {
-                    if (!isOver(aX, aY, bX, bY, sideC, sum) || !isOver(bX, bY, cX, cY, sideA, sum) || !isOver(cX, cY, aX, aY, sideB, sum)
+                    if (!isOver(aU, aV, bU, bV, sideC, sum) || !isOver(bU, bV, cU, cV, sideA, sum) || !isOver(cU, cV, aU, aV, sideB, sum)
                             || !isIn(corners, corner, crossing))
                     {
                         continue;
@@ -181,7 +180,7 @@ package starlogo.solid
                 hasFound = true;
                 if (_all != null)
                 {
-                    var depth:Number = Math.abs(_stretch) * (Math.abs(aZ - bZ) + Math.abs(bZ - cZ));
+                    var depth:Number = Math.abs(_stretch) * (Math.abs(aW - bW) + Math.abs(bW - cW));
                     addCrossing(i, crossing, isEdgeOn, sum, width * depth);
                     continue;
                 }
@@ -223,30 +222,30 @@ package starlogo.solid
 
         private function passEdge(from:int, to:int):void
         {
-            var fromZ:Number = _corners[from + _w] - _z;
-            var fromX:Number = _corners[from + _u] - _x - _shearX * fromZ;
-            var fromY:Number = _corners[from + _v] - _y - _shearY * fromZ;
-            var toZ:Number = _corners[to + _w] - _z;
-            var toX:Number = _corners[to + _u] - _x - _shearX * toZ - fromX;
-            var toY:Number = _corners[to + _v] - _y - _shearY * toZ - fromY;
-            var square:Number = toX * toX + toY * toY;
-            var share:Number = square > 0 ? Math.max(0, Math.min(1, -(fromX * toX + fromY * toY) / square)) : 0;
-            fromX += share * toX;
-            fromY += share * toY;
-            if (fromX * fromX + fromY * fromY <= 9 * EDGE_ON * EDGE_ON * _margin * _margin)
+            var fromW:Number = _corners[from + _w] - _originW;
+            var fromU:Number = _corners[from + _u] - _originU - _shearU * fromW;
+            var fromV:Number = _corners[from + _v] - _originV - _shearV * fromW;
+            var toW:Number = _corners[to + _w] - _originW;
+            var toU:Number = _corners[to + _u] - _originU - _shearU * toW - fromU;
+            var toV:Number = _corners[to + _v] - _originV - _shearV * toW - fromV;
+            var square:Number = toU * toU + toV * toV;
+            var share:Number = square > 0 ? Math.max(0, Math.min(1, -(fromU * toU + fromV * toV) / square)) : 0;
+            fromU += share * toU;
+            fromV += share * toV;
+            if (fromU * fromU + fromV * fromV <= 9 * EDGE_ON * EDGE_ON * _margin * _margin)
             {
-                var place:Number = _stretch * (fromZ + share * (toZ - fromZ));
+                var place:Number = _stretch * (fromW + share * (toW - fromW));
                 _first = Math.min(_first, place);
                 _last = Math.max(_last, place);
             }
         }
 
         // Whether the ray passes an edge on the triangle's side, or within the gap.
-        private function isOver(fromX:Number, fromY:Number, toX:Number, toY:Number, side:Number, sum:Number):Boolean
+        private function isOver(fromU:Number, fromV:Number, toU:Number, toV:Number, side:Number, sum:Number):Boolean
         {
-            toX -= fromX;
-            toY -= fromY;
-            return side == 0 || side > 0 == sum > 0 || side * side <= _margin * _margin * (toX * toX + toY * toY);
+            toU -= fromU;
+            toV -= fromV;
+            return side == 0 || side > 0 == sum > 0 || side * side <= _margin * _margin * (toU * toU + toV * toV);
         }
 
         // Whether a point of the ray is within a triangle's extents, enlarged by the gap.

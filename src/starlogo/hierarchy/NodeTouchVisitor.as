@@ -14,7 +14,7 @@ package starlogo.hierarchy
      *
      * @private
      */
-    public final class NodeStructureTest extends NodeTest
+    public final class NodeTouchVisitor extends NodeVisitor
     {
         // Finds the nodes near the structure.
         private var _search:BoxSearch;
@@ -30,7 +30,7 @@ package starlogo.hierarchy
         private var _box:Box = BoxTree.newBox();
 
         /** @param counts counts the nodes that are visited */
-        public function NodeStructureTest(counts:TreeCounts)
+        public function NodeTouchVisitor(counts:TreeCounts)
         {
             _search = new BoxSearch(counts);
         }
@@ -61,7 +61,7 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override public function testNode(tree:BoxTree, node:int):void
+        override public function visit(tree:BoxTree, node:int):void
         {
             tree.writeBox(node, _box);
             var sweep:RelativeMotion = _sweep;

@@ -5,7 +5,7 @@ package starlogo.solid
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodeTest;
+    import starlogo.hierarchy.NodeVisitor;
 
     use namespace engine;
 
@@ -13,7 +13,7 @@ package starlogo.solid
      * Whether a point has an open side: from there, a ray along an axis meets no node without children. Then no surface is around the point. This
      * needs nothing but the tree. It is asked before the inside of a model is known, because a level is mostly open to the sky.
      */
-    internal final class AxisEscapeTest extends NodeTest
+    internal final class OpenSideVisitor extends NodeVisitor
     {
         private var _search:BoxSearch = new BoxSearch();
 
@@ -31,7 +31,7 @@ package starlogo.solid
                 _search.setAxis(i >> 1, (i & 1) == 0 ? -1 : 1);
                 _isHit = false;
                 limit = Infinity;
-                _search.find(tree, BoxTree.NO_LIMIT, this);
+                _search.find(tree, BoxTree.EXACT, this);
                 if (!_isHit)
                 {
                     return true;
@@ -41,7 +41,7 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function testNode(tree:BoxTree, node:int):void
+        override public function visit(tree:BoxTree, node:int):void
         {
             _isHit = true;
             endSearch();

@@ -5,7 +5,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.hierarchy.BoxSearch;
     import starlogo.hierarchy.BoxTree;
-    import starlogo.hierarchy.NodeTest;
+    import starlogo.hierarchy.NodeVisitor;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.TreeCounts;
     import starlogo.intersection.TriangleKernel;
@@ -13,7 +13,7 @@ package starlogo.solid
     use namespace engine;
 
     /** Finds the distance of a solid structure from the triangles of a model. */
-    internal final class TriangleDistanceTest extends NodeTest
+    internal final class TriangleDistanceVisitor extends NodeVisitor
     {
         // Finds the nodes near the structure's extents.
         private var _search:BoxSearch;
@@ -30,7 +30,7 @@ package starlogo.solid
         private var _slot:int = -1;
 
         /** @param counts counts the nodes that are visited and the triangles that are tested */
-        public function TriangleDistanceTest(counts:TreeCounts)
+        public function TriangleDistanceVisitor(counts:TreeCounts)
         {
             _counts = counts;
             _search = new BoxSearch(counts);
@@ -53,13 +53,13 @@ package starlogo.solid
             _slot = -1;
             limit = out.distance = Infinity;
             _search.setExtents(_extents, 0);
-            _search.findNear(model.boxTree, BoxTree.NO_LIMIT, this);
+            _search.findNear(model.boxTree, BoxTree.EXACT, this);
             out.swap();
             return _slot;
         }
 
         /** @inheritDoc */
-        override public function testNode(tree:BoxTree, node:int):void
+        override public function visit(tree:BoxTree, node:int):void
         {
             var end:int = tree.end[node];
             for (var i:int = tree.first[node]; i < end && limit > 0; i++)

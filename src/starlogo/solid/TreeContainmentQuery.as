@@ -18,7 +18,7 @@ package starlogo.solid
      * <p>It is asked for all agents that are close but do not touch, so it must mostly end after a few products. If a part is inside, its
      * outermost points are inside of the box around the other model. A ray is cast only for parts that pass this test.</p>
      */
-    internal final class ContainmentTest
+    internal final class TreeContainmentQuery
     {
         // A point of one model, in the space of the model that may be around it.
         private var _point:Vector3D = new Vector3D();

@@ -21,7 +21,7 @@ package starlogo.hierarchy
      *
      * @private
      */
-    public final class BoxDistanceTraversal extends NodePairTraversal
+    public final class DistanceTraversal extends BestPairTraversal
     {
         // An estimate is smaller than the distances below it by this fraction, which is more than the errors of rounding and nesting.
         private static const SLACK:Number = 1e-12;
@@ -37,21 +37,21 @@ package starlogo.hierarchy
         private var _boxB:Box = BoxTree.newBox();
 
         /** @param counts counts the pairs of nodes that are visited */
-        public function BoxDistanceTraversal(counts:TreeCounts)
+        public function DistanceTraversal(counts:TreeCounts)
         {
             super(counts);
         }
 
         /**
-         * Finds the closest points of two trees. The other parameters are those of <code>NodePairTraversal.find()</code>.
+         * Finds the closest points of two trees. The other parameters are those of <code>BestPairTraversal.find()</code>.
          *
          * @param out receives the points and their distance, in the first model's space
          */
-        public function findClosest(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, decider:NodePairSearch, out:ClosestPoints):void
+        public function findClosest(pose:RelativePose, treeA:BoxTree, depthA:int, treeB:BoxTree, depthB:int, visitor:BestPairVisitor, out:ClosestPoints):void
         {
             _radii = treeA.radius + treeB.radius * pose.placement.size;
             _axes.readAxes(pose.placement, pose.placement.size);
-            out.copyFrom(find(pose, treeA, depthA, treeB, depthB, decider).points);
+            out.copyFrom(find(pose, treeA, depthA, treeB, depthB, visitor).points);
         }
 
         /**
@@ -61,7 +61,7 @@ package starlogo.hierarchy
          * the distance along the line between the closest points so far. They are one method because they share twelve Numbers, which V8 would make
          * objects of if they were passed.</p>
          */
-        override protected function estimate(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:NodePairBounds):void
+        override protected function estimate(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, out:BestPair):void
         {
             var axes:BoxAxes = _axes;
             var relative:Placement = pose.placement;
@@ -170,11 +170,11 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function settle(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, decider:NodePairSearch, out:NodePairBounds):void
+        override protected function settle(pose:RelativePose, treeA:BoxTree, a:int, treeB:BoxTree, b:int, visitor:BestPairVisitor, out:BestPair):void
         {
-            if (decider != null)
+            if (visitor != null)
             {
-                decider.findBest(treeA, a, treeB, b, out);
+                visitor.findBest(treeA, a, treeB, b, out);
                 return;
             }
             PairTable.findClosest(treeA.writeBox(a, _boxA), pose.placeWidened(treeB.writeBox(b, _boxB)), _measured);

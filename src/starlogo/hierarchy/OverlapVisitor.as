@@ -3,11 +3,11 @@ package starlogo.hierarchy
     import flash.errors.IllegalOperationError;
 
     /**
-     * Decides whether a node of one tree touches a node of another, by their items. Abstract: subclasses know the items.
+     * Decides about the pairs of nodes at which an OverlapTraversal ends, by their items: whether they touch. Abstract: subclasses know the items.
      *
      * @private
      */
-    public class NodePairTest
+    public class OverlapVisitor
     {
         /**
          * Whether a node of the first model touches a node of the second.

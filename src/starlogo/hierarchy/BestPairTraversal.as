@@ -81,20 +81,20 @@ package starlogo.hierarchy
                 var rightA:int = dividesA ? leftA + 1 : a;
                 var rightB:int = dividesA ? b : leftB + 1;
                 estimate(pose, treeA, leftA, treeB, leftB, out);
-                var left:Number = out.current;
+                var leftBound:Number = out.current;
                 out.current = bound;
                 estimate(pose, treeA, rightA, treeB, rightB, out);
-                var right:Number = out.current;
+                var rightBound:Number = out.current;
                 visits += 2;
                 // The better of the two pairs is last, so it is visited first.
-                var isLeftBetter:Boolean = left < right;
+                var isLeftBetter:Boolean = leftBound < rightBound;
                 nodes[2 * top] = isLeftBetter ? rightA : leftA;
                 nodes[2 * top + 1] = isLeftBetter ? rightB : leftB;
-                bounds[top] = isLeftBetter ? right : left;
+                bounds[top] = isLeftBetter ? rightBound : leftBound;
                 top++;
                 nodes[2 * top] = isLeftBetter ? leftA : rightA;
                 nodes[2 * top + 1] = isLeftBetter ? leftB : rightB;
-                bounds[top] = isLeftBetter ? left : right;
+                bounds[top] = isLeftBetter ? leftBound : rightBound;
                 top++;
             }
             _counts.nodeVisits += visits;

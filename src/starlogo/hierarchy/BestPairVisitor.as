@@ -18,7 +18,7 @@ package starlogo.hierarchy
          * @param treeB the second model's tree
          * @param b a node of it
          * @param best <code>least</code> is the best time or distance so far, and <code>current</code> receives that of the two nodes. If it is not
-         *     better, it need not be exact. If it is, the items or points of the best pair are replaced too
+         *     better, it need not be exact. If it is, the items or points of the best pair are replaced too. They may be if it is as good
          */
         public function findBest(treeA:BoxTree, a:int, treeB:BoxTree, b:int, best:BestPair):void
         {

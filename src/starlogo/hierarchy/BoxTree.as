@@ -183,13 +183,15 @@ package starlogo.hierarchy
         // Counts the vertices of items, until there are more than a number.
         private function countUpTo(node:int, most:int):int
         {
-            var isCounted:Object = {};
-            var last:int = end[node];
-            var count:int = hasTriangles ? 0 : last - first[node];
-            for (var i:int = first[node]; hasTriangles && i < last && count <= most; i++)
+            if (!hasTriangles)
             {
-                var corner:int = 3 * order[i];
-                for (var beyond:int = corner + 3; corner < beyond; corner++)
+                return end[node] - first[node];
+            }
+            var isCounted:Object = {};
+            var count:int = 0;
+            for (var i:int = first[node]; i < end[node] && count <= most; i++)
+            {
+                for (var corner:int = 3 * order[i]; corner < 3 * order[i] + 3; corner++)
                 {
                     if (isCounted[triangles[corner]] == undefined)
                     {

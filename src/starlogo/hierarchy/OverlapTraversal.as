@@ -224,7 +224,8 @@ package starlogo.hierarchy
             var between:Vector3D = _between;
             var axis:int = tree.axisOf(node);
             var child:int = tree.left[node];
-            if ((axis == 0 ? between.x : (axis == 1 ? between.y : between.z)) > 0)
+            var along:Number = axis == 0 ? between.x : (axis == 1 ? between.y : between.z);
+            if (along > 0)
             {
                 child++;
             }

@@ -41,8 +41,8 @@ package starlogo.solid
         private var _enclosing:Vector.<Vector.<int>>;
 
         // The shells that enclose the last point, and for each shell whether it does.
-        private var _ofPoint:Vector.<int> = new Vector.<int>();
-        private var _isOfPoint:Vector.<Boolean>;
+        private var _enclosingPoint:Vector.<int> = new Vector.<int>();
+        private var _enclosesPoint:Vector.<Boolean>;
 
         private var _plane:TrianglePlane = new TrianglePlane();
         private var _windingCount:int = 0;
@@ -68,7 +68,7 @@ package starlogo.solid
                 _volumes = new Vector.<Number>(shells, true);
                 _orientations = new Vector.<int>(shells, true);
                 _enclosing = new Vector.<Vector.<int>>(shells, true);
-                _isOfPoint = new Vector.<Boolean>(shells, true);
+                _enclosesPoint = new Vector.<Boolean>(shells, true);
                 slices(_order.length, 40 * TRIANGLES_PER_STEP, addVolumes).call(orient);
             }
         }
@@ -153,7 +153,7 @@ package starlogo.solid
                 point[axis] += share * (corners[at + axis] + corners[at + 3 + axis] + corners[at + 6 + axis])
                     + (corner == 3 ? 0 : 0.97 * corners[at + 3 * corner + axis]);
             }
-            _windingCount += _windingCounter.findAround(point[0], point[1], point[2], _ofPoint);
+            _windingCount += _windingCounter.findAround(point[0], point[1], point[2], _enclosingPoint);
         }
 
         // Keeps those of the shells around a shell that enclose the last point too; after its first point, all larger shells that do. Keeps none if all
@@ -163,21 +163,21 @@ package starlogo.solid
             var before:Vector.<int> = _enclosing[shell];
             var kept:Vector.<int> = new Vector.<int>();
             var hasOpposite:Boolean = false;
-            for each (var found:int in _ofPoint)
+            for each (var found:int in _enclosingPoint)
             {
-                _isOfPoint[found] = true;
+                _enclosesPoint[found] = true;
             }
-            for each (var other:int in before || _ofPoint)
+            for each (var other:int in before || _enclosingPoint)
             {
-                if (before == null ? isLarger(other, shell) : _isOfPoint[other])
+                if (before == null ? isLarger(other, shell) : _enclosesPoint[other])
                 {
                     kept.push(other);
                     hasOpposite ||= _orientations[other] == -_orientations[shell];
                 }
             }
-            for each (found in _ofPoint)
+            for each (found in _enclosingPoint)
             {
-                _isOfPoint[found] = false;
+                _enclosesPoint[found] = false;
             }
             kept.length = hasOpposite ? kept.length : 0;
             _enclosing[shell] = kept;

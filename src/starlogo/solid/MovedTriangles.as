@@ -252,7 +252,8 @@ package starlogo.solid
         }
 
         // Whether a triangle of the first model is so far before the second model's triangle, along the vector from the first model's closest point so
-        // far to the second's, that the two cannot be nearer. Places along it are scaled by its length, so the distance so far becomes its square.
+        // far to the second's, that the two cannot be nearer. Places along it are scaled by its length, so the distance so far becomes its square. The
+        // second one is projected each time, because few pairs come here whose extents are near enough.
         private function isBeyond(slot:int, points:ClosestPoints):Boolean
         {
             var x:Number = points.bX - points.aX;

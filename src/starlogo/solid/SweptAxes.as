@@ -11,13 +11,13 @@ package starlogo.solid
      */
     internal final class SweptAxes
     {
+        // How many numbers the points of a segment are.
+        private static const SEGMENT:int = 6;
+
         // The shape, the radius around its core, and its motion.
         private var _shape:ConvexShape;
         private var _radius:Number = 0;
         private var _motion:RelativeMotion;
-
-        // The count of the numbers of a segment's points.
-        private static const SEGMENT:int = 6;
 
         // Six numbers for each axis: the axis, the least place along it that the shape comes to, the greatest place at time 0, and the speed along it,
         // which is not negative. Then the end of these numbers.

@@ -81,69 +81,49 @@ package starlogo.solid
         }
 
         // Finds a point of a part of the inner model that is inside of the outer one. Returns whether there is such a point. The pose is that of the
-        // inner model in the outer model's space. The numbers (m00 ..., move) transform a point there, relative to the middle of the root's box.
+        // inner model in the outer model's space, and the tree is the outer one's.
         private function findPartInside(tree:BoxTree, outer:Interior, inner:Interior, pose:Placement):Boolean
         {
-            var scale:Number = pose.size;
-            var m00:Number = pose.r00 * scale;
-            var m01:Number = pose.r01 * scale;
-            var m02:Number = pose.r02 * scale;
-            var m10:Number = pose.r10 * scale;
-            var m11:Number = pose.r11 * scale;
-            var m12:Number = pose.r12 * scale;
-            var m20:Number = pose.r20 * scale;
-            var m21:Number = pose.r21 * scale;
-            var m22:Number = pose.r22 * scale;
-            var box:Vector.<Number> = tree.boxes;
-            var moveX:Number = pose.x - box[0];
-            var moveY:Number = pose.y - box[1];
-            var moveZ:Number = pose.z - box[2];
             var points:Vector.<Number> = inner.partPoints;
-            var length:int = points.length;
-            var halfX:Number = box[3];
-            var halfY:Number = box[4];
-            var halfZ:Number = box[5];
-            var x:Number = 0;
-            var y:Number = 0;
-            var z:Number = 0;
-            for (var first:int = 0; first < length; first += PartExtremes.STRIDE)
+            for (var end:int = PartExtremes.STRIDE; end <= points.length; end += PartExtremes.STRIDE)
             {
-                var end:int = first + PartExtremes.STRIDE;
-                var at:int = first;
-                while (at < end)
+                var at:int = end - PartExtremes.STRIDE;
+                while (at < end && moveInto(tree.boxes, pose, points, at))
                 {
-                    var px:Number = points[at];
-                    var py:Number = points[int(at + 1)];
-                    var pz:Number = points[int(at + 2)];
-                    x = m00 * px + m01 * py + m02 * pz + moveX;
-                    if (x > halfX || x < -halfX)
-                    {
-                        break;
-                    }
-                    y = m10 * px + m11 * py + m12 * pz + moveY;
-                    if (y > halfY || y < -halfY)
-                    {
-                        break;
-                    }
-                    z = m20 * px + m21 * py + m22 * pz + moveZ;
-                    if (z > halfZ || z < -halfZ)
-                    {
-                        break;
-                    }
                     at += 3;
                 }
-                if (at == end)
+                if (at == end && outer.windingCounter.isInside(_point))
                 {
-                    _point.x = x + box[0];
-                    _point.y = y + box[1];
-                    _point.z = z + box[2];
-                    if (outer.windingCounter.isInside(_point))
-                    {
-                        return true;
-                    }
+                    return true;
                 }
             }
             return false;
+        }
+
+        // Sets _point to a point, moved by a pose, if it is then in the box of the root. Returns whether it is. Most points are outside along x.
+        private function moveInto(box:Vector.<Number>, pose:Placement, points:Vector.<Number>, at:int):Boolean
+        {
+            var scale:Number = pose.size;
+            var px:Number = points[at];
+            var py:Number = points[int(at + 1)];
+            var pz:Number = points[int(at + 2)];
+            var x:Number = pose.r00 * scale * px + pose.r01 * scale * py + pose.r02 * scale * pz + (pose.x - box[0]);
+            if (x > box[3] || x < -box[3])
+            {
+                return false;
+            }
+            var y:Number = pose.r10 * scale * px + pose.r11 * scale * py + pose.r12 * scale * pz + (pose.y - box[1]);
+            if (y > box[4] || y < -box[4])
+            {
+                return false;
+            }
+            var z:Number = pose.r20 * scale * px + pose.r21 * scale * py + pose.r22 * scale * pz + (pose.z - box[2]);
+            if (z > box[5] || z < -box[5])
+            {
+                return false;
+            }
+            _point.setTo(x + box[0], y + box[1], z + box[2]);
+            return true;
         }
     }
 }

@@ -16,6 +16,7 @@ package starlogo.queries
     import starlogo.queries.motion.OverlapRecovery;
     import starlogo.queries.motion.SlideLimits;
     import starlogo.queries.motion.SlideResult;
+    import starlogo.queries.motion.Slider;
     import starlogo.queries.motion.StartLift;
     import starlogo.queries.rays.Hits;
     import starlogo.queries.trees.Collector;
@@ -35,6 +36,7 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _planner:MotionPlanner;
         private var _mover:Mover;
+        private var _slider:Slider;
         private var _recovery:OverlapRecovery = new OverlapRecovery();
         private var _found:Collector;
         private var _hits:Hits;
@@ -64,6 +66,7 @@ package starlogo.queries
             _seen = seen;
             _planner = new MotionPlanner(seen);
             _mover = new Mover(seen);
+            _slider = new Slider(seen);
             _body = new MovingBody(seen);
             _found = new Collector(seen);
             _hits = new Hits(seen, _found, ShapeHit);
@@ -145,7 +148,7 @@ package starlogo.queries
             _body.readAgent(agent);
             setMotion(dx, dy, dz);
             _planner.planWithin(_body, Math.sqrt(dx * dx + dy * dy + dz * dz), 0, 0, agent, filter);
-            _mover.slide(_body, _body.rows, _from, _motion, SlideLimits.NONE, _slid);
+            _slider.slide(_body, _body.rows, _from, _motion, SlideLimits.NONE, _slid);
             _recovery.restoreClearance(_body, _slid.place, _slid.clearRow);
             if (dx != 0 || dy != 0 || dz != 0)
             {

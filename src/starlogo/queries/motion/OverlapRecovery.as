@@ -64,7 +64,7 @@ package starlogo.queries.motion
                         return giveUp(place);
                     }
                     lift.add(_contact);
-                    push(place, _contact.depth + body.clearance);
+                    push(place, _contact.depth + body.core.clearance);
                 }
                 if (isFree)
                 {
@@ -102,7 +102,7 @@ package starlogo.queries.motion
                     }
                     _beside.copyFrom(place);
                     _beside.decrementBy(_touching);
-                    push(place, Math.min(_contact.depth, SLOPS_OF_TOUCH * body.slop) + body.clearance - _contact.along(_beside));
+                    push(place, Math.min(_contact.depth, SLOPS_OF_TOUCH * body.core.slop) + body.core.clearance - _contact.along(_beside));
                 }
                 if (isFree)
                 {
@@ -129,7 +129,7 @@ package starlogo.queries.motion
                 {
                     continue;
                 }
-                _contact.depth += body.clearance;
+                _contact.depth += body.core.clearance;
                 if (body.isExitShort(row, _contact))
                 {
                     sum += _contact.depth;
@@ -186,8 +186,8 @@ package starlogo.queries.motion
             {
                 return true;
             }
-            var side:Number = -body.clearance / 2;
-            for (var i:int = 0; i < 2 && body.isFlat; i++)
+            var side:Number = -body.core.clearance / 2;
+            for (var i:int = 0; i < 2 && body.core.isFlat; i++)
             {
                 if (touchesAt(body, row, place, 0, 0, side, touching) || touchesAt(body, row, place, 0, side, 0, touching)
                         || touchesAt(body, row, place, side, 0, 0, touching))

@@ -35,6 +35,7 @@ package starlogo.queries.motion
 
         private var _planner:MotionPlanner;
         private var _mover:Mover;
+        private var _slider:Slider;
         private var _recovery:OverlapRecovery = new OverlapRecovery();
         private var _rowRays:RowRays;
 
@@ -60,6 +61,7 @@ package starlogo.queries.motion
         {
             _planner = planner;
             _mover = new Mover(seen);
+            _slider = new Slider(seen);
             _rowRays = new RowRays(seen);
         }
 
@@ -80,7 +82,7 @@ package starlogo.queries.motion
         public function carry(walk:Walk, platform:int):void
         {
             _others.copyFrom(walk.body.rows, platform);
-            _mover.slide(walk.body, _others, walk.start, walk.carry, SlideLimits.NONE, _slid);
+            _slider.slide(walk.body, _others, walk.start, walk.carry, SlideLimits.NONE, _slid);
             if (_slid.fraction < 1 && leadsIntoPlatform(walk, platform, _slid.place))
             {
                 _mover.goBeforeTouch(walk.body, _others, walk.start, walk.carry, _straight);
@@ -155,7 +157,7 @@ package starlogo.queries.motion
                 left -= length;
                 _vector.setTo(0, 0, 0);
                 _overlap.push(_vector, length);
-                _mover.slide(walk.body, walk.body.rows, walk.place, _vector, SlideLimits.NONE, _slid);
+                _slider.slide(walk.body, walk.body.rows, walk.place, _vector, SlideLimits.NONE, _slid);
                 walk.place.copyFrom(_slid.place);
             }
             _vector.copyFrom(walk.place);
@@ -211,7 +213,7 @@ package starlogo.queries.motion
         {
             _limits.setTo(walkableZ, walk.pieceLength, -1);
             _vector.setTo(walk.piece.x, walk.piece.y, rise);
-            _mover.slide(walk.body, walk.body.rows, from, _vector, _limits, out);
+            _slider.slide(walk.body, walk.body.rows, from, _vector, _limits, out);
         }
 
         // Goes straight up, or down if dz is less than 0, until something is in the way.
@@ -226,7 +228,7 @@ package starlogo.queries.motion
         {
             _limits.setTo(-2, maxHorizontal, Math.sqrt(1 - walk.cosine * walk.cosine) / walk.cosine);
             _vector.setTo(0, 0, -depth);
-            _mover.slide(walk.body, walk.body.rows, from, _vector, _limits, out);
+            _slider.slide(walk.body, walk.body.rows, from, _vector, _limits, out);
         }
 
         // Goes down to the ground if it is no deeper than this depth, and not too steep. Otherwise the agent stays. The last argument receives how the

@@ -44,7 +44,7 @@ package starlogo.queries.trees
             var firstLeaf:int = tree.firstLeaf;
             var asks:Boolean = found.filter.accepts != null && found.wanted < Collector.ALL;
             var asker:int = found.filter.askerRow;
-            var waiting:int = asker < 0 ? enqueue(1, 0) : beginBeside(tree.leafOf(asker));
+            var waiting:int = asker < 0 ? enqueue(RowTree.ROOT, 0) : beginBeside(tree.leafOf(asker));
             while (waiting > 0)
             {
                 waiting--;
@@ -87,7 +87,7 @@ package starlogo.queries.trees
             var asks:Boolean = found.filter.accepts != null;
             var countsNodes:Boolean = !asks && !found.filter.excludes;
             var counted:int = 0;
-            var waiting:int = enqueue(1, 0);
+            var waiting:int = enqueue(RowTree.ROOT, 0);
             while (waiting > 0)
             {
                 waiting--;
@@ -223,7 +223,7 @@ package starlogo.queries.trees
                 }
             }
             var square:Number = toX * toX + toY * toY + toZ * toZ;
-            if (square > _found.limit || !_tree.mayHave(node, _found.filter.breeds))
+            if (square > _found.limit || !_tree.breeds.mayHave(node, _found.filter.breeds))
             {
                 return waiting;
             }
@@ -280,7 +280,7 @@ package starlogo.queries.trees
                     limit = found.limit;
                 }
             }
-            _tree.passOver(passedOver);
+            _tree.breeds.passOver(passedOver);
             return counted;
         }
     }

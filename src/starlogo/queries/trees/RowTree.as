@@ -1,7 +1,5 @@
 package starlogo.queries.trees
 {
-    import starlogo.agents.Agent;
-    import starlogo.agents.Breeds;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
     import starlogo.engine;
@@ -10,29 +8,25 @@ package starlogo.queries.trees
     use namespace engine;
 
     /**
-     * A balanced tree of boxes around rows of a table. NearSearch and SweptBoxSearch find rows in it without a test of
-     * every row (Bentley, "Multidimensional Binary Search Trees", 1975). In addition, each node has a box around its rows. A place is a box without size.
+     * A balanced tree of boxes around rows of a table. NearSearch and SweptBoxSearch find rows in it without a test of every row (Bentley,
+     * "Multidimensional Binary Search Trees", 1975). In addition, each node has a box around its rows. A place is a box without size.
      *
      * <p>The nodes are numbered as in a heap: the root is node 1, and the children of node i are nodes 2 i and 2 i + 1. All leaves are on one
      * level, and the nodes of each level have equal parts of the rows. So the tree has to store nothing but the boxes. The rows stand in slots,
      * in the order of the leaves.</p>
      *
-     * <p>A search for a rare breed can skip nodes without it. The nodes learn which breeds they have when searches have passed over as many rows
-     * that do not count as the tree has, and again when an agent has got another breed.</p>
-     *
      * @private
      */
     public final class RowTree
     {
+        /** The number of the root. */
+        public static const ROOT:int = 1;
+
         /** How many numbers a box takes: its least x, y, z, then its greatest x, y, z. */
         public static const PER_BOX:int = 6;
 
         // The most rows that a leaf can have.
         private static const LEAF_SIZE:int = 24;
-
-        /** How many breeds have bits of their own in a set of breeds; and the set of all. */
-        public static const BREED_BITS:int = 32;
-        public static const ALL_BREEDS:int = -1;
 
         // After this many moves per row the tree has to be built again, because its boxes have grown too much.
         private static const MOVES:Number = 0.5;
@@ -58,12 +52,8 @@ package starlogo.queries.trees
         /** By node: a box around the boxes of the node's rows. */
         public var nodeBoxes:Vector.<Number> = new Vector.<Number>();
 
-        // How many rows that do not count searches have tested since the nodes learned their breeds. A test reads it.
-        engine var passedOver:int = 0;
-
-        // By node: the set of its rows' breeds; and what Breeds.changes was when the nodes learned them, or -1.
-        private var _breedSets:Vector.<int> = new Vector.<int>();
-        private var _breedsAsOf:int = -1;
+        /** Which breeds the nodes have. */
+        public var breeds:NodeBreeds = new NodeBreeds();
 
         // How many rows may still move. If it is less than 0, the tree is stale.
         private var _movesLeft:int = -1;
@@ -85,8 +75,6 @@ package starlogo.queries.trees
         public function build(rows:Vector.<int>, count:int, points:Points):void
         {
             _movesLeft = MOVES * count;
-            passedOver = 0;
-            _breedsAsOf = -1;
             this.count = count;
             _points = points;
             _sizes = points as Extents;
@@ -106,8 +94,10 @@ package starlogo.queries.trees
             {
                 starts[leaf] = leaf * count / firstLeaf;
             }
-            divideAll();
+            boundMiddles(PER_BOX * ROOT, 0, count);
+            RowDivision.divide(this);
             boundAll();
+            breeds.forget(2 * firstLeaf);
         }
 
         /** Whether the tree must be built again before the next search. */
@@ -120,49 +110,6 @@ package starlogo.queries.trees
         public function makeStale():void
         {
             _movesLeft = -1;
-        }
-
-        /** The bit of a breed in a set of breeds. Breeds with the same remainder share one. */
-        public static function breedBit(breed:int):int
-        {
-            return 1 << breed % BREED_BITS;
-        }
-
-        /** Counts rows that a filter does not let through, by their breeds or otherwise. */
-        public function passOver(rows:int):void
-        {
-            passedOver += rows;
-        }
-
-        /** Lets the nodes learn their breeds, if searches have passed over so many rows that this takes no longer. */
-        public function learnBreeds(agents:Vector.<Agent>):void
-        {
-            if (passedOver < count || _breedsAsOf == Breeds.changes)
-            {
-                return;
-            }
-            passedOver = 0;
-            _breedsAsOf = Breeds.changes;
-            for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
-            {
-                _breedSets[node] = node < firstLeaf ? _breedSets[int(2 * node)] | _breedSets[int(2 * node + 1)] : breedsIn(node - firstLeaf, agents);
-            }
-        }
-
-        private function breedsIn(leaf:int, agents:Vector.<Agent>):int
-        {
-            var found:int = 0;
-            for (var slot:int = starts[leaf]; slot < starts[int(leaf + 1)]; slot++)
-            {
-                found |= breedBit(agents[rows[slot]].breedNumber);
-            }
-            return found;
-        }
-
-        /** Whether a node may have rows of some breeds. */
-        public function mayHave(node:int, breeds:int):Boolean
-        {
-            return breeds == ALL_BREEDS || _breedsAsOf != Breeds.changes || (_breedSets[node] & breeds) != 0;
         }
 
         /** The node number of the leaf that has a row. */
@@ -227,35 +174,6 @@ package starlogo.queries.trees
             {
                 starts.length = firstLeaf + 1;
                 nodeBoxes.length = 2 * firstLeaf * PER_BOX;
-                _breedSets.length = 2 * firstLeaf;
-            }
-        }
-
-        // Divides the rows of each node in two halves, along the longest side of the node's part of space. That part is stored for a while where
-        // the node's box will be written.
-        private function divideAll():void
-        {
-            boundMiddles(PER_BOX, 0, count);
-            var boxes:Vector.<Number> = nodeBoxes;
-            var width:int = 1;
-            for (var node:int = 1; node < firstLeaf; node++)
-            {
-                if (node == 2 * width)
-                {
-                    width = node;
-                }
-                var box:int = PER_BOX * node;
-                var axis:int = longestSide(box);
-                var keys:Vector.<Number> = axis == 0 ? middles.x : (axis == 1 ? middles.y : middles.z);
-                var nth:int = node - width;
-                var middle:int = (2 * nth + 1) * count / (2 * width);
-                select(keys, nth * count / width, (nth + 1) * count / width - 1, middle);
-                var child:int = 2 * box;
-                for (var i:int = 0; i < PER_BOX; i++)
-                {
-                    boxes[child + i] = boxes[child + PER_BOX + i] = boxes[box + i];
-                }
-                boxes[child + 3 + axis] = boxes[child + PER_BOX + axis] = keys[middle];
             }
         }
 
@@ -278,81 +196,6 @@ package starlogo.queries.trees
             }
         }
 
-        private function longestSide(box:int):int
-        {
-            var alongX:Number = nodeBoxes[box + 3] - nodeBoxes[box];
-            var alongY:Number = nodeBoxes[box + 4] - nodeBoxes[box + 1];
-            var alongZ:Number = nodeBoxes[box + 5] - nodeBoxes[box + 2];
-            if (alongX >= alongY && alongX >= alongZ)
-            {
-                return 0;
-            }
-            return alongY >= alongZ ? 1 : 2;
-        }
-
-        // Sorts rows partly: the keys before the middle are not greater than the middle's key, the keys after it not smaller (Hoare, "Find",
-        // 1961).
-        private function select(keys:Vector.<Number>, first:int, last:int, middle:int):void
-        {
-            while (first < last)
-            {
-                // the median of three
-                var one:Number = keys[first];
-                var other:Number = keys[last];
-                var pivot:Number = Math.max(Math.min(one, other), Math.min(Math.max(one, other), keys[(first + last) >> 1]));
-                var low:int = first;
-                var high:int = last;
-                while (low <= high)
-                {
-                    while (keys[low] < pivot)
-                    {
-                        low++;
-                    }
-                    while (keys[high] > pivot)
-                    {
-                        high--;
-                    }
-                    if (low <= high)
-                    {
-                        swap(low, high);
-                        low++;
-                        high--;
-                    }
-                }
-                if (middle <= high)
-                {
-                    last = high;
-                }
-                else if (middle >= low)
-                {
-                    first = low;
-                }
-                else
-                {
-                    return;
-                }
-            }
-        }
-
-        private function swap(a:int, b:int):void
-        {
-            var row:int = rows[a];
-            rows[a] = rows[b];
-            rows[b] = row;
-            var x:Vector.<Number> = middles.x;
-            var y:Vector.<Number> = middles.y;
-            var z:Vector.<Number> = middles.z;
-            var key:Number = x[a];
-            x[a] = x[b];
-            x[b] = key;
-            key = y[a];
-            y[a] = y[b];
-            y[b] = key;
-            key = z[a];
-            z[a] = z[b];
-            z[b] = key;
-        }
-
         private function boundAll():void
         {
             for (var slot:int = 0; slot < count; slot++)
@@ -362,28 +205,41 @@ package starlogo.queries.trees
             for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
             {
                 var box:int = PER_BOX * node;
-                var leaf:int = node - firstLeaf;
-                if (leaf >= 0 && _sizes == null)
+                if (node < firstLeaf)
                 {
-                    boundMiddles(box, starts[leaf], starts[leaf + 1]);
-                    continue;
-                }
-                for (var side:int = 0; side < 3; side++)
-                {
-                    nodeBoxes[box + side] = Infinity;
-                    nodeBoxes[box + 3 + side] = -Infinity;
-                }
-                if (leaf < 0)
-                {
+                    empty(box);
                     widen(box, nodeBoxes, 2 * box);
                     widen(box, nodeBoxes, 2 * box + PER_BOX);
-                    continue;
                 }
-                for (slot = starts[leaf]; slot < starts[leaf + 1]; slot++)
+                else if (_sizes == null)
                 {
-                    boundRow(slot);
-                    widen(box, rowBoxes, PER_BOX * slot);
+                    boundMiddles(box, starts[node - firstLeaf], starts[node - firstLeaf + 1]);
                 }
+                else
+                {
+                    boundRows(box, starts[node - firstLeaf], starts[node - firstLeaf + 1]);
+                }
+            }
+        }
+
+        // Makes a node's box enclose the rows in some slots, and finds their boxes.
+        private function boundRows(box:int, first:int, end:int):void
+        {
+            empty(box);
+            for (var slot:int = first; slot < end; slot++)
+            {
+                boundRow(slot);
+                widen(box, rowBoxes, PER_BOX * slot);
+            }
+        }
+
+        // Makes a node's box contain nothing.
+        private function empty(box:int):void
+        {
+            for (var side:int = 0; side < 3; side++)
+            {
+                nodeBoxes[box + side] = Infinity;
+                nodeBoxes[box + 3 + side] = -Infinity;
             }
         }
 

@@ -6,6 +6,7 @@
 package starlogo.queries
 {
     import flash.errors.IllegalOperationError;
+    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.broadphase.Points;
     import starlogo.collision.QuerySource;
@@ -214,6 +215,26 @@ package starlogo.queries
         {
             requireAgent(agent);
             return _table.currentBodyOf(agent, made || _made);
+        }
+
+        /**
+         * @private Moves an agent, turns it by some degrees, and reads it again.
+         *
+         * @throws ArgumentError if the filter's accepts has removed the agent's model. The agent has then not moved
+         */
+        engine function moveAgent(agent:Agent, at:Vector3D, turn:Number = 0):void
+        {
+            // throws the error
+            bodyOf(agent);
+            agent.moveTo(at.x, at.y, at.z);
+            if (turn != 0)
+            {
+                agent.heading += turn;
+            }
+            if (rowOf(agent) >= 0)
+            {
+                refresh(agent);
+            }
         }
 
         /** @private Returns the tree of the places, and builds it first if it is stale. Throws an error before the first update. */

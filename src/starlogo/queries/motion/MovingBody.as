@@ -32,7 +32,7 @@ package starlogo.queries.motion
         /** The body where it begins: a copy, because a filter's <code>accepts</code> may move the agent. Read only. */
         public var source:Body = new Body();
 
-        /** The rows that count and are near its way, in the order of the list. The MotionPlanner finds them. */
+        /** The rows that count and are near its way, in the order of the list. The ObstacleSearch finds them. */
         public var rows:NumberList = new NumberList();
 
         /** The rows that stop the motion. A row that a plane has taken the place of is not one of them, nor a one-way row that the body passed. */

@@ -25,7 +25,7 @@ package starlogo.queries.motion
         // A walk begins with this many pushes at most.
         private static const MOST_PUSHES:int = 8;
 
-        private var _planner:MotionPlanner;
+        private var _obstacleSearch:ObstacleSearch;
         private var _mover:Mover;
         private var _slider:Slider;
         private var _recovery:OverlapRecovery = new OverlapRecovery();
@@ -45,11 +45,11 @@ package starlogo.queries.motion
 
         /**
          * @param seen has the rows
-         * @param planner finds the rows near a walk
+         * @param search finds the rows near a walk
          */
-        public function WalkMover(seen:SeenAgents, planner:MotionPlanner)
+        public function WalkMover(seen:SeenAgents, search:ObstacleSearch)
         {
-            _planner = planner;
+            _obstacleSearch = search;
             _mover = new Mover(seen);
             _slider = new Slider(seen);
             _foothold = new Foothold(seen);
@@ -59,7 +59,7 @@ package starlogo.queries.motion
         public function findNear(walk:Walk, distance:Number):void
         {
             // the range has the way in it, whatever its direction
-            _planner.planWithin(walk.body, walk.range + distance, walk.pieces * walk.options.stepHeight,
+            _obstacleSearch.findWithin(walk.body, walk.range + distance, walk.pieces * walk.options.stepHeight,
                     walk.pieces * walk.options.snap + walk.options.fall, walk.agent, walk.options.filter);
         }
 

@@ -4,9 +4,9 @@ package starlogo.queries.motion
     import starlogo.data.NumberList;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.queries.SeenAgents;
     import starlogo.search.Body;
     import starlogo.search.ModelShape;
+    import starlogo.search.table.AgentTable;
 
     use namespace engine;
 
@@ -60,37 +60,33 @@ package starlogo.queries.motion
         public var isFlat:Boolean = false;
 
         private var _source:Body;
-        private var _seen:SeenAgents;
 
         // The core at the place where it was asked for last; and this place, whose x is NaN if the core's size has changed.
         private var _core:Body = new Body();
         private var _place:Vector3D = new Vector3D();
 
-        /**
-         * @param source the whole body. It may become another one between two motions
-         * @param seen has the rows
-         */
-        public function BodyCore(source:Body, seen:SeenAgents)
+        /** @param source the whole body. It may become another one between two motions */
+        public function BodyCore(source:Body)
         {
             _source = source;
-            _seen = seen;
         }
 
         /**
          * Finds the tolerances of a motion, and begins with an inset of a slop.
          *
+         * @param table has the bodies of the rows
          * @param rows the rows that may be in the way
          * @param from where the motion begins
          * @param motion the whole motion
          */
-        public function begin(rows:NumberList, from:Vector3D, motion:Vector3D):void
+        public function begin(table:AgentTable, rows:NumberList, from:Vector3D, motion:Vector3D):void
         {
             var extent:Number = 2 * _source.largestHalf;
             var largest:Number = extent;
             var cell:Number = 0;
             for (var i:int = 0; i < rows.count; i++)
             {
-                var other:Body = _seen.table.bodyOf(rows.numbers[i]);
+                var other:Body = table.bodyOf(rows.numbers[i]);
                 if (other.form == ModelShape.GROUND)
                 {
                     cell = other.largestHalf;

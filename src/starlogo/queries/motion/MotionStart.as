@@ -63,7 +63,7 @@ package starlogo.queries.motion
             {
                 var row:int = obstacles.numbers[i];
                 var touches:Boolean = body.coreTouches(row, place);
-                if (touches && body.isWithinOneWay(row, place))
+                if (touches && isWithinOneWay(body, row, place))
                 {
                     continue;
                 }
@@ -81,6 +81,12 @@ package starlogo.queries.motion
             }
             obstacles.count = kept;
             return isLeft;
+        }
+
+        // Whether the body is within a one-way row, which its core touches. If it rests on the row, it is not.
+        private function isWithinOneWay(body:MovingBody, row:int, place:Vector3D):Boolean
+        {
+            return body.isOneWay(row) && (!body.findContact(row, place, true, _contact) || body.passes(row, _contact));
         }
 
         // Narrows the core for this motion, so that it does not touch a row, or finds their contact. Returns whether the contact's plane has to

@@ -46,15 +46,14 @@ package starlogo.queries.motion
         // The body at the place of its last test.
         private var _whole:Body = new Body();
 
-        // A smaller copy of another row, and the contact with one.
+        // A smaller copy of another row.
         private var _smaller:Body = new Body();
-        private var _contact:ContactPoint = new ContactPoint();
 
         /** @param seen has the rows, and decides which of them touch */
         public function MovingBody(seen:SeenAgents)
         {
             _seen = seen;
-            core = new BodyCore(source, seen);
+            core = new BodyCore(source);
         }
 
         /**
@@ -130,7 +129,7 @@ package starlogo.queries.motion
         public function beginMotion(among:NumberList, from:Vector3D, motion:Vector3D):void
         {
             obstacles.copyFrom(among);
-            core.begin(among, from, motion);
+            core.begin(_seen.table, among, from, motion);
         }
 
         /** The whole body at a place. It is valid until the next call. */
@@ -201,12 +200,6 @@ package starlogo.queries.motion
         public function passes(row:int, contact:ContactPoint):Boolean
         {
             return isOneWay(row) && contact.normalZ < UPWARDS;
-        }
-
-        /** Whether the body at a place, where its core touches a row, is within it and the row is one-way. If it rests on the row, it is not. */
-        public function isWithinOneWay(row:int, place:Vector3D):Boolean
-        {
-            return isOneWay(row) && !(findContact(row, place, true, _contact) && _contact.normalZ >= UPWARDS);
         }
 
         /**

@@ -263,7 +263,7 @@ package starlogo.queries
             {
                 tree.build(_table.list.rows.numbers, _table.list.rows.count, points);
             }
-            tree.breeds.learn(tree, _table.list.agents);
+            tree.learnBreeds(_table.list.agents);
             return tree;
         }
 

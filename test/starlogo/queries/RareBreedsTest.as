@@ -125,10 +125,10 @@ package starlogo.queries
             var sum:int = 0;
             for (var i:int = 0; i < SHEEP; i++)
             {
-                var before:int = tree.breeds.passedOver;
+                var before:int = tree.passedOver;
                 ask(_agents[i]);
                 // learning begins anew
-                sum += tree.breeds.passedOver < before ? tree.breeds.passedOver : tree.breeds.passedOver - before;
+                sum += tree.passedOver < before ? tree.passedOver : tree.passedOver - before;
             }
             assertTrue(sum + " rows", sum < SHEEP * MOST_PASSED_OVER);
         }

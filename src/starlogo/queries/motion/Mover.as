@@ -9,7 +9,7 @@ package starlogo.queries.motion
     /**
      * Moves a body straight on among rows of a table, until it touches one of them. A row that it would go into stops it. A row that it only
      * touches, leaves or runs along never stops it, because the core of the body is swept (CoreSweep). At the beginning it may overlap rows
-     * (MotionStart). The Slider moves a body along what it meets.
+     * (OverlapRecovery). The Slider moves a body along what it meets.
      *
      * @private
      */
@@ -20,7 +20,7 @@ package starlogo.queries.motion
         private static const STEPS_INTO_TOUCH:int = 64;
 
         private var _sweep:CoreSweep;
-        private var _start:MotionStart = new MotionStart();
+        private var _recovery:OverlapRecovery = new OverlapRecovery();
 
         // How the beginning lifts the body, where the lifted body is, the planes of what it overlaps deeply, and what its core meets first.
         private var _lift:StartLift = new StartLift();
@@ -47,7 +47,7 @@ package starlogo.queries.motion
             body.beginMotion(rows, from, motion);
             if (_planes.begin(motion, SlideLimits.NONE))
             {
-                _start.leaveOverlaps(body, from, _planes, out, _liftedPlace);
+                _recovery.leaveOverlaps(body, from, _planes, out, _liftedPlace);
             }
             return out.isLifted;
         }
@@ -132,7 +132,7 @@ package starlogo.queries.motion
                 lift.clear();
                 return;
             }
-            _start.leaveOverlaps(body, from, _planes, lift, _liftedPlace);
+            _recovery.leaveOverlaps(body, from, _planes, lift, _liftedPlace);
             out.isDeep = _planes.count > 0;
             out.isLifted = lift.isLifted;
             var crossed:int = _planes.findCrossed();

@@ -22,7 +22,7 @@ package starlogo.queries.motion
         private static const MOST_ITERATIONS:int = 8;
 
         private var _sweep:CoreSweep;
-        private var _start:MotionStart = new MotionStart();
+        private var _recovery:OverlapRecovery = new OverlapRecovery();
 
         // What is left of the motion, what is met first on that, and what is met first without one of the planes.
         private var _rest:SlidePlanes = new SlidePlanes();
@@ -62,7 +62,7 @@ package starlogo.queries.motion
                 return;
             }
             _lift.clear();
-            _start.leaveOverlaps(body, from, _rest, _lift, place);
+            _recovery.leaveOverlaps(body, from, _rest, _lift, place);
             var whole:Number = _rest.length;
             _rest.project();
             for (var iterations:int = 0; iterations < MOST_ITERATIONS && _rest.length > 0; iterations++)

@@ -223,7 +223,7 @@ package starlogo.queries.trees
                 }
             }
             var square:Number = toX * toX + toY * toY + toZ * toZ;
-            if (square > _found.limit || !_tree.breeds.mayHave(node, _found.filter.breeds))
+            if (square > _found.limit || !_tree.mayHave(node, _found.filter.breeds))
             {
                 return waiting;
             }
@@ -280,7 +280,7 @@ package starlogo.queries.trees
                     limit = found.limit;
                 }
             }
-            _tree.breeds.passOver(passedOver);
+            _tree.passOver(passedOver);
             return counted;
         }
     }

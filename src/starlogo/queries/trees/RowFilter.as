@@ -23,8 +23,8 @@ package starlogo.queries.trees
         /** Whether breeds or agents are excluded. If not, <code>mayCount()</code> is true for all rows. */
         public var excludes:Boolean = false;
 
-        /** The set of the breeds that may count, see NodeBreeds. */
-        public var breeds:int = NodeBreeds.ALL;
+        /** The set of the breeds that may count, see RowTree. */
+        public var breeds:int = RowTree.ALL_BREEDS;
 
         /** The row of the agent that asks, which does not count; or -1. */
         public var askerRow:int = -1;
@@ -55,7 +55,7 @@ package starlogo.queries.trees
             askerRow = asker == null ? -1 : _seen.table.list.rowOf(asker);
             _filter = filter;
             excludes = false;
-            breeds = NodeBreeds.ALL;
+            breeds = RowTree.ALL_BREEDS;
             accepts = null;
             if (filter == null)
             {
@@ -73,7 +73,7 @@ package starlogo.queries.trees
             {
                 // the set may bring new names, with which sets are exact no longer
                 var excluded:int = setOf(filter.exceptBreeds);
-                breeds = Breeds.count <= NodeBreeds.BITS ? ~excluded : NodeBreeds.ALL;
+                breeds = Breeds.count <= RowTree.BREED_BITS ? ~excluded : RowTree.ALL_BREEDS;
             }
             except(filter.except);
         }
@@ -86,7 +86,7 @@ package starlogo.queries.trees
             {
                 if (names[i] != null)
                 {
-                    found |= NodeBreeds.bitOf(Breeds.numberOf(names[i]));
+                    found |= RowTree.breedBit(Breeds.numberOf(names[i]));
                 }
             }
             return found;

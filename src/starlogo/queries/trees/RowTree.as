@@ -1,5 +1,7 @@
 package starlogo.queries.trees
 {
+    import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.broadphase.Extents;
     import starlogo.broadphase.Points;
     import starlogo.engine;
@@ -13,7 +15,10 @@ package starlogo.queries.trees
      *
      * <p>The nodes are numbered as in a heap: the root is node 1, and the children of node i are nodes 2 i and 2 i + 1. All leaves are on one
      * level, and the nodes of each level have equal parts of the rows. So the tree has to store nothing but the boxes. The rows stand in slots,
-     * in the order of the leaves.</p>
+     * in the order of the leaves. RowDivision brings them into that order.</p>
+     *
+     * <p>A search for a rare breed can skip nodes without it. The nodes learn which breeds they have when searches have passed over as many rows
+     * that do not count as the tree has, and again when an agent has got another breed.</p>
      *
      * @private
      */
@@ -27,6 +32,10 @@ package starlogo.queries.trees
 
         // The most rows that a leaf can have.
         private static const LEAF_SIZE:int = 24;
+
+        /** How many breeds have bits of their own in a set of breeds; and the set of all. */
+        public static const BREED_BITS:int = 32;
+        public static const ALL_BREEDS:int = -1;
 
         // After this many moves per row the tree has to be built again, because its boxes have grown too much.
         private static const MOVES:Number = 0.5;
@@ -52,8 +61,12 @@ package starlogo.queries.trees
         /** By node: a box around the boxes of the node's rows. */
         public var nodeBoxes:Vector.<Number> = new Vector.<Number>();
 
-        /** Which breeds the nodes have. */
-        public var breeds:NodeBreeds = new NodeBreeds();
+        // How many rows that do not count searches have tested since the nodes learned their breeds. A test reads it.
+        engine var passedOver:int = 0;
+
+        // By node: the set of its rows' breeds; and what Breeds.changes was when the nodes learned them, or -1.
+        private var _breedSets:Vector.<int> = new Vector.<int>();
+        private var _breedsAsOf:int = -1;
 
         // How many rows may still move. If it is less than 0, the tree is stale.
         private var _movesLeft:int = -1;
@@ -75,6 +88,8 @@ package starlogo.queries.trees
         public function build(rows:Vector.<int>, count:int, points:Points):void
         {
             _movesLeft = MOVES * count;
+            passedOver = 0;
+            _breedsAsOf = -1;
             this.count = count;
             _points = points;
             _sizes = points as Extents;
@@ -97,7 +112,6 @@ package starlogo.queries.trees
             boundMiddles(PER_BOX * ROOT, 0, count);
             RowDivision.divide(this);
             boundAll();
-            breeds.forget(2 * firstLeaf);
         }
 
         /** Whether the tree must be built again before the next search. */
@@ -110,6 +124,49 @@ package starlogo.queries.trees
         public function makeStale():void
         {
             _movesLeft = -1;
+        }
+
+        /** The bit of a breed in a set of breeds. Breeds with the same remainder share one. */
+        public static function breedBit(breed:int):int
+        {
+            return 1 << breed % BREED_BITS;
+        }
+
+        /** Counts rows that a filter does not let through, by their breeds or otherwise. */
+        public function passOver(rows:int):void
+        {
+            passedOver += rows;
+        }
+
+        /** Lets the nodes learn their breeds, if searches have passed over so many rows that this takes no longer. */
+        public function learnBreeds(agents:Vector.<Agent>):void
+        {
+            if (passedOver < count || _breedsAsOf == Breeds.changes)
+            {
+                return;
+            }
+            passedOver = 0;
+            _breedsAsOf = Breeds.changes;
+            for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
+            {
+                _breedSets[node] = node < firstLeaf ? _breedSets[int(2 * node)] | _breedSets[int(2 * node + 1)] : breedsIn(node - firstLeaf, agents);
+            }
+        }
+
+        private function breedsIn(leaf:int, agents:Vector.<Agent>):int
+        {
+            var found:int = 0;
+            for (var slot:int = starts[leaf]; slot < starts[int(leaf + 1)]; slot++)
+            {
+                found |= breedBit(agents[rows[slot]].breedNumber);
+            }
+            return found;
+        }
+
+        /** Whether a node may have rows of some breeds. */
+        public function mayHave(node:int, breeds:int):Boolean
+        {
+            return breeds == ALL_BREEDS || _breedsAsOf != Breeds.changes || (_breedSets[node] & breeds) != 0;
         }
 
         /** The node number of the leaf that has a row. */
@@ -174,6 +231,7 @@ package starlogo.queries.trees
             {
                 starts.length = firstLeaf + 1;
                 nodeBoxes.length = 2 * firstLeaf * PER_BOX;
+                _breedSets.length = 2 * firstLeaf;
             }
         }
 

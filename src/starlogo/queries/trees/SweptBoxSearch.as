@@ -136,7 +136,7 @@ package starlogo.queries.trees
         /**
          * The next row, or -1 if there are no more. The last one is the row of the ground, also if there is none.
          *
-         * @param breeds the breeds that count, a set of NodeBreeds. Nodes without them are skipped, but single rows may have others
+         * @param breeds the breeds that count, a set of RowTree. Nodes without them are skipped, but single rows may have others
          * @param limit if the box moves: how much of the motion is still searched, as a multiple of its vector. It may become less during the search
          */
         public function next(breeds:int, limit:Number):int
@@ -171,13 +171,13 @@ package starlogo.queries.trees
         /** Counts a row that the filter does not let through. */
         public function passOver():void
         {
-            _tree.breeds.passOver(1);
+            _tree.passOver(1);
         }
 
         // Finds the rows of a leaf, or puts the children of a node on the waiting list.
         private function visit(node:int, breeds:int):void
         {
-            if (!_tree.breeds.mayHave(node, breeds))
+            if (!_tree.mayHave(node, breeds))
             {
                 return;
             }

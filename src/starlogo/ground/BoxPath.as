@@ -94,7 +94,7 @@ package starlogo.ground
          * @param isNarrowed whether the part ends with the search's latest time as it is now; otherwise, as it was at the beginning
          * @param out receives the part and the heights
          */
-        public function passOver(level:int, column:int, row:int, isNarrowed:Boolean, out:SquarePassage):void
+        public function findPassage(level:int, column:int, row:int, isNarrowed:Boolean, out:SquarePassage):void
         {
             var box:GroundBox = search.box;
             var width:Number = widthAt(level);

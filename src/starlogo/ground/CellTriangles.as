@@ -68,7 +68,7 @@ package starlogo.ground
                 _end = 2;
                 if (hasWalls)
                 {
-                    _path.passOver(0, column, row, false, _wholePassage);
+                    _path.findPassage(0, column, row, false, _wholePassage);
                     _end = 10;
                 }
             }

@@ -102,7 +102,7 @@ package starlogo.ground
             var level:int = _squares[_top];
             var column:int = _squares[int(_top + 1)];
             var row:int = _squares[int(_top + 2)];
-            _path.passOver(level, column, row, true, _passage);
+            _path.findPassage(level, column, row, true, _passage);
             if (_passage.from > _passage.to)
             {
                 return;

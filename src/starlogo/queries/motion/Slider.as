@@ -29,7 +29,7 @@ package starlogo.queries.motion
         private var _impact:Impact = new Impact();
         private var _tried:Impact = new Impact();
 
-        // How the beginning lifts the body.
+        // How the beginning lifts the body. A slide goes on from there.
         private var _lift:StartLift = new StartLift();
 
         /** @param seen has the rows, and tests which of them touch */
